@@ -1,0 +1,9 @@
+# FOG_SANITIZE=ON: everything under AddressSanitizer and UndefinedBehaviorSanitizer, and every
+# Fixed<> operation checked for overflow (firmware/core/fixed_point/overflow.hpp).
+option(FOG_SANITIZE "Build with ASan, UBSan and checked fixed-point arithmetic" OFF)
+if(FOG_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
+                      -fno-omit-frame-pointer -O1)
+  add_link_options(-fsanitize=address,undefined)
+  add_compile_definitions(FOG_CHECKED_FIXED)
+endif()

@@ -1,0 +1,124 @@
+#include "cli/arguments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+std::string dashed(const std::string& name) { return (name.size() == 1 ? "-" : "--") + name; }
+
+const Option* find_option(const Command& command, const std::string& name) {
+  const auto found = std::find_if(command.options.begin(), command.options.end(),
+                                  [&](const Option& option) { return option.name == name; });
+  return found == command.options.end() ? nullptr : &*found;
+}
+
+InputError usage_error(const Command& command, const std::string& what) {
+  return InputError("fogcomp " + command.name, what + "; see fogcomp " + command.name + " --help");
+}
+
+const Option& require_option(const Command& command, const std::string& name) {
+  if (const Option* option = find_option(command, name)) return *option;
+  std::vector<std::string> names;
+  for (const Option& option : command.options) names.push_back(option.name);
+  throw usage_error(command, "unknown option " + dashed(name) + did_you_mean(name, names));
+}
+
+}  // namespace
+
+Arguments::Arguments(const Command& command, const std::vector<std::string>& words)
+    : command_(command) {
+  bool only_positionals = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (only_positionals || word.size() < 2 || word[0] != '-') {
+      positionals_.push_back(word);
+      continue;
+    }
+    if (word == "--") {
+      only_positionals = true;
+      continue;
+    }
+    std::string name = word.substr(word[1] == '-' ? 2 : 1);
+    std::string value;
+    const std::size_t equals = name.find('=');
+    const bool inline_value = word[1] == '-' && equals != std::string::npos;
+    if (inline_value) {
+      value = name.substr(equals + 1);
+      name.resize(equals);
+    }
+    const Option& option = require_option(command, name);
+    if (option.value_name.empty()) {
+      if (inline_value) throw usage_error(command, dashed(name) + " takes no value");
+    } else if (!inline_value) {
+      if (i + 1 == words.size()) {
+        throw usage_error(command, dashed(name) + " needs a value (" + option.value_name + ")");
+      }
+      value = words[++i];
+    }
+    std::vector<std::string>& values = given_[name];
+    if (!option.repeatable && !values.empty()) {
+      throw usage_error(command, dashed(name) + " is given twice");
+    }
+    values.push_back(value);
+  }
+  if (positionals_.size() < command.least_positionals) {
+    throw usage_error(command, "expects " + command.positionals);
+  }
+  if (positionals_.size() > command.most_positionals) {
+    throw usage_error(command,
+                      "unexpected argument '" + positionals_[command.most_positionals] + "'");
+  }
+}
+
+std::string Arguments::text(const std::string& name) const {
+  const auto found = given_.find(name);
+  return found == given_.end() ? require_option(command_, name).default_value
+                               : found->second.back();
+}
+
+std::vector<std::string> Arguments::all(const std::string& name) const {
+  const auto found = given_.find(name);
+  return found == given_.end() ? std::vector<std::string>{} : found->second;
+}
+
+double Arguments::number(const std::string& name, double least, double most) const {
+  const std::string value = text(name);
+  const auto parsed = parse_number(value);
+  if (!parsed || *parsed < least || *parsed > most) {
+    throw usage_error(command_, dashed(name) + " '" + value + "' is not a number from " +
+                                    format("%g to %g", least, most));
+  }
+  return *parsed;
+}
+
+std::int64_t Arguments::integer(const std::string& name, std::int64_t least,
+                                std::int64_t most) const {
+  const double value = number(name, static_cast<double>(least), static_cast<double>(most));
+  if (value != std::floor(value)) {
+    throw usage_error(command_, dashed(name) + " '" + text(name) + "' is not a whole number");
+  }
+  return static_cast<std::int64_t>(value);
+}
+
+std::string Arguments::choice(const std::string& name,
+                              const std::vector<std::string>& allowed) const {
+  const std::string value = text(name);
+  if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return value;
+  std::string list;
+  for (const std::string& word : allowed) list += (list.empty() ? "" : ", ") + word;
+  throw usage_error(command_, dashed(name) + " '" + value + "' is not one of " + list +
+                                  did_you_mean(value, allowed));
+}
+
+std::string Arguments::required(const std::string& name) const {
+  const std::string value = text(name);
+  if (value.empty()) throw usage_error(command_, dashed(name) + " is missing");
+  return value;
+}
+
+}  // namespace fogcomp::cli

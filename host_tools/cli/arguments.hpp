@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+
+namespace fogcomp::cli {
+
+/// The words after `fogcomp COMMAND`, checked against the command's description.
+class Arguments {
+ public:
+  /// Throws InputError for an unknown option (naming the nearest), a missing value, or the wrong
+  /// number of positionals. Options may stand anywhere; `--name=value` and `--name value` both work.
+  Arguments(const Command& command, const std::vector<std::string>& words);
+
+  const std::vector<std::string>& positionals() const { return positionals_; }
+
+  /// Whether the option was given (not its default).
+  bool has(const std::string& name) const { return given_.count(name) > 0; }
+  /// The value given last, or the default.
+  std::string text(const std::string& name) const;
+  /// All values of a repeatable option, in order.
+  std::vector<std::string> all(const std::string& name) const;
+  /// A finite number in [least, most]; throws InputError naming option and range.
+  double number(const std::string& name, double least, double most) const;
+  std::int64_t integer(const std::string& name, std::int64_t least, std::int64_t most) const;
+  /// A value out of `allowed`; throws InputError that lists them.
+  std::string choice(const std::string& name, const std::vector<std::string>& allowed) const;
+  /// A value that must be there; throws InputError naming the option.
+  std::string required(const std::string& name) const;
+
+ private:
+  const Command& command_;
+  std::vector<std::string> positionals_;
+  std::map<std::string, std::vector<std::string>> given_;
+};
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,74 @@
+// fogcomp: finds the command, checks its words, runs it, turns errors into one line and exit code 2.
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace {
+
+using fogcomp::cli::all_commands;
+using fogcomp::cli::Command;
+
+void print_overview() {
+  std::puts("fogcomp - finds and removes the temperature drift of a fibre-optic gyro\n");
+  std::puts("usage: fogcomp COMMAND [ARGUMENTS]   (fogcomp COMMAND --help for each)\n");
+  for (const Command& command : all_commands()) {
+    std::printf("  %-10s %s\n", command.name.c_str(), command.summary.c_str());
+  }
+  std::puts("\nexit codes: 0 done, 1 the answer is no, 2 bad arguments or input");
+}
+
+int run(const std::vector<std::string>& words) {
+  if (words.empty() || words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
+    print_overview();
+    return words.empty() ? 2 : 0;
+  }
+  if (words[0] == "--version") {
+    std::puts("fogcomp " FOGCOMP_VERSION);
+    return 0;
+  }
+  const auto& commands = all_commands();
+  const auto command = std::find_if(commands.begin(), commands.end(),
+                                    [&](const Command& c) { return c.name == words[0]; });
+  if (command == commands.end()) {
+    std::vector<std::string> names;
+    for (const Command& c : commands) names.push_back(c.name);
+    throw fogcomp::InputError("fogcomp", "no command '" + words[0] + "'" +
+                                             fogcomp::did_you_mean(words[0], names) +
+                                             "; fogcomp --help lists them");
+  }
+  const std::vector<std::string> rest(words.begin() + 1, words.end());
+  const bool wants_help = std::any_of(rest.begin(), rest.end(), [](const std::string& word) {
+    return word == "--help" || word == "-h";
+  });
+  if (wants_help) {
+    std::fputs(fogcomp::cli::help_text(*command).c_str(), stdout);
+    return 0;
+  }
+  return command->run(fogcomp::cli::Arguments(*command, rest));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const int code = run(std::vector<std::string>(argv + 1, argv + argc));
+    if (std::fflush(stdout) != 0) throw fogcomp::InputError("standard output", "write failed");
+    return code;
+  } catch (const fogcomp::InputError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+  } catch (const std::bad_alloc&) {
+    std::fputs("fogcomp: out of memory; use a shorter recording or a machine with more\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "fogcomp: internal error: %s\n", error.what());
+  }
+  return 2;
+}

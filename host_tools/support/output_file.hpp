@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fogcomp {
+
+/// A file that appears whole or not at all: written under a temporary name beside its own and
+/// renamed by commit(). Without commit() (an error, an interrupt) the temporary file is removed and
+/// whatever had the name before is untouched.
+class OutputFile {
+ public:
+  /// Opens the temporary file. Throws InputError where the folder cannot be written or `path` is a
+  /// directory.
+  explicit OutputFile(std::string path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Appends bytes. Throws InputError where the disk is full.
+  void write(const void* bytes, std::size_t size);
+  void write(std::string_view text) { write(text.data(), text.size()); }
+
+  /// Flushes, checks that all was written, and gives the file its name.
+  void commit();
+
+  const std::string& path() const { return path_; }
+
+ private:
+  void flush();
+
+  std::string path_;
+  std::string temporary_path_;
+  int descriptor_ = -1;
+  std::vector<char> buffer_;
+};
+
+/// Writes `text` to `path` whole or not at all.
+void write_file(const std::string& path, std::string_view text);
+
+/// The whole file. Throws InputError for a missing file, a directory or a read error.
+std::string read_file(const std::string& path);
+
+}  // namespace fogcomp

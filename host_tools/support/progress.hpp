@@ -1,0 +1,28 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace fogcomp {
+
+/// A progress bar with the time left, on stderr, only where that is a terminal, and only for work
+/// that turns out to last longer than 2 s.
+class Progress {
+ public:
+  explicit Progress(std::string label);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// `fraction` of the work done, 0 to 1. Cheap enough to call every few thousand rows.
+  void update(double fraction);
+
+ private:
+  std::string label_;
+  bool on_terminal_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point last_;
+};
+
+}  // namespace fogcomp
