@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace fog {
+
+/// One sample as the demodulator sends it (SPEC.md, "Sensor stream"): raw, nothing calibrated.
+struct SensorSample {
+  std::uint16_t sequence = 0;
+  std::int32_t rate_counts = 0;
+  std::int32_t temperature_q16 = 0;  ///< degC, LSB 2^-16
+  bool gyro_valid = false;
+  bool temperature_valid = false;
+};
+
+constexpr std::size_t kSensorFrameBytes = 16;
+constexpr std::uint8_t kSensorSync0 = 0xA5;
+constexpr std::uint8_t kSensorSync1 = 0x5A;
+using SensorFrame = std::array<std::uint8_t, kSensorFrameBytes>;
+
+/// The 16 bytes of a sample, CRC included. Used by the host to make streams, and by tests.
+SensorFrame encode_sensor_frame(const SensorSample& sample);
+
+/// Reads 16 bytes. Returns false, and leaves `sample` alone, unless sync, CRC, the reserved byte
+/// and the unused status bits are all as they must be.
+bool decode_sensor_frame(const std::uint8_t* bytes, SensorSample& sample);
+
+}  // namespace fog
