@@ -9,7 +9,9 @@
 namespace fogcomp::cli {
 namespace {
 
-std::string dashed(const std::string& name) { return (name.size() == 1 ? "-" : "--") + name; }
+std::string dashed(const std::string& name) {
+  return (name.size() == 1 ? "-" : "--") + name;
+}
 
 const Option* find_option(const Command& command, const std::string& name) {
   const auto found = std::find_if(command.options.begin(), command.options.end(),

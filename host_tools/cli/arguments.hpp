@@ -13,7 +13,8 @@ namespace fogcomp::cli {
 class Arguments {
  public:
   /// Throws InputError for an unknown option (naming the nearest), a missing value, or the wrong
-  /// number of positionals. Options may stand anywhere; `--name=value` and `--name value` both work.
+  /// number of positionals. Options may stand anywhere; `--name=value` and `--name value` both
+  /// work.
   Arguments(const Command& command, const std::vector<std::string>& words);
 
   const std::vector<std::string>& positionals() const { return positionals_; }

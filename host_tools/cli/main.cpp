@@ -1,4 +1,5 @@
-// fogcomp: finds the command, checks its words, runs it, turns errors into one line and exit code 2.
+// fogcomp: finds the command, checks its words, runs it, turns errors into one line and exit
+// code 2.
 
 #include <algorithm>
 #include <cstdio>

@@ -44,7 +44,8 @@ class Json {
 
   void print(std::string& out) const;
 
-  std::variant<std::nullptr_t, bool, double, std::int64_t, std::string, Array, Object> value_{nullptr};
+  std::variant<std::nullptr_t, bool, double, std::int64_t, std::string, Array, Object> value_{
+      nullptr};
 };
 
 }  // namespace fogcomp

@@ -95,8 +95,8 @@ void OutputFile::flush() {
     const ssize_t written = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
-      throw InputError(path_, std::string("write failed (") + std::strerror(errno) +
-                                  "); is the disk full?");
+      throw InputError(
+          path_, std::string("write failed (") + std::strerror(errno) + "); is the disk full?");
     }
     done += static_cast<std::size_t>(written);
   }
@@ -111,7 +111,8 @@ void OutputFile::commit() {
   const int error = errno;
   if (!named) ::unlink(temporary_path_.c_str());
   forget_unfinished(temporary_path_);
-  if (!named) throw InputError(path_, std::string("cannot be written (") + std::strerror(error) + ")");
+  if (!named)
+    throw InputError(path_, std::string("cannot be written (") + std::strerror(error) + ")");
 }
 
 void write_file(const std::string& path, std::string_view text) {
@@ -123,8 +124,8 @@ void write_file(const std::string& path, std::string_view text) {
 std::string read_file(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
-    throw InputError(path, std::string("cannot be read (") + std::strerror(errno) +
-                               "); check the name");
+    throw InputError(path,
+                     std::string("cannot be read (") + std::strerror(errno) + "); check the name");
   }
   std::string text;
   std::array<char, 65536> chunk;

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/output_file.hpp"
+
+namespace fogcomp {
+
+enum class RecordingFormat : std::uint8_t {
+  csv,
+  sensor_stream,  ///< what the demodulator sends to the board
+};
+
+enum class Column : std::uint8_t {
+  time_s,
+  temperature_degc,
+  rate_dph,
+  input_rate_dph,
+  temperature2_degc,
+  magnetic_ut,
+  light_power_uw,
+  supply_v,
+  vibration_grms,
+};
+
+/// Writes a recording in chunks, so that its length is not bounded by memory.
+class RecordingWriter {
+ public:
+  /// `columns` are written in the order given; a sensor stream needs rate and temperature and
+  /// leaves out the rest. `scale_factor` is counts per deg/s and `rate_hz` numbers the samples by
+  /// their time; both concern the stream only.
+  RecordingWriter(const std::string& path, RecordingFormat format, std::vector<Column> columns,
+                  double scale_factor, double rate_hz);
+
+  /// `values[c][row]` belongs to column c; every column has `rows` values.
+  void append(const std::vector<const double*>& values, std::size_t rows);
+
+  /// Gives the file its name; without it nothing appears.
+  void commit();
+
+ private:
+  void append_csv(const std::vector<const double*>& values, std::size_t rows);
+  void append_stream(const std::vector<const double*>& values, std::size_t rows);
+
+  OutputFile file_;
+  RecordingFormat format_;
+  std::vector<Column> columns_;
+  double scale_factor_;
+  double rate_hz_;
+};
+
+/// Counts per deg/s of the simulated gyro: one count is 2^-10 deg/h, the board's own resolution.
+constexpr double kDefaultScaleFactor = 3600.0 * 1024.0;
+
+}  // namespace fogcomp
