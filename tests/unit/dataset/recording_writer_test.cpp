@@ -11,6 +11,7 @@
 #include "core/acquisition/sensor_frame.hpp"
 #include "dataset/fixed_decimal.hpp"
 #include "support/output_file.hpp"
+#include "temporary_file.hpp"
 
 namespace fogcomp {
 namespace {
@@ -18,10 +19,6 @@ namespace {
 std::string printed(double value, int decimals) {
   char text[kLongestDecimal];
   return std::string(text, print_fixed(value, decimals, text));
-}
-
-std::string file_in_temp(const std::string& name) {
-  return ::testing::TempDir() + name;
 }
 
 TEST(FixedDecimal, RoundsAndDropsTrailingZeros) {
@@ -51,7 +48,7 @@ TEST(FixedDecimal, StaysWithinHalfAUnitOfTheLastPlace) {
 }
 
 TEST(RecordingWriter, WritesColumnsInTheOrderAskedFor) {
-  const std::string path = file_in_temp("writer_order.csv");
+  const std::string path = temporary_path("writer_order.csv");
   const std::vector<double> rate{0.5, -1.25};
   const std::vector<double> time{0.005, 0.01};
   RecordingWriter writer(path, RecordingFormat::csv, {Column::rate_dph, Column::time_s}, 0, 0);
@@ -61,7 +58,7 @@ TEST(RecordingWriter, WritesColumnsInTheOrderAskedFor) {
 }
 
 TEST(RecordingWriter, TurnsTimeGapsIntoSequenceGaps) {
-  const std::string path = file_in_temp("writer_gap.bin");
+  const std::string path = temporary_path("writer_gap.bin");
   const std::vector<double> time{327.67, 327.68, 327.70};  // 200 Hz: numbers 65534, 65536, 65540
   const std::vector<double> temperature{-40, -40, 60};
   const std::vector<double> rate{1, -1, 5e6};  // the last beyond the counts' range
@@ -89,7 +86,7 @@ TEST(RecordingWriter, TurnsTimeGapsIntoSequenceGaps) {
 }
 
 TEST(RecordingWriter, LeavesNothingWithoutCommit) {
-  const std::string path = file_in_temp("writer_uncommitted.csv");
+  const std::string path = temporary_path("writer_uncommitted.csv");
   { RecordingWriter writer(path, RecordingFormat::csv, {Column::time_s}, 0, 0); }
   EXPECT_ANY_THROW(read_file(path));
 }
