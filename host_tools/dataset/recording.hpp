@@ -7,11 +7,24 @@
 
 namespace fogcomp {
 
+/// Longest recording that is read: 27 h at 200 Hz; 0.5 GB in memory with three columns.
+constexpr std::size_t kMostRows = 20'000'000;
+
+/// What a captured sensor stream held besides the rows.
+struct CaptureCounts {
+  std::size_t invalid_samples = 0;    ///< gyro not valid, or no temperature yet: left out
+  std::size_t held_temperatures = 0;  ///< temperature not valid: the last valid one stands
+  std::size_t repeated_samples = 0;   ///< same sequence number as the one before: left out
+  std::size_t missing_samples = 0;    ///< sequence numbers that never came
+  std::size_t discarded_bytes = 0;    ///< part of no good frame
+};
+
 /// A recording in memory, one vector per column, all of the same length or (a column that the file
 /// does not have) empty. Columns and units: the contract's "Recordings".
 struct Recording {
   std::string file;
-  double period_s = 0;  ///< median sample spacing
+  /// Mean sample spacing within the stretches; 0 for one row.
+  double period_s = 0;
   std::vector<double> time_s;
   std::vector<double> temperature_degc;
   std::vector<double> rate_dph;
@@ -21,25 +34,37 @@ struct Recording {
   std::vector<double> light_power_uw;
   std::vector<double> supply_v;
   std::vector<double> vibration_grms;
-  /// First row of each stretch without a gap (spacing at most 1.5 periods); starts with 0.
+  /// First row of each stretch without a gap (spacing at most 1.5 times the median); starts with 0.
   std::vector<std::size_t> stretch_starts;
+  /// From a column `segment`: each text and the first row where it stands; else empty.
+  struct Label {
+    std::size_t first_row;
+    std::string text;
+  };
+  std::vector<Label> labels;
   std::size_t bad_rows = 0;  ///< left out by skip_bad_rows
+  std::optional<CaptureCounts> capture;
 
   std::size_t rows() const { return time_s.size(); }
 };
 
 struct ReadOptions {
   /// Counts per deg/s: needed for a file with `counts` instead of `rate_dph`, and for a captured
-  /// sensor stream unless it is the default.
+  /// sensor stream unless it is kDefaultScaleFactor.
   std::optional<double> scale_factor;
   bool skip_bad_rows = false;
-  /// Constant input rate (Earth rate by latitude and axis) for a file without that column.
+  /// Constant input rate (Earth rate by latitude and axis) for a file without that column, which it
+  /// then gets; left at 0 the column stays empty.
   double default_input_rate_dph = 0;
-  /// Sample rate of a captured sensor stream, which carries sequence numbers but no time.
+  /// Sample rate of a captured sensor stream, which carries sequence numbers but no time; without
+  /// it kDefaultStreamRateHz.
   std::optional<double> stream_rate_hz;
 };
 
-/// Reads a CSV, or a captured sensor stream (told apart by content, not by name).
+constexpr double kDefaultStreamRateHz = 200;
+
+/// Reads a CSV, or a captured sensor stream (told apart by content, not by name). What was ignored
+/// or left out is named on stderr, one line per kind.
 /// Throws InputError `FILE:LINE: what is wrong; what to do`.
 Recording read_recording(const std::string& path, const ReadOptions& options);
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "dataset/recording.hpp"
+#include "dataset/segments.hpp"
+
+namespace fogcomp {
+
+/// Block means of a recording: itself a recording, whose time is the centre of each block and whose
+/// period is the block length.
+struct Blocks {
+  Recording means;
+  std::size_t rows_per_block = 1;
+  std::vector<std::size_t> first_rows;  ///< of each block, in the recording it was made from
+};
+
+/// Means of all columns over round(average_s / period) rows, at least one; never across a gap. The
+/// incomplete block at the end of a stretch is dropped; where no stretch is as long as a block, the
+/// longest makes the only one.
+Blocks block_means(const Recording& recording, double average_s);
+
+/// The blocks whose middle row lies in each segment: same names, kinds and order; `first_row` and
+/// `end_row` then count blocks and are equal where a segment is too short to have one.
+std::vector<Segment> segments_in_blocks(const std::vector<Segment>& segments, const Blocks& blocks);
+
+}  // namespace fogcomp

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "dataset/input_file.hpp"
+#include "dataset/recording.hpp"
+
+namespace fogcomp {
+
+/// The columns and labels of a CSV as contract "Recordings" describes it; period and stretches are
+/// left to read_recording. Throws InputError `FILE:LINE: what is wrong; what to do`.
+Recording read_csv(InputFile& file, const ReadOptions& options);
+
+}  // namespace fogcomp

@@ -1,0 +1,96 @@
+#include "dataset/input_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "support/input_error.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr std::size_t kBufferBytes = 1U << 20U;
+
+}  // namespace
+
+InputFile::InputFile(std::string path) : path_(std::move(path)) {
+  descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor_ < 0) {
+    throw InputError(path_,
+                     std::string("cannot be read (") + std::strerror(errno) + "); check the name");
+  }
+  struct stat status {};
+  if (::fstat(descriptor_, &status) == 0) {
+    if (S_ISDIR(status.st_mode)) {
+      ::close(descriptor_);
+      throw InputError(path_, "is a directory; name a recording in it");
+    }
+    if (S_ISREG(status.st_mode)) size_ = static_cast<std::size_t>(status.st_size);
+  }
+  buffer_.resize(kBufferBytes + 1);  // one more for the line end that a last line may lack
+}
+
+InputFile::~InputFile() {
+  ::close(descriptor_);
+}
+
+// Moves the unread bytes to the front and reads until the buffer is full or the file ends.
+void InputFile::fill() {
+  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+  end_ -= begin_;
+  begin_ = 0;
+  while (!at_end_ && end_ < kBufferBytes) {
+    const ssize_t got = ::read(descriptor_, buffer_.data() + end_, kBufferBytes - end_);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) {
+      throw InputError(path_, std::string("cannot be read (") + std::strerror(errno) + ")");
+    }
+    at_end_ = got == 0;
+    end_ += static_cast<std::size_t>(got);
+  }
+}
+
+std::string_view InputFile::peek() {
+  fill();
+  return {buffer_.data() + begin_, end_ - begin_};
+}
+
+std::string_view InputFile::next_block() {
+  const std::string_view block = peek();
+  begin_ = end_;
+  return block;
+}
+
+bool InputFile::next_line(std::string_view& line) {
+  const char* start = buffer_.data() + begin_;
+  const void* found = std::memchr(start, '\n', end_ - begin_);
+  if (found == nullptr) {
+    fill();
+    if (begin_ == end_) return false;
+    start = buffer_.data();
+    found = std::memchr(start, '\n', end_);
+  }
+  ++line_number_;
+  if (found == nullptr) {
+    if (!at_end_) throw InputError(where(), "line longer than 1 MiB; is this a recording?");
+    buffer_[end_] = '\n';
+    found = buffer_.data() + end_;
+    begin_ = end_;
+  } else {
+    begin_ = static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.data()) + 1;
+  }
+  auto length = static_cast<std::size_t>(static_cast<const char*>(found) - start);
+  if (length > 0 && start[length - 1] == '\r') --length;
+  line = {start, length};
+  return true;
+}
+
+std::string InputFile::where() const {
+  return path_ + ":" + std::to_string(line_number_);
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fogcomp {
+
+/// A file or pipe read once from start to end through one buffer, by lines or by blocks.
+/// Errors are InputError with the file's name.
+class InputFile {
+ public:
+  /// Throws for a missing file, a directory, or one that may not be read.
+  explicit InputFile(std::string path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  /// Size in bytes, 0 where it is not known beforehand (a pipe).
+  std::size_t size() const { return size_; }
+
+  /// The unread bytes at hand, without taking them: 1 MiB, or all that is left of the file.
+  std::string_view peek();
+  /// Takes what peek() shows; empty at the end of the file.
+  std::string_view next_block();
+
+  /// Takes the next line, without its LF or CRLF; false at the end. The byte after the view is
+  /// readable and is a CR or LF. Throws for a line longer than 1 MiB.
+  bool next_line(std::string_view& line);
+  /// Of the line taken last, from 1.
+  std::size_t line_number() const { return line_number_; }
+  /// `FILE:LINE` of the line taken last, for messages.
+  std::string where() const;
+
+ private:
+  void fill();
+
+  std::string path_;
+  int descriptor_ = -1;
+  std::size_t size_ = 0;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0;  // unread bytes: [begin_, end_)
+  std::size_t end_ = 0;
+  bool at_end_ = false;
+  std::size_t line_number_ = 0;
+};
+
+}  // namespace fogcomp

@@ -1,0 +1,79 @@
+#include "dataset/recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "dataset/csv_reader.hpp"
+#include "dataset/stream_reader.hpp"
+#include "support/input_error.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kGapPeriods = 1.5;
+
+// Of at most 65537 spacings spread over the recording: a typical value needs no more.
+double median_spacing_s(const std::vector<double>& time_s) {
+  constexpr std::size_t kMostSpacings = 65536;
+  const std::size_t step = time_s.size() / kMostSpacings + 1;
+  std::vector<double> spacings;
+  for (std::size_t i = 1; i < time_s.size(); i += step) {
+    spacings.push_back(time_s[i] - time_s[i - 1]);
+  }
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>((spacings.size() - 1) / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  return *middle;
+}
+
+// Times are printed in decimals, and so is what lies between them: without this, rounding of the
+// differences turns 0.005 into 0.00499999999738.
+double without_rounding_dust(double period_s) {
+  constexpr double kDigits = 9;
+  const double units_per_s = std::pow(10, kDigits - std::floor(std::log10(period_s)));
+  return std::round(period_s * units_per_s) / units_per_s;
+}
+
+void find_stretches(Recording& recording) {
+  recording.stretch_starts = {0};
+  const std::vector<double>& time_s = recording.time_s;
+  if (time_s.size() < 2) return;
+  const double longest_s = kGapPeriods * median_spacing_s(time_s);
+  double spanned_s = 0;
+  std::size_t spacings = 0;
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    const double spacing_s = time_s[i] - time_s[i - 1];
+    if (spacing_s > longest_s) {
+      recording.stretch_starts.push_back(i);
+    } else {
+      spanned_s += spacing_s;
+      ++spacings;
+    }
+  }
+  recording.period_s = without_rounding_dust(spanned_s / static_cast<double>(spacings));
+}
+
+}  // namespace
+
+Recording read_recording(const std::string& path, const ReadOptions& options) {
+  InputFile file(path);
+  const std::string_view head = file.peek();
+  if (head.empty()) throw InputError(path, "is empty; is it the right file?");
+
+  Recording recording;
+  if (is_sensor_stream(head)) {
+    recording = read_sensor_stream(file, options);
+  } else {
+    recording = read_csv(file, options);
+    if (options.stream_rate_hz) {
+      std::fprintf(stderr, "%s: a CSV has its own time; --rate changes nothing\n", path.c_str());
+    }
+  }
+  if (recording.input_rate_dph.empty() && options.default_input_rate_dph != 0) {
+    recording.input_rate_dph.assign(recording.rows(), options.default_input_rate_dph);
+  }
+  find_stretches(recording);
+  return recording;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,146 @@
+#include "dataset/stream_reader.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "core/acquisition/stream_parser.hpp"
+#include "dataset/recording_writer.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kDphPerDegreePerSecond = 3600;
+constexpr double kDegcPerLsb = 1.0 / 65536;
+
+bool is_control(char character) {
+  const auto code = static_cast<unsigned char>(character);
+  return code < 0x20U && character != '\t' && character != '\n' && character != '\r';
+}
+
+/// Turns samples into rows of a Recording.
+class SampleCollector {
+ public:
+  SampleCollector(const InputFile& file, const ReadOptions& options)
+      : dph_per_count_(kDphPerDegreePerSecond / options.scale_factor.value_or(kDefaultScaleFactor)),
+        rate_hz_(options.stream_rate_hz.value_or(kDefaultStreamRateHz)) {
+    recording_.file = file.path();
+    const std::size_t rows = std::min(file.size() / fog::kSensorFrameBytes + 1, kMostRows);
+    for (auto* column : {&recording_.time_s, &recording_.temperature_degc, &recording_.rate_dph}) {
+      column->reserve(rows);
+    }
+  }
+
+  void add(const fog::SensorSample& sample) {
+    if (any_ && sample.sequence == static_cast<std::uint16_t>(number_)) {
+      ++counts_.repeated_samples;
+      return;
+    }
+    advance_to(sample.sequence);
+    if (sample.temperature_valid) {
+      temperature_degc_ = sample.temperature_q16 * kDegcPerLsb;
+      has_temperature_ = true;
+    }
+    if (!sample.gyro_valid || !has_temperature_) {
+      ++counts_.invalid_samples;
+      return;
+    }
+    if (!sample.temperature_valid) ++counts_.held_temperatures;
+    if (recording_.rows() == kMostRows) {
+      throw InputError(recording_.file, format("more than %zu million samples; cut the capture",
+                                               kMostRows / 1'000'000));
+    }
+    recording_.time_s.push_back(static_cast<double>(number_) / rate_hz_);
+    recording_.temperature_degc.push_back(temperature_degc_);
+    recording_.rate_dph.push_back(sample.rate_counts * dph_per_count_);
+  }
+
+  Recording finish(std::size_t discarded_bytes) {
+    counts_.discarded_bytes = discarded_bytes;
+    if (!any_) {
+      throw InputError(recording_.file,
+                       "neither text nor a sensor stream: it holds no good frame; is it the right "
+                       "file?");
+    }
+    if (recording_.rows() == 0) {
+      throw InputError(recording_.file, "no sample is valid: " + summary());
+    }
+    if (counts_.invalid_samples + counts_.held_temperatures + counts_.repeated_samples +
+            counts_.missing_samples + counts_.discarded_bytes >
+        0) {
+      std::fprintf(stderr, "%s: %s\n", recording_.file.c_str(), summary().c_str());
+    }
+    recording_.capture = counts_;
+    return std::move(recording_);
+  }
+
+ private:
+  void advance_to(std::uint16_t sequence) {
+    if (!any_) {
+      number_ = sequence;
+      any_ = true;
+      return;
+    }
+    const auto step = static_cast<std::uint16_t>(sequence - static_cast<std::uint16_t>(number_));
+    number_ += step;
+    counts_.missing_samples += step - 1U;
+  }
+
+  std::string summary() const {
+    std::string text;
+    const auto add_count = [&text](std::size_t count, const std::string& what) {
+      if (count > 0) text += (text.empty() ? "" : ", ") + (what + std::to_string(count));
+    };
+    add_count(counts_.discarded_bytes, "damaged bytes ");
+    add_count(counts_.missing_samples, "missing samples ");
+    add_count(counts_.repeated_samples, "repeated samples ");
+    add_count(counts_.invalid_samples, "invalid samples ");
+    add_count(counts_.held_temperatures, "held temperatures ");
+    return text;
+  }
+
+  double dph_per_count_;
+  double rate_hz_;
+  Recording recording_;
+  CaptureCounts counts_;
+  bool any_ = false;
+  std::uint64_t number_ = 0;  // of the sample, counted from sequence number 0 before the first
+  bool has_temperature_ = false;
+  double temperature_degc_ = 0;
+};
+
+}  // namespace
+
+bool is_sensor_stream(std::string_view head) {
+  fog::StreamParser parser;
+  for (const char character : head) {
+    if (parser.feed(static_cast<std::uint8_t>(character))) return true;
+  }
+  // A capture has zeros in every frame, UTF-16 in every character; a CSV with a stray one is still
+  // a CSV, whose reader can name the line.
+  constexpr std::ptrdiff_t kFewest = 50;  // one in fifty
+  return std::count_if(head.begin(), head.end(), is_control) * kFewest >
+         static_cast<std::ptrdiff_t>(head.size());
+}
+
+Recording read_sensor_stream(InputFile& file, const ReadOptions& options) {
+  SampleCollector collector(file, options);
+  fog::StreamParser parser;
+  std::size_t bytes = 0;
+  std::size_t frames = 0;
+  for (std::string_view block = file.next_block(); !block.empty(); block = file.next_block()) {
+    bytes += block.size();
+    for (const char character : block) {
+      if (!parser.feed(static_cast<std::uint8_t>(character))) continue;
+      ++frames;
+      collector.add(parser.sample());
+    }
+  }
+  return collector.finish(bytes - frames * fog::kSensorFrameBytes);
+}
+
+}  // namespace fogcomp

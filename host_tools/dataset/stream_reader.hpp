@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string_view>
+
+#include "dataset/input_file.hpp"
+#include "dataset/recording.hpp"
+
+namespace fogcomp {
+
+/// Whether a file that begins with `head` is a captured sensor stream rather than text: it holds a
+/// good frame somewhere (damage at the start does not matter), or too many control characters for a
+/// CSV.
+bool is_sensor_stream(std::string_view head);
+
+/// Rows from the frames of a capture, by the board's own parser. Time is the sequence number,
+/// carried on through its wraps, over the sample rate: samples that never came or are not valid
+/// become gaps. A gap of 65536 samples or more cannot be told from its remainder. Period and
+/// stretches are left to read_recording. Throws InputError where no good frame is found.
+Recording read_sensor_stream(InputFile& file, const ReadOptions& options);
+
+}  // namespace fogcomp

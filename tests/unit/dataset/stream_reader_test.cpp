@@ -1,0 +1,111 @@
+#include "dataset/stream_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/acquisition/sensor_frame.hpp"
+#include "dataset/recording_writer.hpp"
+#include "support/input_error.hpp"
+#include "temporary_file.hpp"
+
+namespace fogcomp {
+namespace {
+
+std::string frame(std::size_t number, bool gyro_valid = true, bool temperature_valid = true) {
+  fog::SensorSample sample;
+  sample.sequence = static_cast<std::uint16_t>(number);
+  sample.rate_counts = static_cast<std::int32_t>(number) * 1024;
+  sample.temperature_q16 = static_cast<std::int32_t>(number % 100) * 65536;
+  sample.gyro_valid = gyro_valid;
+  sample.temperature_valid = temperature_valid;
+  const fog::SensorFrame bytes = fog::encode_sensor_frame(sample);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+Recording read_stream(const std::string& bytes, const ReadOptions& options = {}) {
+  return read_recording(temporary_file("capture.csv", bytes), options);
+}
+
+TEST(StreamReader, GivesBackWhatTheWriterWrote) {
+  const std::string path = temporary_path("round_trip.txt");
+  std::vector<double> time;
+  std::vector<double> temperature;
+  std::vector<double> rate;
+  for (int i = 0; i < 200000; ++i) {  // three wraps of the sequence, one gap of 10 s
+    time.push_back((i + (i > 100000 ? 2000 : 0)) / 200.0);
+    temperature.push_back(i / 65536.0);
+    rate.push_back((i - 100000) / 1024.0);
+  }
+  RecordingWriter writer(path, RecordingFormat::sensor_stream,
+                         {Column::time_s, Column::temperature_degc, Column::rate_dph},
+                         kDefaultScaleFactor, 200);
+  writer.append({time.data(), temperature.data(), rate.data()}, time.size());
+  writer.commit();
+
+  const Recording recording = read_recording(path, {});
+  EXPECT_EQ(recording.time_s, time);
+  EXPECT_EQ(recording.temperature_degc, temperature);
+  EXPECT_EQ(recording.rate_dph, rate);
+  EXPECT_EQ(recording.period_s, 0.005);
+  EXPECT_EQ(recording.stretch_starts, (std::vector<std::size_t>{0, 100001}));
+  ASSERT_TRUE(recording.capture.has_value());
+  EXPECT_EQ(recording.capture->missing_samples, 2000U);
+}
+
+TEST(StreamReader, UsesScaleFactorAndSampleRate) {
+  ReadOptions options;
+  options.scale_factor = 3600;  // one count per deg/h
+  options.stream_rate_hz = 10;
+  const Recording recording = read_stream(frame(1) + frame(2), options);
+  EXPECT_EQ(recording.time_s, (std::vector<double>{0.1, 0.2}));
+  EXPECT_EQ(recording.rate_dph, (std::vector<double>{1024, 2048}));
+}
+
+TEST(StreamReader, LeavesOutInvalidSamplesAndHoldsTheTemperature) {
+  const Recording recording = read_stream(frame(0, true, false) + frame(1) + frame(2, false) +
+                                          frame(3, true, false) + frame(3) + frame(4));
+  EXPECT_EQ(recording.time_s, (std::vector<double>{0.005, 0.015, 0.02}));
+  EXPECT_EQ(recording.temperature_degc, (std::vector<double>{1, 2, 4}));
+  EXPECT_EQ(recording.capture->invalid_samples, 2U);  // 0 has no temperature yet, 2 no rate
+  EXPECT_EQ(recording.capture->held_temperatures, 1U);
+  EXPECT_EQ(recording.capture->repeated_samples, 1U);
+}
+
+TEST(StreamReader, IsNotFooledByDamageAtTheStart) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 50; ++round) {
+    std::string bytes;
+    for (std::size_t n = random() % 300; n > 0; --n) bytes += static_cast<char>(random());
+    if (round % 2 == 0) bytes += "time_s,temperature_degc,rate_dph\n";
+    bytes += frame(1).substr(random() % 16);
+    const std::size_t damage = bytes.size();
+    bytes += frame(7) + frame(8) + frame(9).substr(0, 5);
+    const Recording recording = read_stream(bytes);
+    ASSERT_GE(recording.rows(), 2U);
+    EXPECT_LE(recording.capture->discarded_bytes, damage + 5);
+    EXPECT_EQ(recording.rate_dph.back(), 8);
+  }
+}
+
+TEST(StreamReader, RefusesWhatHoldsNoGoodFrame) {
+  const auto refused = [](const std::string& bytes) {
+    EXPECT_THROW(read_stream(bytes), InputError);
+  };
+  refused(frame(1).substr(0, 15));
+  refused(std::string(1000, '\0'));
+  refused(frame(1, false));
+  refused(std::string("t\0i\0m\0e\0_\0s\0\n\0", 14));  // UTF-16
+}
+
+TEST(StreamReader, TakesACsvWithAStrayControlCharacterForACsv) {
+  std::string text = "time_s,temperature_degc,rate_dph\n";
+  for (int i = 0; i < 20; ++i) text += std::to_string(i) + ",20,1\n";
+  text[60] = '\0';
+  EXPECT_FALSE(is_sensor_stream(text));
+}
+
+}  // namespace
+}  // namespace fogcomp
