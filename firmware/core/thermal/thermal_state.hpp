@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/fixed_point/fixed.hpp"
 #include "core/thermal/first_order_lag.hpp"
 #include "core/thermal/signals.hpp"
@@ -14,6 +16,9 @@ struct ThermalParameters {
   typename N::Temperature least{};                      ///< trained range
   typename N::Temperature most{};
 };
+
+/// Faster than any chamber heats a coil: what is beyond comes from a sensor, not from the coil.
+constexpr std::int32_t kMostRateDegcPerMin = 32;
 
 /// Block means of the temperature -> Signals.
 ///
@@ -43,10 +48,12 @@ class ThermalState {
   Signals<N> step(Temperature temperature) {
     const State before = second_.value();
     second_.step(first_.step(round_to<State>(temperature)));
-    // Change per block: clipped at +-8 degC, rounded to 2^-29 degC (1e-7 degC/min at 1 s).
-    const auto change = saturate_to<typename N::template Number<28>>(second_.value() - before);
-    return signals(temperature, saturate_to<typename N::TemperatureRate>(
-                                    change * parameters_.blocks_per_minute));
+    // Change per block: clipped at +-128 degC, rounded to 2^-25 degC (2e-6 degC/min at 1 s).
+    const auto change = saturate_to<typename N::template Number<24>>(second_.value() - before);
+    const auto rate =
+        saturate_to<typename N::TemperatureRate>(change * parameters_.blocks_per_minute);
+    constexpr auto kMost = from_integer<typename N::TemperatureRate>(kMostRateDegcPerMin);
+    return signals(temperature, clamp(rate, -kMost, kMost));
   }
 
  private:
