@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "cli/simulate_list.hpp"
+#include "dataset/columns.hpp"
+#include "dataset/recording_writer.hpp"
+#include "simulation/embedded_files.hpp"
+#include "simulation/profile_parser.hpp"
+#include "simulation/simulation.hpp"
+#include "simulation/truth_writer.hpp"
+#include "support/input_error.hpp"
+#include "support/json.hpp"
+#include "support/progress.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+using namespace simulation;
+
+// What the recording holds beside time, temperature and rate, as --columns names it.
+struct ExtraColumn {
+  const char* name;
+  Column column;
+  std::vector<double> RowChunk::*values;
+};
+
+const std::vector<ExtraColumn>& extra_columns() {
+  static const std::vector<ExtraColumn> columns{
+      {"input_rate", Column::input_rate_dph, &RowChunk::input_rate_dph},
+      {"temperature2", Column::temperature2_degc, &RowChunk::temperature2_degc},
+      {"magnetic", Column::magnetic_ut, &RowChunk::magnetic_ut},
+      {"light_power", Column::light_power_uw, &RowChunk::light_power_uw},
+      {"supply", Column::supply_v, &RowChunk::supply_v},
+      {"vibration", Column::vibration_grms, &RowChunk::vibration_grms},
+  };
+  return columns;
+}
+
+GyroDescription gyro_from(const Arguments& arguments) {
+  GyroDescription gyro;
+  const std::string preset = arguments.text("preset");
+  if (preset != "none") {
+    apply_preset(gyro, find_text(preset, ready_made_presets(), "preset"), preset);
+  }
+  for (const std::string& name : arguments.all("without")) gyro.remove("--without", name);
+  for (const std::string& option : arguments.all("effect")) {
+    apply_option(gyro, "--effect " + option, option);
+  }
+  for (const std::string& option : arguments.all("noise")) {
+    if (option == "none") {
+      gyro.set("--noise none", "noise",
+               {"white=0", "flicker=0", "random_walk=0", "ramp=0", "quantization=0", "outliers=0"});
+    } else {
+      apply_option(gyro, "--noise " + option, "noise:" + option);
+    }
+  }
+  return gyro;
+}
+
+EarthRate earth_from(const Arguments& arguments) {
+  EarthRate earth;
+  if (arguments.has("latitude")) earth.latitude_deg = arguments.number("latitude", -90, 90);
+  const std::vector<std::string> axes{"up", "down", "north", "south", "east", "west"};
+  const std::string axis = arguments.choice("axis", axes);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (axes[i] == axis) earth.axis = static_cast<Axis>(i);
+  }
+  return earth;
+}
+
+// The extra columns asked for, in the contract's order; the input rate also where there is one.
+std::vector<ExtraColumn> columns_from(const Arguments& arguments, bool has_input_rate) {
+  const std::vector<std::string> wanted = split(arguments.text("columns"), ',');
+  std::vector<std::string> names;
+  for (const ExtraColumn& extra : extra_columns()) names.push_back(extra.name);
+  for (const std::string& name : wanted) {
+    if (name != "all" && std::find(names.begin(), names.end(), name) == names.end()) {
+      std::string list;
+      for (const std::string& known : names) list += known + ", ";
+      throw InputError("--columns",
+                       "'" + name + "' is not one of " + list + "all" + did_you_mean(name, names));
+    }
+  }
+  const auto asked = [&](const std::string& name) {
+    return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+  };
+  std::vector<ExtraColumn> chosen;
+  for (const ExtraColumn& extra : extra_columns()) {
+    const bool natural = extra.column == Column::input_rate_dph && has_input_rate;
+    if (asked("all") || asked(extra.name) || natural) chosen.push_back(extra);
+  }
+  return chosen;
+}
+
+// The whole run, chunk by chunk. Returns the rows written.
+std::size_t write_run(Simulation& simulation, RecordingWriter& recording, TruthWriter* truth,
+                      const std::vector<ExtraColumn>& extras) {
+  Progress progress("simulating");
+  RowChunk chunk;
+  std::size_t rows = 0;
+  while (simulation.next(chunk)) {
+    std::vector<const double*> values{chunk.time_s.data(), chunk.temperature_degc.data(),
+                                      chunk.rate_dph.data()};
+    for (const ExtraColumn& extra : extras) values.push_back((chunk.*extra.values).data());
+    recording.append(values, chunk.rows());
+    if (truth != nullptr) truth->append(chunk);
+    rows += chunk.rows();
+    progress.update(static_cast<double>(simulation.rows_done()) /
+                    static_cast<double>(simulation.total_rows()));
+  }
+  return rows;
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.has("list")) {
+    print_simulation_list();
+    return 0;
+  }
+  const std::string output = arguments.required("o");
+  const GyroDescription gyro = gyro_from(arguments);
+  SimulationOptions options;
+  options.rate_hz = arguments.number("rate", 0.01, 1000);
+  options.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, 1LL << 53));
+  options.earth = earth_from(arguments);
+  const std::string profile = arguments.text("profile");
+  const Programme programme =
+      parse_profile(find_text(profile, ready_made_profiles(), "profile"), profile, options.seed);
+  const bool stream = arguments.choice("format", {"csv", "stream"}) == "stream";
+  const auto extras = columns_from(
+      arguments, !stream && (options.earth.latitude_deg.has_value() || programme.sets_rate));
+  if (stream && !extras.empty()) {
+    throw InputError("--columns", "a sensor stream carries rate and temperature only; use csv");
+  }
+
+  Simulation simulation(gyro, programme, options);
+  std::vector<Column> columns{Column::time_s, Column::temperature_degc, Column::rate_dph};
+  for (const ExtraColumn& extra : extras) columns.push_back(extra.column);
+  RecordingWriter recording(output, stream ? RecordingFormat::sensor_stream : RecordingFormat::csv,
+                            columns, kDefaultScaleFactor, options.rate_hz);
+  const std::string truth_path = arguments.text("hide");
+  std::unique_ptr<TruthWriter> truth;
+  if (!truth_path.empty()) {
+    truth = std::make_unique<TruthWriter>(
+        truth_path,
+        format("truth of a run of fogcomp simulate: profile %s, preset %s, seed %llu",
+               profile.c_str(), arguments.text("preset").c_str(),
+               static_cast<unsigned long long>(options.seed)),
+        gyro, simulation);
+  }
+  const std::size_t rows = write_run(simulation, recording, truth.get(), extras);
+  if (rows == 0) {
+    throw InputError(profile, format("the programme lasts %g s, less than one row at %g Hz",
+                                     programme.duration_s(), options.rate_hz));
+  }
+  if (truth) truth->commit();
+  recording.commit();
+
+  if (arguments.has("json")) {
+    Json summary = Json::object();
+    summary.set("file", output).set("rows", rows).set("seconds", programme.duration_s());
+    if (truth) {
+      summary.set("truth", truth_path);
+    } else {
+      Json effects = Json::array();
+      for (const std::string& name : simulation.effect_names()) effects.push(name);
+      summary.set("effects", effects);
+    }
+    std::puts(summary.text().c_str());
+  } else {
+    std::printf("%s: %zu rows, %.2f h at %g Hz\n", output.c_str(), rows,
+                programme.duration_s() / 3600, options.rate_hz);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command simulate_command() {
+  Command command;
+  command.name = "simulate";
+  command.summary = "makes the recording of a gyro in a thermal chamber from first principles";
+  command.example = "fogcomp simulate -o run.csv --profile paper --effect shupe:peak=0.03 --seed 7";
+  command.options = {
+      {"o", "FILE", "recording to write", ""},
+      {"profile", "NAME|FILE", "chamber programme; --list shows the ready-made ones", "paper"},
+      {"preset", "NAME|FILE", "gyro: paper, tactical, navigation, or none (ideal)", "paper"},
+      {"rate", "HZ", "rows per second, 0.01 to 1000; a row is the mean over its period", "0.1"},
+      {"effect", "NAME[:k=v,...]", "switches an effect on, or changes it or a part of the gyro", "",
+       true},
+      {"without", "NAME", "switches off an effect of the preset", "", true},
+      {"noise", "k=v,...|none", "changes the noise: white, flicker, ... (--list)", "", true},
+      {"seed", "N", "of all that is random", "1"},
+      {"latitude", "DEG", "adds the Earth's rate; without it, it counts as removed", ""},
+      {"axis", "DIRECTION", "of the sensitive axis, where the profile sets none", "up"},
+      {"columns", "NAME,...", "further columns: temperature2, magnetic, light_power, ..., all", ""},
+      {"hide", "FILE", "writes effects, parameters and contributions there, and only there", ""},
+      {"format", "csv|stream", "CSV, or the sensor stream that the board reads", "csv"},
+      {"list", "", "lists profiles, presets, effects and parameters", ""},
+      {"json", "", "prints one JSON object", ""},
+  };
+  command.run = run;
+  return command;
+}
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "simulation/effects/effect.hpp"
+#include "simulation/random.hpp"
+
+namespace fogcomp::simulation {
+
+/// Field, light power, supply and vibration at the gyro. They change whether or not an effect
+/// listens to them, and may be recorded either way.
+class AmbientModel {
+ public:
+  explicit AmbientModel(std::uint64_t seed);
+
+  Ambient step(const ChamberState& chamber, const GyroThermalModel& thermal, double step_s);
+
+ private:
+  Random light_random_;
+  Random supply_random_;
+  double light_wander_ = 0;
+  double supply_wander_v_ = 0;
+};
+
+}  // namespace fogcomp::simulation

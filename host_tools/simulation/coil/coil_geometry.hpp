@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fogcomp::simulation {
+
+/// How the two halves of the fibre, counted from its midpoint, are laid over the layers.
+enum class WindingPattern : std::uint8_t {
+  single,      ///< wound from end to end: the midpoint lies in the middle layer
+  dipole,      ///< AB AB: the halves take turns
+  quadrupole,  ///< ABBA ABBA
+  octupole,    ///< ABBABAAB
+};
+
+/// The wound pack. The default is the only completely published coil (Li et al., Chin. Opt. Lett.
+/// 13(9) 090603, 2015): 998 m of fibre, 40 layers of 68 turns, quadrupolar.
+struct CoilGeometry {
+  double inner_radius_m = 0.055;
+  double outer_radius_m = 0.0605;
+  double height_m = 0.013;
+  int layers = 40;
+  int turns_per_layer = 68;
+  WindingPattern pattern = WindingPattern::quadrupole;
+
+  double mean_diameter_m() const { return inner_radius_m + outer_radius_m; }
+  double layer_thickness_m() const { return (outer_radius_m - inner_radius_m) / layers; }
+  /// Of the fibre in `layer`, counted from the inside.
+  double layer_radius_m(int layer) const {
+    return inner_radius_m + (layer + 0.5) * layer_thickness_m();
+  }
+  double fibre_length_m() const;
+};
+
+/// Glass and its surroundings in the pack; values of the same source unless noted.
+struct FibreMaterial {
+  double refractive_index = 1.44;
+  double thermo_optic_per_k = 1.0e-5;  ///< dn/dT at 20 degC
+  /// Relative change of dn/dT per K: silica at 1.55 um, from about 8.5e-6 /K at 20 degC (G. Rego,
+  /// Sensors 23, 6023, 2023).
+  double thermo_optic_slope_per_k = 2.0e-3;
+  double expansion_per_k = 5.5e-7;
+  double strain_optic_p11 = 0.121;
+  double strain_optic_p12 = 0.270;
+  double poisson_ratio = 0.17;  ///< fused silica
+  double glass_diameter_m = 125e-6;
+  double glass_conductivity_w_per_mk = 1.38;
+  double coating_conductivity_w_per_mk = 0.21;  ///< coating and glue alike
+  double glass_heat_j_per_m3k = 2203.0 * 703.0;
+  double coating_heat_j_per_m3k = 1190.0 * 1400.0;
+
+  /// dn/dT + n alpha, per K: the index change and the lengthening of a free fibre.
+  double thermal_phase_per_k() const {
+    return thermo_optic_per_k + refractive_index * expansion_per_k;
+  }
+  /// C_e: optical path change per length and axial strain, n [1 - n^2/2 (p12 - nu (p11 + p12))].
+  double strain_phase() const;
+};
+
+/// What the heat sees: glass cylinders in a matrix of coating and glue, across the fibres.
+struct PackProperties {
+  double conductivity_w_per_mk;
+  double heat_j_per_m3k;
+  double diffusivity_m2_per_s() const { return conductivity_w_per_mk / heat_j_per_m3k; }
+};
+
+/// Volume mean of the heat capacities, Rayleigh's formula for the conductivity across parallel
+/// cylinders (Phil. Mag. 34, 481, 1892, first order).
+PackProperties pack_properties(const CoilGeometry& coil, const FibreMaterial& material);
+
+}  // namespace fogcomp::simulation

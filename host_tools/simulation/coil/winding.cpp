@@ -1,0 +1,99 @@
+#include "simulation/coil/winding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+namespace fogcomp::simulation {
+namespace {
+
+// Which half lies in a layer, from the inside; repeated over the coil.
+std::string_view half_sequence(WindingPattern pattern) {
+  switch (pattern) {
+    case WindingPattern::single:
+      break;
+    case WindingPattern::dipole:
+      return "AB";
+    case WindingPattern::quadrupole:
+      return "ABBA";
+    case WindingPattern::octupole:
+      return "ABBABAAB";
+  }
+  return "";
+}
+
+// Lays fibre turn by turn, layer by layer, and spreads its weight over the cells.
+class FibreLayer {
+ public:
+  FibreLayer(const CoilGeometry& coil, CellArray& weights) : coil_(coil), weights_(weights) {}
+
+  // Winds one layer, starting `from_midpoint_m` away from the midpoint in the given sense (+1: z
+  // grows beyond L/2). Returns the distance at its end.
+  double wind(int layer, double from_midpoint_m, double sense, bool from_bottom) {
+    const double turn_m = 2 * M_PI * coil_.layer_radius_m(layer);
+    for (int turn = 0; turn < coil_.turns_per_layer; ++turn) {
+      const double middle_m = from_midpoint_m + turn_m / 2;
+      // L - 2z = -2 sense * distance, linear along the turn: its mean is the value in the middle.
+      const double weight_m2 = -2 * sense * middle_m * turn_m;
+      const int place = from_bottom ? turn : coil_.turns_per_layer - 1 - turn;
+      spread(layer, place, weight_m2);
+      from_midpoint_m += turn_m;
+    }
+    return from_midpoint_m;
+  }
+
+ private:
+  // A turn that straddles two axial cells belongs to both by its share.
+  void spread(int layer, int place, double weight_m2) {
+    const double cells_per_turn = static_cast<double>(weights_.cols()) / coil_.turns_per_layer;
+    const double low = place * cells_per_turn;
+    const double high = low + cells_per_turn;
+    for (auto cell = static_cast<Eigen::Index>(low); cell < weights_.cols(); ++cell) {
+      const auto bottom = static_cast<double>(cell);
+      const double overlap = std::min(high, bottom + 1) - std::max(low, bottom);
+      if (overlap <= 0) break;
+      weights_(layer, cell) += weight_m2 * overlap / cells_per_turn;
+    }
+  }
+
+  const CoilGeometry& coil_;
+  CellArray& weights_;
+};
+
+}  // namespace
+
+CellArray winding_weights(const CoilGeometry& coil, int axial_cells) {
+  CellArray weights = CellArray::Zero(coil.layers, axial_cells);
+  FibreLayer fibre(coil, weights);
+  if (coil.pattern == WindingPattern::single) {
+    // From z = L inside to z = 0 outside.
+    double distance_m = -coil.fibre_length_m() / 2;
+    for (int layer = 0; layer < coil.layers; ++layer) {
+      distance_m = fibre.wind(layer, distance_m, -1, layer % 2 == 0);
+    }
+    return weights;
+  }
+  const std::string_view halves = half_sequence(coil.pattern);
+  const auto half_of = [&](int layer) {
+    return halves[static_cast<std::size_t>(layer) % halves.size()] == 'A' ? 0U : 1U;
+  };
+  std::array<double, 2> length_m{};
+  for (int layer = 0; layer < coil.layers; ++layer) {
+    length_m[half_of(layer)] += coil.turns_per_layer * 2 * M_PI * coil.layer_radius_m(layer);
+  }
+  // Where the halves differ in length (dipole), winding starts beside the fibre's true midpoint.
+  const double offset_m = (length_m[1] - length_m[0]) / 2;
+  std::array<double, 2> distance_m{offset_m, -offset_m};
+  std::array<bool, 2> from_bottom{true, true};
+  for (int layer = 0; layer < coil.layers; ++layer) {
+    const std::size_t half = half_of(layer);
+    const double sense = half == 0 ? 1 : -1;
+    distance_m[half] = fibre.wind(layer, distance_m[half], sense, from_bottom[half]);
+    from_bottom[half] = !from_bottom[half];
+  }
+  return weights;
+}
+
+}  // namespace fogcomp::simulation

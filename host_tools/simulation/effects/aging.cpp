@@ -1,0 +1,51 @@
+#include <cmath>
+
+#include "simulation/effects/effect_list.hpp"
+
+namespace fogcomp::simulation {
+namespace {
+
+constexpr double kKelvin = 273.15;
+constexpr double kReference_k = 293.15;
+constexpr double kBoltzmann_ev = 8.617333262e-5;
+
+// Creep of the glue (logarithmic) and moisture that diffuses in or out (square root of time), both
+// faster when warm (Arrhenius).
+class Aging : public Effect {
+ public:
+  Aging(const Parameters& parameters, const EffectContext&)
+      : creep_dph_(parameters["creep_dph"]),
+        moisture_dph_(parameters["moisture_dph"]),
+        onset_s_(parameters["onset_s"]),
+        activation_k_(parameters["activation_ev"] / kBoltzmann_ev) {}
+
+  double step(const GyroState& state) override {
+    const double kelvin = state.thermal->coil_mean_degc() + kKelvin;
+    if (state.time_s > 0)
+      age_s_ += state.step_s * std::exp(activation_k_ * (1 / kReference_k - 1 / kelvin));
+    return creep_dph_ * std::log10(1 + age_s_ / onset_s_) +
+           moisture_dph_ * std::sqrt(age_s_ / 86400);
+  }
+
+ private:
+  double creep_dph_;
+  double moisture_dph_;
+  double onset_s_;
+  double activation_k_;
+  double age_s_ = 0;  ///< time that would have passed at 20 degC
+};
+
+}  // namespace
+
+EffectDescription aging_effect() {
+  return {"aging",
+          "creep and moisture; no power cycle resets them",
+          {peak_parameter(),
+           {"creep_dph", "deg/h", 0.01, -1e3, 1e3, "per decade of time"},
+           {"moisture_dph", "deg/h", 0.005, -1e3, 1e3, "after the first day, growing as its root"},
+           {"onset_s", "s", 3600, 1, 1e8, "start of the logarithm"},
+           {"activation_ev", "eV", 0.15, 0, 1.5, "activation energy"}},
+          make_effect<Aging>};
+}
+
+}  // namespace fogcomp::simulation

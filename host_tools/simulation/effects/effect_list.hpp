@@ -1,0 +1,30 @@
+#pragma once
+
+#include "simulation/effects/effect.hpp"
+
+namespace fogcomp::simulation {
+
+// One per file of the same name.
+EffectDescription aging_effect();
+EffectDescription axial_gradient_effect();
+EffectDescription bias_effect();
+EffectDescription bias_step_effect();
+EffectDescription bias_temperature_effect();
+EffectDescription dead_band_effect();
+EffectDescription glass_transition_effect();
+EffectDescription half_wave_voltage_effect();
+EffectDescription light_power_effect();
+EffectDescription magnetic_effect();
+EffectDescription polarization_ripple_effect();
+EffectDescription proper_frequency_effect();
+EffectDescription pyroelectric_effect();
+EffectDescription scale_factor_temperature_effect();
+EffectDescription shupe_effect();
+EffectDescription temperature_rate_effect();
+EffectDescription temperature_rate_product_effect();
+EffectDescription thermal_hysteresis_effect();
+EffectDescription thermal_lag_effect();
+EffectDescription vibration_effect();
+EffectDescription warm_up_effect();
+
+}  // namespace fogcomp::simulation

@@ -1,0 +1,35 @@
+#include "simulation/effects/effect_list.hpp"
+
+namespace fogcomp::simulation {
+namespace {
+
+// The thermo-optic part of the coil integral: zero as soon as the whole coil warms alike.
+class Shupe : public Effect {
+ public:
+  Shupe(const Parameters& parameters, const EffectContext& context)
+      : kernel_(context.coil_error.kernel_dph_s() *
+                context.coil_error.material().thermal_phase_per_k()),
+        lead_(context.coil_error.lead_dph_s_per_k(parameters["asymmetry_m"])) {}
+
+  double step(const GyroState& state) override {
+    const GyroThermalModel& thermal = *state.thermal;
+    return (kernel_ * thermal.coil_rate_kps()).sum() +
+           lead_ * (thermal.coil_outside_rate_kps() - thermal.coil_mean_rate_kps());
+  }
+
+ private:
+  CellArray kernel_;
+  double lead_;
+};
+
+}  // namespace
+
+EffectDescription shupe_effect() {
+  return {"shupe",
+          "transient gradient through the winding (Shupe 1980; IEEE 952: D_gradTdot)",
+          {peak_parameter(),
+           {"asymmetry_m", "m", 0.2, -100, 100, "by how much the fibre is not centred"}},
+          make_effect<Shupe>};
+}
+
+}  // namespace fogcomp::simulation

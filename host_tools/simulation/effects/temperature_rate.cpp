@@ -1,0 +1,31 @@
+#include "simulation/effects/effect_list.hpp"
+#include "simulation/effects/stress_kernel.hpp"
+
+namespace fogcomp::simulation {
+namespace {
+
+// Mohr effect: layers are strained differently by the same temperature change, so that the two
+// halves of the fibre, which lie in different layers, no longer cancel.
+class TemperatureRate : public Effect {
+ public:
+  TemperatureRate(const Parameters& parameters, const EffectContext& context)
+      : kernel_(parameters["coefficient"] * unit_stress_kernel(context.coil_error)) {}
+
+  double step(const GyroState& state) override {
+    return (kernel_ * state.thermal->coil_rate_kps()).sum();
+  }
+
+ private:
+  CellArray kernel_;
+};
+
+}  // namespace
+
+EffectDescription temperature_rate_effect() {
+  return {"temperature_rate",
+          "elasto-optic stress differs from layer to layer: K dT/dt (Mohr; IEEE 952: D_Tdot)",
+          {peak_parameter(), {"coefficient", "deg/h/(K/min)", 0.1, -1e3, 1e3, "in a long ramp"}},
+          make_effect<TemperatureRate>};
+}
+
+}  // namespace fogcomp::simulation

@@ -1,0 +1,38 @@
+#include "simulation/embedded_files.hpp"
+
+#include <algorithm>
+
+#include "support/input_error.hpp"
+#include "support/output_file.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::simulation {
+
+std::string find_text(const std::string& name, const std::vector<EmbeddedFile>& files,
+                      const std::string& what) {
+  const auto found = std::find_if(files.begin(), files.end(),
+                                  [&](const EmbeddedFile& file) { return file.name == name; });
+  if (found != files.end()) return found->text;
+  // A bare word is a name, anything with a dot or a slash a path.
+  if (name.find_first_of("./") != std::string::npos) return read_file(name);
+  std::vector<std::string> names;
+  std::string list;
+  for (const EmbeddedFile& file : files) {
+    names.push_back(file.name);
+    list += (list.empty() ? "" : ", ") + file.name;
+  }
+  throw InputError("--" + what, "no ready-made " + what + " '" + name + "'" +
+                                    did_you_mean(name, names) + "; there are " + list +
+                                    ", or give the path of a file");
+}
+
+std::string first_sentence(const EmbeddedFile& file) {
+  std::string comment;
+  for (const std::string& line : split(file.text, '\n')) {
+    if (line.empty() || line[0] != '#') break;
+    comment += (comment.empty() ? "" : " ") + std::string(trim(line.substr(1)));
+  }
+  return comment.substr(0, comment.find_first_of(":;("));
+}
+
+}  // namespace fogcomp::simulation

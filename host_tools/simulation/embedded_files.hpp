@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fogcomp::simulation {
+
+/// A text that was compiled in from a file of the source tree (embedded_files.cmake), so that the
+/// tool needs no installation.
+struct EmbeddedFile {
+  std::string name;  ///< without folder and extension
+  std::string text;
+};
+
+/// host_tools/simulation/profiles/*.profile
+const std::vector<EmbeddedFile>& ready_made_profiles();
+/// host_tools/simulation/presets/*.gyro
+const std::vector<EmbeddedFile>& ready_made_presets();
+
+/// The text of `name` among `files`, or of the file of that path. Throws InputError where neither
+/// is there, naming the nearest; `what` is "profile" or "preset".
+std::string find_text(const std::string& name, const std::vector<EmbeddedFile>& files,
+                      const std::string& what);
+
+/// The comment at the head of an embedded file: up to the first full stop or colon.
+std::string first_sentence(const EmbeddedFile& file);
+
+}  // namespace fogcomp::simulation

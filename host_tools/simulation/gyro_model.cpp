@@ -1,0 +1,131 @@
+#include "simulation/gyro_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/input_error.hpp"
+
+namespace fogcomp::simulation {
+namespace {
+
+constexpr double kEarthRate_dph = 15.041067;
+
+// Component of the Earth's rotation along an axis.
+double earth_rate_dph(double latitude_deg, Axis axis) {
+  const double latitude_rad = latitude_deg * M_PI / 180;
+  switch (axis) {
+    case Axis::up:
+      return kEarthRate_dph * std::sin(latitude_rad);
+    case Axis::down:
+      return -kEarthRate_dph * std::sin(latitude_rad);
+    case Axis::north:
+      return kEarthRate_dph * std::cos(latitude_rad);
+    case Axis::south:
+      return -kEarthRate_dph * std::cos(latitude_rad);
+    case Axis::east:
+    case Axis::west:
+      break;
+  }
+  return 0;
+}
+
+std::vector<std::unique_ptr<Effect>> make_effects(const GyroDescription& gyro,
+                                                  const GyroThermalModel& thermal,
+                                                  std::uint64_t seed) {
+  const CoilError coil_error(gyro.coil(), FibreMaterial{},
+                             static_cast<int>(thermal.coil_degc().cols()));
+  const EffectContext context{coil_error, thermal, seed};
+  std::vector<std::unique_ptr<Effect>> effects;
+  for (const auto& active : gyro.effects()) {
+    effects.push_back(active.description->make(active.parameters, context));
+  }
+  return effects;
+}
+
+}  // namespace
+
+double input_rate_dph(const Conditions& conditions, const EarthRate& earth, Axis axis) {
+  return conditions.table_rate_dph +
+         (earth.latitude_deg ? earth_rate_dph(*earth.latitude_deg, axis) : 0);
+}
+
+GyroModel::GyroModel(const GyroDescription& gyro, const Programme& programme,
+                     const EarthRate& earth, std::uint64_t seed, std::vector<double> scales)
+    : chamber_(programme, kThermalStep_s, seed),
+      thermal_(gyro.coil(), FibreMaterial{}, gyro.thermal_design(), ThermalGrid{}, kThermalStep_s,
+               programme.start_degc),
+      earth_(earth),
+      profile_sets_axis_(programme.sets_axis),
+      ambient_(seed),
+      sensor_(gyro.part("sensor"), "sensor", seed),
+      sensor2_(gyro.part("sensor2"), "sensor2", seed),
+      effects_(make_effects(gyro, thermal_, seed)),
+      scales_(std::move(scales)),
+      contributions_dph_(effects_.size(), 0) {
+  scales_.resize(effects_.size(), 1);
+  evaluate();
+}
+
+void GyroModel::step() {
+  chamber_.step();
+  const Conditions& conditions = chamber_.state().leg->conditions;
+  thermal_.step(chamber_.state().air_degc, conditions.heater_w, conditions.powered);
+  evaluate();
+}
+
+void GyroModel::evaluate() {
+  const ChamberState& chamber = chamber_.state();
+  const Conditions& conditions = chamber.leg->conditions;
+  state_.time_s = chamber.time_s;
+  state_.step_s = kThermalStep_s;
+  state_.powered = conditions.powered;
+  state_.chamber = &chamber;
+  state_.thermal = &thermal_;
+  state_.ambient = ambient_.step(chamber, thermal_, kThermalStep_s);
+  state_.input_rate_dph =
+      input_rate_dph(conditions, earth_, profile_sets_axis_ ? conditions.axis : earth_.axis);
+  state_.loop_rate_dph = state_.input_rate_dph;
+  for (std::size_t i = 0; i < effects_.size(); ++i) {
+    contributions_dph_[i] = scales_[i] * effects_[i]->step(state_);
+    state_.loop_rate_dph += contributions_dph_[i];
+  }
+  sensor_degc_ = sensor_.step(thermal_, chamber.air_degc, kThermalStep_s);
+  sensor2_degc_ = sensor2_.step(thermal_, chamber.air_degc, kThermalStep_s);
+}
+
+std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& programme,
+                                const EarthRate& earth, std::uint64_t seed) {
+  const auto& effects = gyro.effects();
+  std::vector<double> scales(effects.size(), 1);
+  std::vector<double> wanted(effects.size(), 0);
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    if (effects[i].parameters.was_set("peak")) wanted[i] = effects[i].parameters["peak"];
+  }
+  if (std::none_of(wanted.begin(), wanted.end(), [](double peak) { return peak > 0; })) {
+    return scales;
+  }
+  GyroModel model(gyro, programme, earth, seed);
+  std::vector<double> largest(effects.size(), 0);
+  const auto steps = static_cast<std::size_t>(std::ceil(programme.duration_s() / kThermalStep_s));
+  for (std::size_t step = 0;; ++step) {
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+      if (model.state().powered) {
+        largest[i] = std::max(largest[i], std::abs(model.contributions_dph()[i]));
+      }
+    }
+    if (step == steps) break;
+    model.step();
+  }
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    if (wanted[i] == 0) continue;
+    if (largest[i] < 1e-12) {
+      throw InputError("effect " + effects[i].description->name,
+                       "stays zero over this programme, so that it has no peak to scale; choose "
+                       "another profile or, for effects of the input rate, --latitude");
+    }
+    scales[i] = wanted[i] / largest[i];
+  }
+  return scales;
+}
+
+}  // namespace fogcomp::simulation

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "simulation/ambient.hpp"
+#include "simulation/chamber.hpp"
+#include "simulation/gyro_description.hpp"
+#include "simulation/temperature_sensor.hpp"
+
+namespace fogcomp::simulation {
+
+/// Heat, effects and sensors advance in steps of this; rows are interpolated or averaged.
+constexpr double kThermalStep_s = 1.0;
+
+/// What the gyro's axis sees beside the rate table. Without a latitude the Earth rate counts as
+/// removed.
+struct EarthRate {
+  std::optional<double> latitude_deg;
+  Axis axis = Axis::up;  ///< where the profile does not set one
+};
+
+/// Input rate about the sensitive axis, deg/h.
+double input_rate_dph(const Conditions& conditions, const EarthRate& earth, Axis axis);
+
+/// All that changes slowly: chamber, heat flow, effects, sensors; no noise.
+class GyroModel {
+ public:
+  /// At time 0. `programme` must outlive the object. `scales` multiply the effects, in the order of
+  /// gyro.effects(); empty means 1.
+  GyroModel(const GyroDescription& gyro, const Programme& programme, const EarthRate& earth,
+            std::uint64_t seed, std::vector<double> scales = {});
+
+  /// Advances by kThermalStep_s.
+  void step();
+
+  const GyroState& state() const { return state_; }
+  /// deg/h, in the order of gyro.effects().
+  const std::vector<double>& contributions_dph() const { return contributions_dph_; }
+  /// Input rate and all contributions.
+  double rate_dph() const { return state_.loop_rate_dph; }
+  double sensor_degc() const { return sensor_degc_; }
+  double sensor2_degc() const { return sensor2_degc_; }
+
+ private:
+  void evaluate();
+
+  Chamber chamber_;
+  GyroThermalModel thermal_;
+  EarthRate earth_;
+  bool profile_sets_axis_;
+  AmbientModel ambient_;
+  TemperatureSensor sensor_;
+  TemperatureSensor sensor2_;
+  std::vector<std::unique_ptr<Effect>> effects_;
+  std::vector<double> scales_;
+  std::vector<double> contributions_dph_;
+  GyroState state_;
+  double sensor_degc_ = 0;
+  double sensor2_degc_ = 0;
+};
+
+/// The scales that give every effect with a `peak` its largest magnitude over the programme, found
+/// by running it once. Throws InputError where an effect stays zero and cannot be scaled.
+std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& programme,
+                                const EarthRate& earth, std::uint64_t seed);
+
+}  // namespace fogcomp::simulation

@@ -1,0 +1,111 @@
+#include "simulation/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fogcomp::simulation {
+namespace {
+
+constexpr std::size_t kChunkRows = 8192;
+
+// Channels before the effects, in the order of channel_values().
+enum Channel : std::size_t {
+  kPowered,
+  kRate,
+  kInputRate,
+  kSensor,
+  kSensor2,
+  kField,
+  kLight,
+  kSupply,
+  kVibration,
+  kCoil,
+  kAir,
+  kFirstEffect,
+};
+
+std::vector<RowMeans::Between> channel_kinds(std::size_t effects) {
+  std::vector<RowMeans::Between> kinds(kFirstEffect + effects, RowMeans::Between::straight);
+  for (const Channel held : {kPowered, kSensor, kSensor2}) kinds[held] = RowMeans::Between::held;
+  return kinds;
+}
+
+}  // namespace
+
+Simulation::Simulation(const GyroDescription& gyro, const Programme& programme,
+                       const SimulationOptions& options)
+    : period_s_(1 / options.rate_hz),
+      total_rows_(
+          static_cast<std::size_t>(std::floor(programme.duration_s() * options.rate_hz + 1e-6))),
+      scales_(peak_scales(gyro, programme, options.earth, options.seed)),
+      model_(gyro, programme, options.earth, options.seed, scales_),
+      noises_(make_noise(gyro.part("noise"), period_s_, options.seed)),
+      quantizer_(gyro.part("noise")["quantization"], period_s_),
+      means_(kThermalStep_s, period_s_, channel_kinds(gyro.effects().size()), channel_values()) {
+  for (const auto& effect : gyro.effects()) effect_names_.push_back(effect.description->name);
+  for (const NamedNoise& noise : noises_) noise_names_.push_back(noise.name);
+}
+
+std::vector<double> Simulation::channel_values() const {
+  const GyroState& state = model_.state();
+  std::vector<double> values(kFirstEffect);
+  values[kPowered] = state.powered ? 1 : 0;
+  values[kRate] = model_.rate_dph();
+  values[kInputRate] = state.input_rate_dph;
+  values[kSensor] = model_.sensor_degc();
+  values[kSensor2] = model_.sensor2_degc();
+  values[kField] = state.ambient.field_ut;
+  values[kLight] = state.ambient.light_power_uw;
+  values[kSupply] = state.ambient.supply_v;
+  values[kVibration] = state.ambient.vibration_grms;
+  values[kCoil] = state.thermal->coil_mean_degc();
+  values[kAir] = state.chamber->air_degc;
+  const std::vector<double>& effects = model_.contributions_dph();
+  values.insert(values.end(), effects.begin(), effects.end());
+  return values;
+}
+
+bool Simulation::next(RowChunk& chunk) {
+  const std::size_t rows = std::min(kChunkRows, total_rows_ - row_);
+  if (rows == 0) return false;
+
+  // Noise is drawn for every row, recorded or not: what one row gets depends on its time alone.
+  std::vector<std::vector<double>> noises(noises_.size(), std::vector<double>(rows));
+  std::vector<double> noise_sum(rows, 0);
+  for (std::size_t n = 0; n < noises_.size(); ++n) {
+    noises_[n].source->fill(noises[n].data(), rows);
+    for (std::size_t row = 0; row < rows; ++row) noise_sum[row] += noises[n][row];
+  }
+
+  chunk = RowChunk{};
+  chunk.effects_dph.resize(effect_names_.size());
+  chunk.noises_dph.resize(noises_.size());
+  std::vector<double> means(kFirstEffect + effect_names_.size());
+  for (std::size_t row = 0; row < rows; ++row, ++row_) {
+    while (means_.needs_step()) {
+      model_.step();
+      means_.push(channel_values());
+    }
+    means_.next_row(means.data());
+    if (means[kPowered] < 1 - 1e-6) continue;
+    chunk.time_s.push_back(static_cast<double>(row_) * period_s_);
+    chunk.temperature_degc.push_back(means[kSensor]);
+    chunk.temperature2_degc.push_back(means[kSensor2]);
+    chunk.rate_dph.push_back(means[kRate] + noise_sum[row]);
+    chunk.input_rate_dph.push_back(means[kInputRate]);
+    chunk.magnetic_ut.push_back(means[kField]);
+    chunk.light_power_uw.push_back(means[kLight]);
+    chunk.supply_v.push_back(means[kSupply]);
+    chunk.vibration_grms.push_back(means[kVibration]);
+    chunk.coil_degc.push_back(means[kCoil]);
+    chunk.chamber_degc.push_back(means[kAir]);
+    for (std::size_t e = 0; e < effect_names_.size(); ++e) {
+      chunk.effects_dph[e].push_back(means[kFirstEffect + e]);
+    }
+    for (std::size_t n = 0; n < noises.size(); ++n) chunk.noises_dph[n].push_back(noises[n][row]);
+  }
+  quantizer_.apply(chunk.rate_dph.data(), chunk.rows());
+  return true;
+}
+
+}  // namespace fogcomp::simulation

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "simulation/gyro_model.hpp"
+#include "simulation/noise/noise_source.hpp"
+#include "simulation/row_means.hpp"
+
+namespace fogcomp::simulation {
+
+struct SimulationOptions {
+  double rate_hz = 0.1;  ///< rows per second; a row is the mean over its period
+  std::uint64_t seed = 1;
+  EarthRate earth;
+};
+
+/// Rows of a run, one vector per column, all equally long. Times are those of the rows' starts.
+struct RowChunk {
+  std::vector<double> time_s;
+  std::vector<double> temperature_degc;
+  std::vector<double> temperature2_degc;
+  std::vector<double> rate_dph;
+  std::vector<double> input_rate_dph;
+  std::vector<double> magnetic_ut;
+  std::vector<double> light_power_uw;
+  std::vector<double> supply_v;
+  std::vector<double> vibration_grms;
+  /// The truth: true temperatures, then each effect and noise source by name.
+  std::vector<double> coil_degc;
+  std::vector<double> chamber_degc;
+  std::vector<std::vector<double>> effects_dph;
+  std::vector<std::vector<double>> noises_dph;
+
+  std::size_t rows() const { return time_s.size(); }
+};
+
+/// Runs a gyro through a programme and hands its rows over in chunks, in bounded memory.
+class Simulation {
+ public:
+  /// The arguments must outlive the object. Throws InputError for a peak that cannot be reached.
+  Simulation(const GyroDescription& gyro, const Programme& programme,
+             const SimulationOptions& options);
+
+  /// Names of RowChunk::effects_dph and noises_dph.
+  const std::vector<std::string>& effect_names() const { return effect_names_; }
+  const std::vector<std::string>& noise_names() const { return noise_names_; }
+  /// What `peak` made of each effect's natural size; 1 without it.
+  const std::vector<double>& effect_scales() const { return scales_; }
+  /// Rows of the whole programme, those without power included.
+  std::size_t total_rows() const { return total_rows_; }
+  std::size_t rows_done() const { return row_; }
+
+  /// Fills the next rows; false at the end. Rows during which the power is off, even for a part,
+  /// are left out, so that a chunk may be empty.
+  bool next(RowChunk& chunk);
+
+ private:
+  std::vector<double> channel_values() const;
+
+  std::vector<std::string> effect_names_;
+  std::vector<std::string> noise_names_;
+  double period_s_;
+  std::size_t total_rows_;
+  std::vector<double> scales_;
+  GyroModel model_;
+  std::vector<NamedNoise> noises_;
+  AngleQuantizer quantizer_;
+  RowMeans means_;
+  std::size_t row_ = 0;
+};
+
+}  // namespace fogcomp::simulation

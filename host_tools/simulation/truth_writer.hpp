@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulation/simulation.hpp"
+#include "support/output_file.hpp"
+
+namespace fogcomp::simulation {
+
+/// Writes what really happened beside a recording: the effects and their parameters as comments,
+/// then for every row of the recording the true temperatures and each contribution in deg/h.
+class TruthWriter {
+ public:
+  /// `origin` is said in the first comment: profile, preset, seed.
+  TruthWriter(const std::string& path, const std::string& origin, const GyroDescription& gyro,
+              const Simulation& simulation);
+
+  void append(const RowChunk& chunk);
+  void commit() { file_.commit(); }
+
+ private:
+  OutputFile file_;
+};
+
+}  // namespace fogcomp::simulation
