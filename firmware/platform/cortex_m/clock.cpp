@@ -1,0 +1,40 @@
+#include "hal/clock.hpp"
+
+#include "platform/cortex_m/system_control.hpp"
+#include "platform/cortex_m/tick.hpp"
+#include "platform/cortex_m/vector_table.hpp"
+
+namespace fog {
+namespace platform {
+namespace {
+
+volatile std::uint32_t elapsed_ms = 0;
+
+}  // namespace
+
+void start_tick(std::uint32_t core_clock_hz) {
+  systick().reload.write(core_clock_hz / 1000U - 1U);
+  systick().current.write(0);
+  systick().control.write(SysTick::kProcessorClock | SysTick::kInterrupt | SysTick::kEnable);
+}
+
+void fog_tick_handler() {
+  elapsed_ms = elapsed_ms + 1;
+}
+
+}  // namespace platform
+
+namespace hal {
+
+std::uint32_t milliseconds() {
+  return platform::elapsed_ms;
+}
+
+// WFE, not WFI: returning from an interrupt sets the event, so a byte that arrives between the
+// caller's look at the buffer and this instruction still wakes it.
+void wait_for_event() {
+  asm volatile("wfe" ::: "memory");
+}
+
+}  // namespace hal
+}  // namespace fog
