@@ -1,5 +1,6 @@
 #include "hal/clock.hpp"
 
+#include "platform/cortex_m/event.hpp"
 #include "platform/cortex_m/system_control.hpp"
 #include "platform/cortex_m/tick.hpp"
 #include "platform/cortex_m/vector_table.hpp"
@@ -20,6 +21,7 @@ void start_tick(std::uint32_t core_clock_hz) {
 
 void fog_tick_handler() {
   elapsed_ms = elapsed_ms + 1;
+  signal_event();
 }
 
 }  // namespace platform
@@ -28,12 +30,6 @@ namespace hal {
 
 std::uint32_t milliseconds() {
   return platform::elapsed_ms;
-}
-
-// WFE, not WFI: returning from an interrupt sets the event, so a byte that arrives between the
-// caller's look at the buffer and this instruction still wakes it.
-void wait_for_event() {
-  asm volatile("wfe" ::: "memory");
 }
 
 }  // namespace hal

@@ -1,5 +1,6 @@
 #include "hal/sample_source.hpp"
 
+#include "platform/cortex_m/event.hpp"
 #include "platform/cortex_m/system_control.hpp"
 #include "platform/line_rates.hpp"
 #include "platform/mps2_an386/peripherals.hpp"
@@ -30,6 +31,7 @@ void on_sensor_interrupt() {
   }
   sensor_uart().interrupt.write(CmsdkUart::kReceived);
   received.push(static_cast<std::uint8_t>(sensor_uart().data.read()));
+  signal_event();
 }
 
 }  // namespace platform

@@ -1,5 +1,6 @@
 #include "hal/sample_source.hpp"
 
+#include "platform/cortex_m/event.hpp"
 #include "platform/cortex_m/system_control.hpp"
 #include "platform/line_rates.hpp"
 #include "platform/ports.hpp"
@@ -34,6 +35,7 @@ void on_sensor_interrupt() {
   const bool has_byte = usart2().status.any(Usart::kReceived);
   const auto byte = static_cast<std::uint8_t>(usart2().data.read());
   if (has_byte) received.push(byte);
+  signal_event();
 }
 
 }  // namespace platform
