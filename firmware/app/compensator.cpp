@@ -17,8 +17,9 @@ namespace {
 void announce(const platform::BoardDescription& board) {
   platform::TextLine line;
   line.text("fogcomp ").text(board.name).text(" ready, clock ").decimal(board.core_clock_hz);
-  line.text(" Hz (").text(board.clock_source).text("), reset cause ").text(board.reset_cause);
-  hal::write_console(line.text("\r\n").c_str());
+  line.text(" Hz, reset cause ").text(board.reset_cause);
+  line.text(", clock from ").text(board.clock_source).text("\r\n");
+  hal::write_console(line.c_str());
 }
 
 void send_compensated(std::uint8_t byte) {

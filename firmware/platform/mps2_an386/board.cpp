@@ -34,7 +34,7 @@ void start_board() {
 }
 
 BoardDescription describe_board() {
-  return {"mps2_an386", kClockHz, "fixed", reset_cause};
+  return {"mps2_an386", kClockHz, "fixed oscillator", reset_cause};
 }
 
 void restart_board() {

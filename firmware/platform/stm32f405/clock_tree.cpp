@@ -33,9 +33,9 @@ struct PllInput {
 };
 
 constexpr PllInput kCrystal{Rcc::kHseOn, Rcc::kHseReady, Rcc::kPllFromHse, kCrystalHz, "crystal"};
-constexpr PllInput kInternal{Rcc::kHsiOn, Rcc::kHsiReady, 0, kInternalHz, "internal"};
+constexpr PllInput kInternal{Rcc::kHsiOn, Rcc::kHsiReady, 0, kInternalHz, "internal oscillator"};
 
-ClockTree running{kInternalHz, kInternalHz, kInternalHz, "internal, no PLL"};
+ClockTree running{kInternalHz, kInternalHz, kInternalHz, "internal oscillator, no PLL"};
 
 bool lock_pll(const PllInput& input) {
   rcc().control.set(input.on);
