@@ -29,9 +29,11 @@ class Compensator {
  public:
   static constexpr ModelShape room{kEffects, kTaps, kLevels};
 
-  /// `parameters` must have been read with this class's room.
+  /// `parameters` must have been read with this class's room; parameters of a refused table make a
+  /// pipeline that answers every sample and marks none valid.
   explicit Compensator(const ModelParameters& parameters)
-      : calibration_(parameters.calibration),
+      : fault_(parameters.fault),
+        calibration_(parameters.calibration),
         output_(parameters.output),
         monitor_(parameters.acquisition),
         block_clock_(parameters.samples_per_block),
@@ -59,7 +61,7 @@ class Compensator {
     OutputSample result;
     result.sequence = sample.sequence;
     result.drift = drift_model_.drift();
-    result.status = verdict.status | drift_model_.status();
+    result.status = fault_ | verdict.status | drift_model_.status();
 
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
     const bool in_range = measured < calibration_.range && measured > -calibration_.range;
@@ -113,6 +115,7 @@ class Compensator {
     return size;
   }
 
+  Status fault_;
   CalibrationParameters calibration_;
   OutputSelection output_;
   StreamParser parser_;

@@ -142,20 +142,10 @@ std::uint32_t table_crc(Span<const std::int32_t> table) {
   return crc;
 }
 
-}  // namespace
-
-ModelError read_model(Span<const std::int32_t> words, const ModelShape& room,
-                      ModelParameters& parameters) {
-  if (words.size < kLeastWords || words.size > kMostModelWords || words[0] != kModelMagic) {
-    return ModelError::not_a_model;
-  }
-  if (words[1] != kModelLayout) return ModelError::other_layout;
-  if (static_cast<std::uint32_t>(words[2]) != words.size) return ModelError::damaged;
-  if (static_cast<std::uint32_t>(words[words.size - 1]) != table_crc(words)) {
-    return ModelError::damaged;
-  }
+ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
+                     ModelParameters& parameters) {
   constexpr std::size_t kHeaderWords = 4;
-  parameters = ModelParameters();
+  parameters.fault = Status::none;
   parameters.provenance = static_cast<std::uint32_t>(words[3]);
   TableReader table({words.data + kHeaderWords, words.size - kHeaderWords - 1});
   read_calibration(table, parameters);
@@ -170,6 +160,24 @@ ModelError read_model(Span<const std::int32_t> words, const ModelShape& room,
     return ModelError::not_in_image;
   }
   return ModelError::none;
+}
+
+}  // namespace
+
+ModelError read_model(Span<const std::int32_t> words, const ModelShape& room,
+                      ModelParameters& parameters) {
+  parameters = ModelParameters();
+  if (words.size < kLeastWords || words.size > kMostModelWords || words[0] != kModelMagic) {
+    return ModelError::not_a_model;
+  }
+  if (words[1] != kModelLayout) return ModelError::other_layout;
+  if (static_cast<std::uint32_t>(words[2]) != words.size) return ModelError::damaged;
+  if (static_cast<std::uint32_t>(words[words.size - 1]) != table_crc(words)) {
+    return ModelError::damaged;
+  }
+  const ModelError error = read_body(words, room, parameters);
+  if (error != ModelError::none) parameters = ModelParameters();
+  return error;
 }
 
 const char* describe(ModelError error) {

@@ -9,6 +9,7 @@
 #include "core/effects/effect_bank.hpp"
 #include "core/network/network.hpp"
 #include "core/signal/span.hpp"
+#include "core/signal/status.hpp"
 #include "core/thermal/thermal_state.hpp"
 
 namespace fog {
@@ -30,12 +31,13 @@ struct ModelShape {
 /// Room for any model.
 constexpr ModelShape kAnyModel{kAllEffects, kMostTaps, kMostLevels};
 
-/// A model table that was found good, taken apart. Arrays stay in the table, which must outlive
-/// this.
+/// A model table taken apart. Arrays stay in the table, which must outlive this.
+/// As constructed it is the parameters of a board without a usable model: no rate is valid.
 struct ModelParameters {
-  std::uint32_t provenance = 0;  ///< CRC-32 of the model file that it was made from
+  Status fault = Status::model_refused;  ///< goes into the status of every sample
+  std::uint32_t provenance = 0;          ///< CRC-32 of the model file that it was made from
   std::uint32_t sample_period_us = 0;
-  std::uint32_t samples_per_block = 0;
+  std::uint32_t samples_per_block = 1;
   CalibrationParameters calibration;
   AcquisitionParameters acquisition;
   ThermalParameters<BoardNumbers> thermal;
@@ -57,7 +59,7 @@ enum class ModelError : std::uint8_t {
 };
 
 /// Checks everything once, so that the pipeline need not: CRC, layout, ranges, and sums that must
-/// not overflow. `parameters` is meaningful only for ModelError::none.
+/// not overflow. On an error `parameters` are as constructed.
 ModelError read_model(Span<const std::int32_t> table, const ModelShape& room,
                       ModelParameters& parameters);
 
