@@ -1,5 +1,6 @@
 // fogcomp compare: model against measurement.
 
+#include <cmath>
 #include <cstdio>
 
 #include "cli/arguments.hpp"
@@ -28,7 +29,7 @@ Json comparison_json(const Comparison& comparison) {
                        .set("raw_std_dph", comparison.whole.raw_std_dph)
                        .set("residual_rms_dph", comparison.whole.rms_dph)
                        .set("residual_std_dph", comparison.whole.std_dph)
-                       .set("noise_floor_dph", comparison.noise_floor_dph)
+                       .set("noise_floor_dph", comparison.noise_floor_dph.value_or(std::nan("")))
                        .set("segments", std::move(segments)));
 }
 
@@ -42,11 +43,14 @@ void print_comparison(const Comparison& comparison) {
               "rows", "raw mean", "raw std", "resid mean", "resid std");
   for (const Comparison::Segment& segment : comparison.segments) print_segment(segment);
   print_segment(comparison.whole);
-  const double floor = comparison.noise_floor_dph;
-  std::printf(
-      "  residual rms %.4f, noise floor %.4f; without the floor, drift went from %.4f to %.4f\n",
-      comparison.whole.rms_dph, floor, floor_removed(comparison.whole.raw_std_dph, floor),
-      floor_removed(comparison.whole.rms_dph, floor));
+  std::printf("  residual rms %.4f", comparison.whole.rms_dph);
+  if (comparison.noise_floor_dph) {
+    const double floor = *comparison.noise_floor_dph;
+    std::printf(", noise floor %.4f; without the floor, drift went from %.4f to %.4f", floor,
+                floor_removed(comparison.whole.raw_std_dph, floor),
+                floor_removed(comparison.whole.rms_dph, floor));
+  }
+  std::puts("");
   if (comparison.outside_range > 0) {
     std::printf("  %.1f %% of the rows lie outside the model's trained temperature range\n",
                 100 * comparison.outside_range);

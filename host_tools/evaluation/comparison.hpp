@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,8 @@ struct Comparison {
   std::vector<Row> rows;
   std::vector<Segment> segments;
   Segment whole;
-  double noise_floor_dph = 0;  ///< of a row, from the recording alone
-  double outside_range = 0;    ///< fraction of rows outside the trained temperature range
+  std::optional<double> noise_floor_dph;  ///< of a row, from the recording alone
+  double outside_range = 0;  ///< fraction of rows outside the trained temperature range
 };
 
 /// Throws InputError for a recording that is too short for one row.
