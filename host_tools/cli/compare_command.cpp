@@ -20,6 +20,7 @@ Json comparison_json(const Comparison& comparison) {
                                 .set("name", segment.name)
                                 .set("mean_dph", segment.mean_dph)
                                 .set("std_dph", segment.std_dph)
+                                .set("rms_dph", segment.rms_dph)
                                 .set("raw_mean_dph", segment.raw_mean_dph)
                                 .set("raw_std_dph", segment.raw_std_dph)));
   }
@@ -34,13 +35,17 @@ Json comparison_json(const Comparison& comparison) {
 }
 
 void print_segment(const Comparison::Segment& segment) {
-  std::printf("  %-22s %7zu %10.4f %9.4f %11.4f %9.4f\n", segment.name.c_str(), segment.rows,
-              segment.raw_mean_dph, segment.raw_std_dph, segment.mean_dph, segment.std_dph);
+  std::printf("  %-18s %6zu | %9.4f %8.4f %8.4f | %9.4f %8.4f %8.4f\n", segment.name.c_str(),
+              segment.rows, segment.raw_mean_dph, segment.raw_std_dph, segment.raw_rms_dph,
+              segment.mean_dph, segment.std_dph, segment.rms_dph);
 }
 
 void print_comparison(const Comparison& comparison) {
-  std::printf("%s\n  %-22s %7s %10s %9s %11s %9s   deg/h\n", comparison.file.c_str(), "segment",
-              "rows", "raw mean", "raw std", "resid mean", "resid std");
+  std::printf("%s, deg/h\n", comparison.file.c_str());
+  std::printf("  %-18s %6s | %9s %8s %8s | %9s %8s %8s\n", "", "", "before:", "", "", "after:", "",
+              "");
+  std::printf("  %-18s %6s | %9s %8s %8s | %9s %8s %8s\n", "segment", "rows", "mean", "std", "rms",
+              "mean", "std", "rms");
   for (const Comparison::Segment& segment : comparison.segments) print_segment(segment);
   print_segment(comparison.whole);
   std::printf("  residual rms %.4f", comparison.whole.rms_dph);

@@ -69,7 +69,8 @@ Comparison::Segment summarise(const std::string& name, const Comparison::Row* fi
   const double freedom = std::max(count - 1, 1.0);
   segment.raw_std_dph = std::sqrt(raw_square / freedom);
   segment.std_dph = std::sqrt(square / freedom);
-  segment.rms_dph = std::sqrt(square / count + segment.mean_dph * segment.mean_dph);
+  segment.raw_rms_dph = std::sqrt(raw_square / count + std::pow(segment.raw_mean_dph, 2));
+  segment.rms_dph = std::sqrt(square / count + std::pow(segment.mean_dph, 2));
   return segment;
 }
 

@@ -23,6 +23,7 @@ struct Comparison {
     std::size_t rows = 0;
     double raw_mean_dph = 0;
     double raw_std_dph = 0;
+    double raw_rms_dph = 0;
     double mean_dph = 0;  ///< of the residual
     double std_dph = 0;
     double rms_dph = 0;
