@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/acquisition/stream_parser.hpp"
-#include "dataset/recording_writer.hpp"
+#include "dataset/columns.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -41,15 +41,18 @@ class SampleCollector {
       return;
     }
     advance_to(sample.sequence);
-    if (sample.temperature_valid) {
-      temperature_degc_ = sample.temperature_q16 * kDegcPerLsb;
+    const double temperature_degc = sample.temperature_q16 * kDegcPerLsb;
+    const bool temperature_valid =
+        sample.temperature_valid && column_info(Column::temperature_degc).can_be(temperature_degc);
+    if (temperature_valid) {
+      temperature_degc_ = temperature_degc;
       has_temperature_ = true;
     }
     if (!sample.gyro_valid || !has_temperature_) {
       ++counts_.invalid_samples;
       return;
     }
-    if (!sample.temperature_valid) ++counts_.held_temperatures;
+    if (!temperature_valid) ++counts_.held_temperatures;
     if (recording_.rows() == kMostRows) {
       throw InputError(recording_.file, format("more than %zu million samples; cut the capture",
                                                kMostRows / 1'000'000));
