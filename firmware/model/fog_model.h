@@ -10,13 +10,13 @@
 #define FOG_MODEL_EFFECTS 0x7u /* bit = effect id */
 #define FOG_MODEL_TAPS 16
 #define FOG_MODEL_LEVELS 5
-#define FOG_MODEL_WORDS 97
+#define FOG_MODEL_WORDS 99
 
 static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* magic number, layout version */
   1179600717, 1,
   /* words in this table */
-  97,
+  99,
   /* CRC-32 of the model file */
   2048653324,
   /* sample period, us (200 Hz) */
@@ -31,8 +31,8 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   100,
   /* decay per block of the two derivative lags (tau 30 s) */
   70402888,
-  /* blocks per minute */
-  62914560,
+  /* the same times blocks per minute: from the lags' distance to degC/min */
+  33001354,
   /* trained range (-39.41 to 62.62 degC) */
   -2582938, 4103782,
   /* blocks for which a drift is held without a temperature (60 s) */
@@ -59,10 +59,10 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   854889361,
   /* network: inputs, hidden neurons */
   2, 6,
-  /* input temperature: (x - 11.603125) / 50.015625; signal, centre, gain */
-  0, 760422, 5367032,
-  /* input temperature_rate: (x - 0.00109345503) / 0.511021518; signal, centre, gain */
-  1, 1147, 525291885,
+  /* input temperature: (x - 11.603125) / 50.015625; signal, centre, multiplier, shift */
+  0, 760422, 1373960172, 22,
+  /* input temperature_rate: (x - 0.00109345503) / 0.511021518; signal, centre, multiplier, shift */
+  1, 36690, 2101167538, 25,
   /* hidden layer: activation (logsig), fractional bits */
   0, 28,
   /* hidden layer: weights, a row per neuron */
@@ -88,7 +88,7 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* output: 0 KVH format A, 1 compact, 2 both */
   0,
   /* CRC-32 of the words above */
-  -492036965,
+  -1248020097,
 };
 
 #endif

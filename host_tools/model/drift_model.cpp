@@ -5,8 +5,8 @@
 namespace fogcomp {
 
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
-  return {-std::expm1(-block_s / model.derivative_tau_s), 60 / block_s, model.least_degc,
-          model.most_degc};
+  const double decay = -std::expm1(-block_s / model.derivative_tau_s);
+  return {decay, decay * 60 / block_s, model.least_degc, model.most_degc};
 }
 
 RegressorBank::RegressorBank(const std::vector<EffectTerm>& terms, double block_s) {

@@ -48,19 +48,9 @@ void write_calibration(TableWriter& out, const Model& model, const Timing& timin
   out.integer(timing.period_us, "the sample period");
   out.note(format("samples per block (%.6g s)", timing.block_s));
   out.integer(timing.samples_per_block, "samples per block");
-  // deg/h in units of 2^-10 per count, as 30 significant bits and a shift.
-  const double gain = 3600 * 1024 / model.scale_factor;
-  const int shift = 30 - std::ilogb(gain);
-  if (shift < 0 || shift > 62) {
-    throw InputError("export", format("a scale factor of %g counts per deg/s is out of range",
-                                      model.scale_factor));
-  }
-  const auto multiplier =
-      static_cast<std::int64_t>(std::min(std::round(std::ldexp(gain, shift)), 2147483647.0));
   out.note(
       format("rate = counts * multiplier / 2^shift (%.9g counts per deg/s)", model.scale_factor));
-  out.integer(multiplier, "the scale factor");
-  out.integer(shift, "the scale factor");
+  out.gain(std::ldexp(3600 / model.scale_factor, fog::Rate::fractional_bits), "the scale factor");
   out.note(format("range (+-%g deg/s)", kRangeDegPerS));
   out.real<fog::Rate>(kRangeDegPerS * 3600, "the range");
   const double stuck = kStuckSeconds * 1e6 / static_cast<double>(timing.period_us);
@@ -72,8 +62,8 @@ void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
   const auto thermal = thermal_parameters(model, timing.block_s);
   out.note(format("decay per block of the two derivative lags (tau %g s)", model.derivative_tau_s));
   out.real(std::min(thermal.smoothing_decay, 1 - std::ldexp(1, -31)), 31, "the derivative's decay");
-  out.note("blocks per minute");
-  out.real(thermal.blocks_per_minute, 20, "blocks per minute");
+  out.note("the same times blocks per minute: from the lags' distance to degC/min");
+  out.real(thermal.rate_gain, 24, "the derivative's gain");
   const double least = std::max(model.least_degc, -70.0);
   const double most = std::min(model.most_degc, 130.0);
   out.note(format("trained range (%.4g to %.4g degC)", least, most));
@@ -139,29 +129,28 @@ void write_layer(TableWriter& out, const RealLayer& layer, const char* name) {
   for (const double bias : layer.biases) out.real(bias, fraction, "a bias");
 }
 
-void write_network(TableWriter& out, const RealNetwork& network, int fraction) {
+void write_network(TableWriter& out, const RealNetwork& network, int coefficient_fraction) {
   const std::size_t inputs = network.present() ? network.inputs.size() : 0;
   out.note("network: inputs, hidden neurons");
   out.integer(static_cast<std::int64_t>(inputs), "network inputs");
   out.integer(network.hidden.biases.size(), "hidden neurons");
   if (!network.present()) return;
   for (const RealInput& input : network.inputs) {
-    out.note(format("input %s: (x - %.9g) / %.9g; signal, centre, gain", name_of(input.signal),
-                    input.centre, input.half_range));
+    out.note(format("input %s: (x - %.9g) / %.9g; signal, centre, multiplier, shift",
+                    name_of(input.signal), input.centre, input.half_range));
     out.integer(static_cast<std::int32_t>(input.signal), "input signal");
-    const bool is_temperature = input.signal == fog::NetworkInput::temperature;
-    out.real(
-        input.centre,
-        is_temperature ? fog::Temperature::fractional_bits : fog::TemperatureRate::fractional_bits,
-        "an input's centre");
-    // A signal that hardly varied in training has a gain beyond the format: then it varies less.
-    out.real(std::min(1 / input.half_range, 7.99), 28, "an input's gain");
+    const int fraction = input.signal == fog::NetworkInput::temperature
+                             ? fog::Temperature::fractional_bits
+                             : fog::TemperatureRate::fractional_bits;
+    out.real(input.centre, fraction, "an input's centre");
+    out.gain(std::ldexp(1 / input.half_range, fog::ActivationOutput::fractional_bits - fraction),
+             "an input's gain");
   }
   write_layer(out, network.hidden, "hidden layer");
   write_layer(out, network.output, "output layer");
   out.note(format("drift = %.9g + %.9g y deg/h", network.centre_dph, network.amplitude_dph));
-  out.real(network.centre_dph, fraction, "the network's centre");
-  out.real(network.amplitude_dph, fraction, "the network's amplitude");
+  out.real(network.centre_dph, coefficient_fraction, "the network's centre");
+  out.real(network.amplitude_dph, coefficient_fraction, "the network's amplitude");
 }
 
 // Taps rounded so that even and odd taps sum to one half each: a constant then passes exactly.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -39,6 +40,17 @@ class TableWriter {
   template <class FixedFormat>
   void real(double value, const char* what) {
     real(value, FixedFormat::fractional_bits, what);
+  }
+
+  /// `gain` as two words, multiplier / 2^shift with 30 significant bits.
+  void gain(double gain, const char* what) {
+    const int shift = gain > 0 ? 30 - std::ilogb(gain) : -1;
+    if (shift < 0 || shift > 62) {
+      throw InputError("export", format("%s = %g is out of range", what, gain));
+    }
+    const double multiplier = std::round(std::ldexp(gain, shift));
+    integer(static_cast<std::int64_t>(std::min(multiplier, 2147483647.0)), what);
+    integer(shift, what);
   }
 
  private:

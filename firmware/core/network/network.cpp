@@ -30,23 +30,23 @@ ActivationOutput neuron(const LayerParameters& layer, std::size_t row,
                   ActivationInput::from_raw(saturate<std::int32_t>(round_shift(sum, dropped))));
 }
 
-template <int kFraction>
-ActivationOutput normalised(Fixed<std::int32_t, kFraction> value, const InputScaling& scaling) {
-  using Wide = Fixed<std::int64_t, kFraction>;
-  // Clipped at the format of the signal itself: signals are far inside it.
-  const auto difference = saturate_to<Fixed<std::int32_t, kFraction>>(
-      Wide::from_raw(std::int64_t{value.raw()} - scaling.centre));
-  return clamp(saturate_to<ActivationOutput>(difference * scaling.gain), -kOne, kOne);
+// The difference is clipped at the format of the signals, which are far inside it; the product is
+// below 2^62.
+ActivationOutput normalised(std::int32_t raw, const InputScaling& scaling) {
+  const auto difference = saturate<std::int32_t>(std::int64_t{raw} - scaling.centre);
+  const std::int64_t scaled =
+      round_shift(std::int64_t{difference} * scaling.multiplier, scaling.shift);
+  return clamp(ActivationOutput::from_raw(saturate<std::int32_t>(scaled)), -kOne, kOne);
 }
 
 ActivationOutput input(const InputScaling& scaling, const Signals<BoardNumbers>& signals) {
   switch (scaling.signal) {
     case NetworkInput::temperature:
-      return normalised(signals.temperature, scaling);
+      return normalised(signals.temperature.raw(), scaling);
     case NetworkInput::temperature_rate:
       break;
   }
-  return normalised(signals.temperature_rate, scaling);
+  return normalised(signals.temperature_rate.raw(), scaling);
 }
 
 }  // namespace

@@ -20,11 +20,12 @@ enum class NetworkInput : std::int32_t { temperature = 0, temperature_rate = 1 }
 constexpr std::size_t kMostNetworkInputs = 2;
 constexpr std::size_t kMostHidden = 32;
 
-/// x -> (x - centre) * gain, clipped to +-1: the min-max normalisation of training.
+/// x -> (x - centre) * multiplier / 2^shift, clipped to +-1: the min-max normalisation of training.
 struct InputScaling {
   NetworkInput signal{};
-  std::int32_t centre = 0;         ///< in the format of the signal
-  Fixed<std::int32_t, 28> gain{};  ///< per degC or per degC/min, below 8
+  std::int32_t centre = 0;      ///< in the format of the signal
+  std::int32_t multiplier = 0;  ///< 2^30 <= multiplier < 2^31: 30 significant bits
+  int shift = 0;                ///< 0 to 62; gives ActivationOutput's fraction
 };
 
 /// One dense layer: outputs = activation(weights * inputs + biases).

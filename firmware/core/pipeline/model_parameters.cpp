@@ -38,7 +38,7 @@ void read_calibration(TableReader& table, ModelParameters& parameters) {
 void read_thermal(TableReader& table, ModelParameters& parameters) {
   auto& thermal = parameters.thermal;
   thermal.smoothing_decay = next_positive<FirstOrderLag<BoardNumbers>::Decay>(table);
-  thermal.blocks_per_minute = next_positive<BoardNumbers::Number<20>>(table);
+  thermal.rate_gain = next_positive<BoardNumbers::Number<24>>(table);
   thermal.least = next_fixed<Temperature>(table);
   thermal.most = next_fixed<Temperature>(table);
   table.require(kLeastTemperature <= thermal.least && thermal.least <= thermal.most &&
@@ -104,7 +104,8 @@ void read_network(TableReader& table, NetworkParameters& network) {
   for (std::size_t i = 0; i < network.input_count; ++i) {
     network.inputs[i].signal = static_cast<NetworkInput>(table.next(0, 1));
     network.inputs[i].centre = table.next();
-    network.inputs[i].gain = next_positive<BoardNumbers::Number<28>>(table);
+    network.inputs[i].multiplier = table.next(1 << 30, kMost32);
+    network.inputs[i].shift = table.next(0, 62);
   }
   read_layer(table, network.input_count, hidden, network.hidden);
   read_layer(table, hidden, 1, network.output);

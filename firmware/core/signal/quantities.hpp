@@ -9,7 +9,7 @@ namespace fog {
 // The physical quantities of the pipeline and their formats (SPEC.md, "Numbers").
 using Rate = Fixed<std::int32_t, 10>;             ///< deg/h, also drift; LSB 0.00098, +-582 deg/s
 using Temperature = Fixed<std::int32_t, 16>;      ///< degC, LSB 15 udegC
-using TemperatureRate = Fixed<std::int32_t, 20>;  ///< degC/min, LSB 0.95e-6, +-2048
+using TemperatureRate = Fixed<std::int32_t, 25>;  ///< degC/min, LSB 3e-8, +-64
 using Regressor = Fixed<std::int32_t, 28>;        ///< dimensionless, +-8
 
 /// The number types of the board, for templates that the host also instantiates with its real type

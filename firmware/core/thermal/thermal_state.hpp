@@ -11,9 +11,9 @@ namespace fog {
 /// Numbers that the thermal stage takes from the model table.
 template <class N>
 struct ThermalParameters {
-  typename FirstOrderLag<N>::Decay smoothing_decay{};   ///< per block, of both derivative stages
-  typename N::template Number<20> blocks_per_minute{};  ///< turns a change per block into degC/min
-  typename N::Temperature least{};                      ///< trained range
+  typename FirstOrderLag<N>::Decay smoothing_decay{};  ///< per block, of both derivative stages
+  typename N::template Number<24> rate_gain{};         ///< smoothing_decay * blocks per minute
+  typename N::Temperature least{};                     ///< trained range
   typename N::Temperature most{};
 };
 
@@ -46,12 +46,13 @@ class ThermalState {
 
   /// Advances by one block whose mean temperature is given.
   Signals<N> step(Temperature temperature) {
-    const State before = second_.value();
-    second_.step(first_.step(round_to<State>(temperature)));
-    // Change per block: clipped at +-128 degC, rounded to 2^-25 degC (2e-6 degC/min at 1 s).
-    const auto change = saturate_to<typename N::template Number<24>>(second_.value() - before);
-    const auto rate =
-        saturate_to<typename N::TemperatureRate>(change * parameters_.blocks_per_minute);
+    first_.step(round_to<State>(temperature));
+    // The second lag is about to move by this times its decay: the change per block. Rounded to
+    // 2^-27 degC (1.5e-8 degC/min at 30 s), clipped at +-32 degC, which clips no rate up to 60 s.
+    const auto ahead =
+        saturate_to<typename N::template Number<26>>(first_.value() - second_.value());
+    second_.step(first_.value());
+    const auto rate = saturate_to<typename N::TemperatureRate>(ahead * parameters_.rate_gain);
     constexpr auto kMost = from_integer<typename N::TemperatureRate>(kMostRateDegcPerMin);
     return signals(temperature, clamp(rate, -kMost, kMost));
   }

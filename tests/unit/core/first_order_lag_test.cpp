@@ -23,6 +23,12 @@ Lag::Decay decay(double tau_s) {
       static_cast<std::int32_t>(std::lround(std::ldexp(-std::expm1(-1 / tau_s), 31))));
 }
 
+// For blocks of 1 s.
+fog::BoardNumbers::Number<24> rate_gain(double tau_s) {
+  return fog::BoardNumbers::Number<24>::from_raw(
+      static_cast<std::int32_t>(std::lround(std::ldexp(-std::expm1(-1 / tau_s) * 60, 24))));
+}
+
 TEST(FirstOrderLag, FollowsTheExponentialForEveryTimeConstant) {
   for (const double tau_s : {2.0, 10.0, 60.0, 1000.0, 1e5}) {
     Lag lag(decay(tau_s));
@@ -57,7 +63,7 @@ TEST(ThermalState, HasTheRampsRateTwoTimeConstantsAfterItsStart) {
   constexpr double kTau = 30;
   fog::ThermalParameters<fog::BoardNumbers> parameters;
   parameters.smoothing_decay = decay(kTau);
-  parameters.blocks_per_minute = fog::from_integer<fog::BoardNumbers::Number<20>>(60);
+  parameters.rate_gain = rate_gain(kTau);
   parameters.least = fog::from_integer<fog::Temperature>(-50);
   parameters.most = fog::from_integer<fog::Temperature>(70);
   fog::ThermalState<fog::BoardNumbers> thermal(parameters);
@@ -67,7 +73,7 @@ TEST(ThermalState, HasTheRampsRateTwoTimeConstantsAfterItsStart) {
   thermal.reset(at(20));
   for (int second = 1; second <= 600; ++second) {
     const auto signals = thermal.step(at(20 + 0.5 / 60 * second));
-    const double rate = std::ldexp(signals.temperature_rate.raw(), -20);
+    const double rate = std::ldexp(signals.temperature_rate.raw(), -25);
     const double exact = 0.5 * (1 - (1 + second / kTau) * std::exp(-second / kTau));
     ASSERT_NEAR(rate, exact, 0.01) << second;
     if (second > 12 * kTau) {
@@ -79,7 +85,7 @@ TEST(ThermalState, HasTheRampsRateTwoTimeConstantsAfterItsStart) {
 TEST(ThermalState, ClampsTemperatureToTheTrainedRangeButNotItsRate) {
   fog::ThermalParameters<fog::BoardNumbers> parameters;
   parameters.smoothing_decay = decay(2);
-  parameters.blocks_per_minute = fog::from_integer<fog::BoardNumbers::Number<20>>(60);
+  parameters.rate_gain = rate_gain(2);
   parameters.least = fog::from_integer<fog::Temperature>(-40);
   parameters.most = fog::from_integer<fog::Temperature>(60);
   fog::ThermalState<fog::BoardNumbers> thermal(parameters);
@@ -89,7 +95,7 @@ TEST(ThermalState, ClampsTemperatureToTheTrainedRangeButNotItsRate) {
     signals = thermal.step(fog::Temperature::from_raw((60 << 16) + i * 65536 / 60));
   }
   EXPECT_EQ(signals.temperature, parameters.most);
-  EXPECT_NEAR(std::ldexp(signals.temperature_rate.raw(), -20), 1, 0.01);
+  EXPECT_NEAR(std::ldexp(signals.temperature_rate.raw(), -25), 1, 0.01);
 }
 
 }  // namespace
