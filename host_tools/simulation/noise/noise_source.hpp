@@ -93,7 +93,7 @@ class Outliers : public NoiseSource {
   double per_second_;
   double size_dph_;
   double period_s_;
-  double now_s_ = 0;  ///< start of the next row
+  double row_ = 0;
   double start_s_ = 0;
   double height_dph_ = 0;
 };
