@@ -8,12 +8,6 @@
 namespace fogcomp {
 namespace {
 
-std::size_t rows_per_block(const Recording& recording, double average_s) {
-  if (!(recording.period_s > 0)) return 1;
-  const double rows = std::round(average_s / recording.period_s);
-  return static_cast<std::size_t>(std::clamp(rows, 1.0, static_cast<double>(kMostRows)));
-}
-
 // Sum over the offset from the first value, so that a mean of equal values is that value.
 double mean(const double* values, std::size_t size) {
   double sum = 0;
@@ -27,6 +21,12 @@ RowRange longest(const std::vector<RowRange>& stretches) {
 }
 
 }  // namespace
+
+std::size_t rows_per_block(const Recording& recording, double average_s) {
+  if (!(recording.period_s > 0)) return 1;
+  const double rows = std::round(average_s / recording.period_s);
+  return static_cast<std::size_t>(std::clamp(rows, 1.0, static_cast<double>(kMostRows)));
+}
 
 Blocks block_means(const Recording& recording, double average_s) {
   const std::vector<RowRange> all = stretches_of(recording, {0, recording.rows()});

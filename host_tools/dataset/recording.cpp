@@ -55,6 +55,14 @@ void find_stretches(Recording& recording) {
 
 }  // namespace
 
+std::vector<double> bias_dph(const Recording& recording) {
+  std::vector<double> bias = recording.rate_dph;
+  for (std::size_t row = 0; row < recording.input_rate_dph.size(); ++row) {
+    bias[row] -= recording.input_rate_dph[row];
+  }
+  return bias;
+}
+
 Recording read_recording(const std::string& path, const ReadOptions& options) {
   InputFile file(path);
   const std::string_view head = file.peek();

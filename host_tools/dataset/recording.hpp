@@ -61,6 +61,10 @@ struct ReadOptions {
   std::optional<double> stream_rate_hz;
 };
 
+/// Measured rate less input rate (0 where the file has none): what drift and noise are looked for
+/// in.
+std::vector<double> bias_dph(const Recording& recording);
+
 constexpr double kDefaultStreamRateHz = 200;
 
 /// Reads a CSV, or a captured sensor stream (told apart by content, not by name). What was ignored

@@ -1,0 +1,36 @@
+# Sourced by host_tools/quickstart.sh and tests/run.sh: which Debian packages the project needs, and
+# how they get there.
+
+# What builds the tool and the firmware and boots the images.
+build_packages=(
+  g++ cmake ninja-build libeigen3-dev
+  gcc-arm-none-eabi binutils-arm-none-eabi libstdc++-arm-none-eabi-dev
+  qemu-system-arm
+)
+# What the tests need beside that.
+test_packages=(libgtest-dev clang-format)
+
+# require_packages NAME...: installs what is missing, as root or by sudo; where neither is to be had,
+# says what to ask for and returns 2.
+require_packages() {
+  local missing=() name
+  for name in "$@"; do
+    dpkg-query -W -f='${Status}' "$name" 2>/dev/null | grep -q "install ok installed" ||
+      missing+=("$name")
+  done
+  ((${#missing[@]} == 0)) && return 0
+
+  local as_root=()
+  if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null || ! sudo -v 2>/dev/null; then
+      echo "These packages are missing, and only root may install them. Ask for:" >&2
+      echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+      return 2
+    fi
+    as_root=(sudo)
+  fi
+  echo "installing ${missing[*]}"
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}

@@ -1,0 +1,51 @@
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "app/pipeline.hpp"
+#include "hal/clock.hpp"
+#include "hal/rate_sink.hpp"
+#include "hal/sample_source.hpp"
+#include "hal/watchdog.hpp"
+#include "platform/board.hpp"
+#include "platform/text_line.hpp"
+
+// The product: sensor stream in, output stream out, for as long as there is power.
+namespace fog::app {
+namespace {
+
+// The second line says whether the weights are good. Without them the board still answers every
+// sample, with a rate that is not valid: a user sees a fault rather than silence.
+void announce(const platform::BoardDescription& board) {
+  platform::TextLine line;
+  line.text("fogcomp ").text(board.name).text(" ready, clock ").decimal(board.core_clock_hz);
+  line.text(" Hz, reset cause ").text(board.reset_cause);
+  line.text(", clock from ").text(board.clock_source).text("\r\n");
+  hal::write_console(line.c_str());
+  platform::TextLine weights;
+  weights.text("model ").hex(model().parameters.provenance).text(": ");
+  hal::write_console(weights.text(describe(model().error)).text("\r\n").c_str());
+}
+
+void send_compensated(std::uint8_t byte) {
+  std::array<std::uint8_t, kMostOutputBytes> frames;
+  const std::size_t size = pipeline().feed(byte, frames.data());
+  hal::write_output_stream(frames.data(), size);
+}
+
+}  // namespace
+
+void run() {
+  platform::start_board();
+  announce(platform::describe_board());
+  hal::start_watchdog();
+  std::array<std::uint8_t, 64> chunk;
+  for (;;) {
+    const std::size_t size = hal::read_sensor_stream(chunk.data(), chunk.size());
+    if (size == 0) hal::wait_for_event();
+    for (std::size_t i = 0; i < size; ++i) send_compensated(chunk[i]);
+    hal::kick_watchdog();  // here and nowhere else: kicked means that the loop went round
+  }
+}
+
+}  // namespace fog::app

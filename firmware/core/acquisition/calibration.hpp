@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/fixed_point/fixed.hpp"
+#include "core/signal/quantities.hpp"
+
+namespace fog {
+
+/// Scale factor and range of the gyro. rate = counts * multiplier / 2^shift.
+struct CalibrationParameters {
+  std::int32_t multiplier = 0;   ///< 2^30 <= multiplier < 2^31: 30 significant bits
+  int shift = 0;                 ///< 0 to 62
+  Rate range = Rate::highest();  ///< |rate| at or beyond it is not valid
+};
+
+/// Counts of the demodulator as a rate, deg/h. Exact product (below 2^62), rounded once, clipped.
+inline Rate calibrated_rate(const CalibrationParameters& calibration, std::int32_t counts) {
+  const std::int64_t product = std::int64_t{counts} * calibration.multiplier;
+  return Rate::from_raw(saturate<std::int32_t>(round_shift(product, calibration.shift)));
+}
+
+}  // namespace fog

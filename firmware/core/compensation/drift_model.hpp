@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/effects/effect_bank.hpp"
+#include "core/fixed_point/fixed.hpp"
+#include "core/network/network.hpp"
+#include "core/signal/quantities.hpp"
+#include "core/signal/status.hpp"
+#include "core/thermal/thermal_state.hpp"
+
+namespace fog {
+
+/// How long the model may go without a temperature, and how long it takes to settle.
+struct DriftPolicy {
+  std::uint32_t hold_blocks = 0;    ///< last drift is used for at most this many
+  std::uint32_t settle_blocks = 0;  ///< after (re)start the temperature rate is not yet known
+};
+
+/// The frozen drift model: thermal state, effects and network, once per block.
+template <EffectMask kCompiled>
+class DriftModel {
+ public:
+  DriftModel(const ThermalParameters<BoardNumbers>& thermal, const EffectsParameters& effects,
+             const NetworkParameters& network, const DriftPolicy& policy)
+      : thermal_(thermal),
+        limits_(thermal),
+        effects_(effects),
+        coefficient_fraction_(effects.coefficient_fraction),
+        network_(network),
+        policy_(policy) {}
+
+  /// Starts from one temperature, so that there is a drift before the first block is full.
+  void start(Temperature temperature) {
+    const Signals<BoardNumbers> signals = thermal_.reset(temperature);
+    effects_.reset(signals);
+    started_ = true;
+    settled_blocks_ = 0;
+    evaluate(temperature, signals);
+  }
+
+  /// The mean temperature of one more block.
+  void step(Temperature temperature) {
+    if (!started_ || held_blocks_ > policy_.hold_blocks) return start(temperature);
+    if (settled_blocks_ < policy_.settle_blocks) ++settled_blocks_;
+    evaluate(temperature, thermal_.step(temperature));
+  }
+
+  /// So many blocks without a trustworthy temperature: the drift stays.
+  void hold(std::uint32_t blocks) {
+    const std::uint32_t given_up = policy_.hold_blocks + 1;
+    held_blocks_ = blocks < given_up - held_blocks_ ? held_blocks_ + blocks : given_up;
+  }
+
+  /// What is to be subtracted now.
+  Rate drift() const { return drift_; }
+
+  Status status() const {
+    return clamped_ | status_if(held_blocks_ > 0, Status::drift_held) |
+           status_if(!started_ || held_blocks_ > policy_.hold_blocks, Status::drift_given_up) |
+           status_if(settled_blocks_ < policy_.settle_blocks, Status::thermal_settling);
+  }
+
+  bool started() const { return started_; }
+
+ private:
+  void evaluate(Temperature temperature, const Signals<BoardNumbers>& signals) {
+    held_blocks_ = 0;
+    clamped_ = status_if(temperature < limits_.least || temperature > limits_.most,
+                         Status::temperature_clamped);
+    DriftSum drift = effects_.step(signals);
+    if (network_.present()) drift += network_drift(network_, coefficient_fraction_, signals);
+    drift_ = saturate_to<Rate>(drift);
+  }
+
+  ThermalState<BoardNumbers> thermal_;
+  ThermalParameters<BoardNumbers> limits_;
+  EffectBank<kCompiled> effects_;
+  int coefficient_fraction_;
+  NetworkParameters network_;
+  DriftPolicy policy_;
+
+  bool started_ = false;
+  std::uint32_t held_blocks_ = 0;     // counts up to hold_blocks + 1
+  std::uint32_t settled_blocks_ = 0;  // counts up to settle_blocks
+  Status clamped_ = Status::none;
+  Rate drift_{};
+};
+
+}  // namespace fog

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+
+#include "core/effects/effect.hpp"
+#include "core/effects/registry.hpp"
+#include "core/fixed_point/fixed.hpp"
+#include "core/signal/quantities.hpp"
+#include "core/signal/span.hpp"
+
+namespace fog {
+
+/// Drift while it is being summed: 10 bits finer than the Rate it is rounded to, once, at the end.
+using DriftSum = Fixed<std::int64_t, 20>;
+
+/// What an effect that the model leaves out is built from: every constructor accepts zeros.
+inline constexpr std::array<std::int32_t, 16> kZeroConstants{};
+
+/// One effect as the model table gives it.
+struct EffectParameters {
+  const std::int32_t* constants = kZeroConstants.data();
+  Span<const std::int32_t> coefficients;  ///< one per regressor; empty: the effect is off
+
+  bool enabled() const { return coefficients.size != 0; }
+};
+
+/// Coefficients have the range of Rate at least, and whatever finer resolution their size allows.
+constexpr int kLeastCoefficientFraction = Rate::fractional_bits;
+constexpr int kMostCoefficientFraction = 40;
+
+struct EffectsParameters {
+  std::array<EffectParameters, kMostEffects> by_id{};
+  int coefficient_fraction = 0;  ///< fractional bits of every coefficient, deg/h
+};
+
+/// The effects of a model and their sum. Only effects in kCompiled exist in the image; a model
+/// table that enables another one is refused before this is built (ModelParameters::read).
+template <EffectMask kCompiled>
+class EffectBank {
+ public:
+  using BoardSignals = Signals<BoardNumbers>;
+
+  explicit EffectBank(const EffectsParameters& parameters) : EffectBank(parameters, Registry{}) {}
+
+  /// Starts all states from these signals.
+  void reset(const BoardSignals& signals) {
+    for_each([&](auto& slot) { slot.effect.reset(signals); });
+  }
+
+  /// Advances all states by one block and returns their drift.
+  ///
+  /// Overflow: |coefficient * regressor| <= 2^62. With at least kLeastCoefficientFraction bits each
+  /// product loses 18 or more when it is rounded to 2^-20 deg/h, before it is added: the sum of 32
+  /// * 9 of them stays below 2^53.
+  DriftSum step(const BoardSignals& signals) {
+    DriftSum drift{};
+    for_each([&](auto& slot) {
+      std::array<Regressor, kMostRegressors> regressors;
+      slot.effect.step(signals, regressors.data());
+      for (std::size_t k = 0; k < slot.coefficients.size; ++k) {
+        const std::int64_t product = std::int64_t{slot.coefficients[k]} * regressors[k].raw();
+        drift += DriftSum::from_raw(round_shift(
+            product,
+            coefficient_fraction_ + Regressor::fractional_bits - DriftSum::fractional_bits));
+      }
+    });
+    return drift;
+  }
+
+ private:
+  template <class Effect>
+  struct Slot {
+    explicit Slot(const EffectParameters& parameters)
+        : effect(parameters.constants), coefficients(parameters.coefficients) {}
+    Effect effect;
+    Span<const std::int32_t> coefficients;
+  };
+  // An effect that this image leaves out: no state, no code.
+  template <class Effect>
+  struct NoSlot {
+    explicit NoSlot(const EffectParameters& /*parameters*/) {}
+  };
+  template <class Effect>
+  using SlotFor = std::conditional_t<((kCompiled >> Effect::description.id) & 1U) != 0U,
+                                     Slot<Effect>, NoSlot<Effect>>;
+
+  template <class List>
+  struct SlotsOf;
+  template <template <class> class... Effects>
+  struct SlotsOf<EffectList<Effects...>> {
+    using Type = std::tuple<SlotFor<Effects<BoardNumbers>>...>;
+  };
+
+  template <template <class> class... Effects>
+  EffectBank(const EffectsParameters& parameters, EffectList<Effects...> /*list*/)
+      : coefficient_fraction_(parameters.coefficient_fraction),
+        slots_(SlotFor<Effects<BoardNumbers>>(
+            parameters.by_id[Effects<BoardNumbers>::description.id])...) {}
+
+  template <class Function>
+  void for_each(Function function) {
+    std::apply([&](auto&... slots) { (visit(slots, function), ...); }, slots_);
+  }
+  template <class Effect, class Function>
+  static void visit(Slot<Effect>& slot, Function& function) {
+    if (slot.coefficients.size != 0) function(slot);
+  }
+  template <class Effect, class Function>
+  static void visit(NoSlot<Effect>& /*slot*/, Function& /*function*/) {}
+
+  int coefficient_fraction_;
+  typename SlotsOf<Registry>::Type slots_;
+};
+
+}  // namespace fog

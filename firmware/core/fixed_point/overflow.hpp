@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fog {
+
+/// What a checked build (-DFOG_CHECKED_FIXED) does where a fixed-point operation leaves its range:
+/// it counts, and keeps the place of the first one. Overflow is a programmer's mistake: every bound
+/// in core is derived where the arithmetic is, and the tests run in this build to prove it. In the
+/// flash image nothing is checked and arithmetic wraps (it is done on unsigned integers), so host
+/// and board agree even then.
+#if defined(FOG_CHECKED_FIXED)
+struct OverflowLog {
+  std::uint32_t count = 0;
+  const void* first_place = nullptr;  ///< return address: addr2line -e TEST_PROGRAM -fi ADDRESS
+};
+
+inline OverflowLog& overflow_log() {
+  static OverflowLog log;
+  return log;
+}
+
+[[gnu::noinline]] inline void report_overflow() {
+  OverflowLog& log = overflow_log();
+  if (log.count++ == 0) log.first_place = __builtin_return_address(0);
+}
+
+constexpr void check_range(bool fits) {
+  if (!fits) report_overflow();
+}
+#else
+constexpr void check_range(bool) {}
+#endif
+
+}  // namespace fog

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "core/fixed_point/overflow.hpp"
+
+namespace fog {
+
+/// value / 2^bits, rounded to the nearest integer, halves upwards (towards +infinity): add half,
+/// then shift arithmetically. The only lossy step of the whole core; the Cortex-M4 instruction
+/// SMMULR rounds the same way. 0 <= bits < width of Int; no overflow for any value. Right shifts of
+/// negative numbers are arithmetic on every compiler that C++20 allows, and on GCC.
+template <typename Int>
+constexpr Int round_shift(Int value, int bits) {
+  static_assert(std::is_signed_v<Int>);
+  if (bits == 0) return value;
+  // The bit below the cut is the half that is added: no intermediate sum that could overflow.
+  return static_cast<Int>((value >> bits) + ((value >> (bits - 1)) & 1));
+}
+
+/// value * 2^bits. Wraps; a checked build reports what does not fit.
+template <typename Int>
+constexpr Int shift_left(Int value, int bits) {
+  using Unsigned = std::make_unsigned_t<Int>;
+  check_range(value <= (std::numeric_limits<Int>::max() >> bits) &&
+              value >= (std::numeric_limits<Int>::min() >> bits));
+  return static_cast<Int>(static_cast<Unsigned>(value) << bits);
+}
+
+/// The nearest value that a Narrow integer can hold.
+template <typename Narrow, typename Wide>
+constexpr Narrow saturate(Wide value) {
+  static_assert(sizeof(Wide) >= sizeof(Narrow));
+  if (value > Wide{std::numeric_limits<Narrow>::max()}) return std::numeric_limits<Narrow>::max();
+  if (value < Wide{std::numeric_limits<Narrow>::min()}) return std::numeric_limits<Narrow>::min();
+  return static_cast<Narrow>(value);
+}
+
+/// numerator / denominator rounded to nearest, halves upwards, as round_shift does.
+/// denominator > 0; |numerator| < 2^62.
+constexpr std::int64_t round_divide(std::int64_t numerator, std::int32_t denominator) {
+  const std::int64_t doubled = 2 * numerator + denominator;
+  const std::int64_t divisor = 2 * std::int64_t{denominator};
+  const std::int64_t truncated = doubled / divisor;
+  return truncated - (doubled % divisor < 0 ? 1 : 0);
+}
+
+}  // namespace fog

@@ -1,0 +1,90 @@
+#include "core/network/network.hpp"
+
+namespace fog {
+namespace {
+
+constexpr auto kOne = from_integer<ActivationOutput>(1);
+
+ActivationOutput activate(Activation activation, ActivationInput x) {
+  switch (activation) {
+    case Activation::logsig:
+      return logistic(x);
+    case Activation::tansig:
+      return hyperbolic_tangent(x);
+    case Activation::linear:
+      break;
+  }
+  return saturate_to<ActivationOutput>(x);
+}
+
+// One neuron. Inputs are within +-1, so the sum fits (layer_fits) and the bias, which has the
+// weights' format, is added as a weight of the input 1.
+ActivationOutput neuron(const LayerParameters& layer, std::size_t row,
+                        const ActivationOutput* inputs, std::size_t input_count) {
+  const std::int32_t* weights = layer.weights.data + row * input_count;
+  std::int64_t sum = std::int64_t{layer.biases[row]} * kOne.raw();
+  for (std::size_t i = 0; i < input_count; ++i) sum += std::int64_t{weights[i]} * inputs[i].raw();
+  const int dropped =
+      layer.fraction + ActivationOutput::fractional_bits - ActivationInput::fractional_bits;
+  return activate(layer.activation,
+                  ActivationInput::from_raw(saturate<std::int32_t>(round_shift(sum, dropped))));
+}
+
+template <int kFraction>
+ActivationOutput normalised(Fixed<std::int32_t, kFraction> value, const InputScaling& scaling) {
+  using Wide = Fixed<std::int64_t, kFraction>;
+  // Clipped at the format of the signal itself: signals are far inside it.
+  const auto difference = saturate_to<Fixed<std::int32_t, kFraction>>(
+      Wide::from_raw(std::int64_t{value.raw()} - scaling.centre));
+  return clamp(saturate_to<ActivationOutput>(difference * scaling.gain), -kOne, kOne);
+}
+
+ActivationOutput input(const InputScaling& scaling, const Signals<BoardNumbers>& signals) {
+  switch (scaling.signal) {
+    case NetworkInput::temperature:
+      return normalised(signals.temperature, scaling);
+    case NetworkInput::temperature_rate:
+      break;
+  }
+  return normalised(signals.temperature_rate, scaling);
+}
+
+}  // namespace
+
+DriftSum network_drift(const NetworkParameters& network, int coefficient_fraction,
+                       const Signals<BoardNumbers>& signals) {
+  std::array<ActivationOutput, kMostNetworkInputs> inputs;
+  for (std::size_t i = 0; i < network.input_count; ++i) {
+    inputs[i] = input(network.inputs[i], signals);
+  }
+  std::array<ActivationOutput, kMostHidden> hidden;
+  const std::size_t hidden_count = network.hidden.biases.size;
+  for (std::size_t row = 0; row < hidden_count; ++row) {
+    hidden[row] = neuron(network.hidden, row, inputs.data(), network.input_count);
+  }
+  const ActivationOutput y = neuron(network.output, 0, hidden.data(), hidden_count);
+  // |y| <= 2 (linear output) and centre, amplitude < 2^31: below 2^63.
+  const std::int64_t drift =
+      std::int64_t{network.amplitude} * y.raw() + std::int64_t{network.centre} * kOne.raw();
+  return DriftSum::from_raw(round_shift(
+      drift, coefficient_fraction + ActivationOutput::fractional_bits - DriftSum::fractional_bits));
+}
+
+bool layer_fits(const LayerParameters& layer) {
+  const std::size_t rows = layer.biases.size;
+  if (rows == 0) return layer.weights.size == 0;
+  const std::size_t columns = layer.weights.size / rows;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto magnitude = [](std::int32_t raw) {
+      return raw < 0 ? -std::int64_t{raw} : std::int64_t{raw};
+    };
+    std::int64_t sum = magnitude(layer.biases[row]);
+    for (std::size_t i = 0; i < columns; ++i) {
+      sum += magnitude(layer.weights[row * columns + i]);
+    }
+    if (sum > (std::int64_t{1} << 31)) return false;
+  }
+  return true;
+}
+
+}  // namespace fog

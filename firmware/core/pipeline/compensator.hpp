@@ -1,0 +1,132 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/acquisition/calibration.hpp"
+#include "core/acquisition/sample_monitor.hpp"
+#include "core/acquisition/stream_parser.hpp"
+#include "core/compensation/drift_model.hpp"
+#include "core/denoise/denoiser.hpp"
+#include "core/pipeline/block_clock.hpp"
+#include "core/pipeline/model_parameters.hpp"
+#include "core/protocol/compact_frame.hpp"
+#include "core/protocol/kvh_frame.hpp"
+#include "core/signal/output_sample.hpp"
+#include "core/thermal/block_average.hpp"
+
+namespace fog {
+
+/// Most bytes that one sensor sample causes to be sent.
+constexpr std::size_t kMostOutputBytes = kKvhFrameBytes + kCompactFrameBytes;
+
+/// The whole pipeline: bytes of the sensor stream in, bytes of the output stream out. The order of
+/// the stages is that of process(). Shape limits are template parameters so that an image holds
+/// just what its model needs: `kEffects` of the registry, filters up to `kTaps` x `kLevels`.
+template <EffectMask kEffects, std::size_t kTaps, std::size_t kLevels>
+class Compensator {
+ public:
+  static constexpr ModelShape room{kEffects, kTaps, kLevels};
+
+  /// `parameters` must have been read with this class's room; parameters of a refused table make a
+  /// pipeline that answers every sample and marks none valid.
+  explicit Compensator(const ModelParameters& parameters)
+      : fault_(parameters.fault),
+        calibration_(parameters.calibration),
+        output_(parameters.output),
+        monitor_(parameters.acquisition),
+        block_clock_(parameters.samples_per_block),
+        drift_model_(parameters.thermal, parameters.effects, parameters.network, parameters.policy),
+        denoiser_(parameters.denoise) {}
+
+  /// Takes one byte of the sensor stream. Where it completes a sample, writes the frames that
+  /// answer it to `out` (room for kMostOutputBytes) and returns their size; else returns 0.
+  std::size_t feed(std::uint8_t byte, std::uint8_t* out) {
+    if (!parser_.feed(byte)) return 0;
+    last_ = process(parser_.sample());
+    return encode(last_, out);
+  }
+
+  /// The values behind the frames last written.
+  const OutputSample& last() const { return last_; }
+
+  /// One sample through all stages.
+  OutputSample process(const SensorSample& sample) {
+    const SampleMonitor::Verdict verdict = monitor_.judge(sample);
+    const auto temperature = Temperature::from_raw(sample.temperature_q16);
+    const bool temperature_good = !any(verdict.status, Status::temperature_invalid);
+    if (temperature_good && !drift_model_.started()) drift_model_.start(temperature);
+
+    OutputSample result;
+    result.sequence = sample.sequence;
+    result.drift = drift_model_.drift();
+    result.status = fault_ | verdict.status | drift_model_.status();
+
+    const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
+    const bool in_range = measured < calibration_.range && measured > -calibration_.range;
+    result.status |= status_if(!in_range, Status::rate_out_of_range);
+    result.compensated = saturate_to<Rate>(difference(measured, result.drift));
+
+    const auto denoised = denoiser_.step(result.compensated, result.compensated_valid());
+    result.denoised = denoised.rate;
+    result.status |= status_if(!denoised.valid, Status::denoised_invalid) |
+                     status_if(denoiser_.filling(), Status::denoiser_filling);
+
+    if (temperature_good) last_temperature_ = temperature;
+    result.temperature = last_temperature_;
+    advance_blocks(verdict.missing, temperature_good, temperature);
+    return result;
+  }
+
+ private:
+  static Fixed<std::int64_t, Rate::fractional_bits> difference(Rate a, Rate b) {
+    using Wide = Fixed<std::int64_t, Rate::fractional_bits>;
+    return Wide::from_raw(a.raw()) - Wide::from_raw(b.raw());
+  }
+
+  // Lost samples are part of the time that passes. A block's drift holds from the next sample on.
+  void advance_blocks(std::uint32_t missing, bool temperature_good, Temperature temperature) {
+    finish_blocks(block_clock_.advance(missing));
+    if (temperature_good) block_average_.add(temperature);
+    finish_blocks(block_clock_.advance(1));
+  }
+
+  void finish_blocks(std::uint32_t blocks) {
+    if (blocks == 0) return;
+    if (!block_average_.empty()) {
+      drift_model_.step(block_average_.mean());
+      block_average_.clear();
+      --blocks;
+    }
+    if (blocks > 0) drift_model_.hold(blocks);
+  }
+
+  std::size_t encode(const OutputSample& sample, std::uint8_t* out) {
+    std::size_t size = 0;
+    const auto append = [&](const auto& frame) {
+      for (const std::uint8_t byte : frame) out[size++] = byte;
+    };
+    if (output_ != OutputSelection::compact) append(encode_kvh_frame(sample, frames_));
+    if (output_ != OutputSelection::kvh) {
+      append(encode_compact_frame(sample, static_cast<std::uint16_t>(denoiser_.delay())));
+    }
+    ++frames_;
+    return size;
+  }
+
+  Status fault_;
+  CalibrationParameters calibration_;
+  OutputSelection output_;
+  StreamParser parser_;
+  SampleMonitor monitor_;
+  BlockClock block_clock_;
+  BlockAverage block_average_;
+  DriftModel<kEffects> drift_model_;
+  Denoiser<kTaps, kLevels> denoiser_;
+  Temperature last_temperature_{};
+  OutputSample last_;
+  std::uint32_t frames_ = 0;
+};
+
+}  // namespace fog

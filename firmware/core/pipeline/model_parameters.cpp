@@ -1,0 +1,201 @@
+#include "core/pipeline/model_parameters.hpp"
+
+#include <limits>
+
+#include "core/pipeline/table_reader.hpp"
+#include "core/protocol/byte_order.hpp"
+#include "core/protocol/crc.hpp"
+
+namespace fog {
+namespace {
+
+constexpr std::int32_t kMost32 = std::numeric_limits<std::int32_t>::max();
+constexpr std::size_t kLeastWords = 5;  // magic, layout, word count, provenance, CRC
+
+template <class Value>
+Value next_fixed(TableReader& table) {
+  return Value::from_raw(table.next());
+}
+
+template <class Value>
+Value next_positive(TableReader& table) {
+  return Value::from_raw(table.next(1, kMost32));
+}
+
+std::size_t next_count(TableReader& table, std::size_t most) {
+  return static_cast<std::size_t>(table.next(0, static_cast<std::int32_t>(most)));
+}
+
+void read_calibration(TableReader& table, ModelParameters& parameters) {
+  parameters.sample_period_us = static_cast<std::uint32_t>(table.next(1, kMost32));
+  parameters.samples_per_block = static_cast<std::uint32_t>(table.next(1, kMost32));
+  parameters.calibration.multiplier = table.next(1 << 30, kMost32);
+  parameters.calibration.shift = table.next(0, 62);
+  parameters.calibration.range = next_positive<Rate>(table);
+  parameters.acquisition.stuck_samples = static_cast<std::uint32_t>(table.next(0, kMost32));
+}
+
+void read_thermal(TableReader& table, ModelParameters& parameters) {
+  auto& thermal = parameters.thermal;
+  thermal.smoothing_decay = next_positive<FirstOrderLag<BoardNumbers>::Decay>(table);
+  thermal.blocks_per_minute = next_positive<BoardNumbers::Number<20>>(table);
+  thermal.least = next_fixed<Temperature>(table);
+  thermal.most = next_fixed<Temperature>(table);
+  table.require(kLeastTemperature <= thermal.least && thermal.least <= thermal.most &&
+                thermal.most <= kMostTemperature);
+  parameters.policy.hold_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
+  parameters.policy.settle_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
+}
+
+// The constants of an effect, each within what its constructor accepts, and as many coefficients as
+// it then has regressors.
+template <class Effect>
+bool effect_fits(const EffectParameters& effect, std::size_t constant_count) {
+  if (constant_count != Effect::constant_fractions.size()) return false;
+  if (!Effect::constants_valid(effect.constants)) return false;
+  return Effect(effect.constants).regressor_count() == effect.coefficients.size;
+}
+
+template <template <class> class... Effects>
+bool effect_fits(std::size_t id, const EffectParameters& effect, std::size_t constant_count,
+                 EffectList<Effects...> /*list*/) {
+  return ((Effects<BoardNumbers>::description.id == id &&
+           effect_fits<Effects<BoardNumbers>>(effect, constant_count)) ||
+          ...);
+}
+
+// Returns which effects the table enables.
+EffectMask read_effects(TableReader& table, EffectsParameters& effects) {
+  effects.coefficient_fraction = table.next(kLeastCoefficientFraction, kMostCoefficientFraction);
+  EffectMask enabled = 0;
+  for (std::size_t left = next_count(table, kMostEffects); left > 0 && table.good(); --left) {
+    const std::size_t id = next_count(table, kMostEffects - 1);
+    const Span<const std::int32_t> constants =
+        table.next_words(next_count(table, kZeroConstants.size()));
+    const Span<const std::int32_t> coefficients =
+        table.next_words(next_count(table, kMostRegressors));
+    const EffectMask bit = EffectMask{1} << id;
+    table.require((enabled & bit) == 0U);
+    enabled |= bit;
+    EffectParameters& effect = effects.by_id[id];
+    effect.constants = constants.data;
+    effect.coefficients = coefficients;
+    if (((kAllEffects >> id) & 1U) != 0U && table.good()) {
+      table.require(effect_fits(id, effect, constants.size, Registry{}));
+    }
+  }
+  return enabled;
+}
+
+void read_layer(TableReader& table, std::size_t inputs, std::size_t outputs,
+                LayerParameters& layer) {
+  layer.activation = static_cast<Activation>(table.next(0, 2));
+  layer.fraction = table.next(0, 40);
+  layer.weights = table.next_words(inputs * outputs);
+  layer.biases = table.next_words(outputs);
+  table.require(layer_fits(layer));
+}
+
+void read_network(TableReader& table, NetworkParameters& network) {
+  network.input_count = next_count(table, kMostNetworkInputs);
+  const std::size_t hidden = next_count(table, kMostHidden);
+  if (hidden == 0) return;
+  table.require(network.input_count > 0);
+  for (std::size_t i = 0; i < network.input_count; ++i) {
+    network.inputs[i].signal = static_cast<NetworkInput>(table.next(0, 1));
+    network.inputs[i].centre = table.next();
+    network.inputs[i].gain = next_positive<BoardNumbers::Number<28>>(table);
+  }
+  read_layer(table, network.input_count, hidden, network.hidden);
+  read_layer(table, hidden, 1, network.output);
+  network.centre = table.next();
+  network.amplitude = table.next();
+}
+
+void read_denoise(TableReader& table, DenoiseParameters& denoise) {
+  const std::size_t levels = next_count(table, kMostLevels);
+  const std::size_t taps = next_count(table, kMostTaps);
+  denoise.mode = static_cast<ThresholdMode>(table.next(0, 1));
+  denoise.lowpass = table.next_words(taps);
+  denoise.thresholds = table.next_words(levels);
+  table.require(levels == 0 || taps >= 2);
+  std::int64_t phase_sum[2] = {0, 0};
+  std::int64_t magnitude = 0;
+  for (std::size_t i = 0; i < denoise.lowpass.size; ++i) {
+    const std::int64_t tap = denoise.lowpass[i];
+    phase_sum[i % 2] += tap;
+    magnitude += tap < 0 ? -tap : tap;
+  }
+  constexpr std::int64_t kHalf = std::int64_t{1} << (kTapFraction - 1);
+  table.require(levels == 0 || (taps % 2 == 0 && phase_sum[0] == kHalf && phase_sum[1] == kHalf));
+  table.require(magnitude < (std::int64_t{2} << kTapFraction));
+  for (const std::int32_t threshold : denoise.thresholds) table.require(threshold >= 0);
+}
+
+std::uint32_t table_crc(Span<const std::int32_t> table) {
+  std::uint32_t crc = kCrc32Initial;
+  for (std::size_t i = 0; i + 1 < table.size; ++i) {
+    std::uint8_t bytes[4];
+    store_le32(bytes, static_cast<std::uint32_t>(table[i]));
+    crc = crc32(bytes, sizeof bytes, crc);
+  }
+  return crc;
+}
+
+ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
+                     ModelParameters& parameters) {
+  constexpr std::size_t kHeaderWords = 4;
+  parameters.fault = Status::none;
+  parameters.provenance = static_cast<std::uint32_t>(words[3]);
+  TableReader table({words.data + kHeaderWords, words.size - kHeaderWords - 1});
+  read_calibration(table, parameters);
+  read_thermal(table, parameters);
+  const EffectMask enabled = read_effects(table, parameters.effects);
+  read_network(table, parameters.network);
+  read_denoise(table, parameters.denoise);
+  parameters.output = static_cast<OutputSelection>(table.next(0, 2));
+  if (!table.good() || !table.at_end()) return ModelError::out_of_range;
+  if ((enabled & ~room.effects) != 0U || parameters.denoise.levels() > room.levels ||
+      parameters.denoise.lowpass.size > room.taps) {
+    return ModelError::not_in_image;
+  }
+  return ModelError::none;
+}
+
+}  // namespace
+
+ModelError read_model(Span<const std::int32_t> words, const ModelShape& room,
+                      ModelParameters& parameters) {
+  parameters = ModelParameters();
+  if (words.size < kLeastWords || words.size > kMostModelWords || words[0] != kModelMagic) {
+    return ModelError::not_a_model;
+  }
+  if (words[1] != kModelLayout) return ModelError::other_layout;
+  if (static_cast<std::uint32_t>(words[2]) != words.size) return ModelError::damaged;
+  if (static_cast<std::uint32_t>(words[words.size - 1]) != table_crc(words)) {
+    return ModelError::damaged;
+  }
+  const ModelError error = read_body(words, room, parameters);
+  if (error != ModelError::none) parameters = ModelParameters();
+  return error;
+}
+
+const char* describe(ModelError error) {
+  switch (error) {
+    case ModelError::none:
+      return "good";
+    case ModelError::not_a_model:
+      return "no model table";
+    case ModelError::other_layout:
+      return "model table of another layout version";
+    case ModelError::damaged:
+      return "model table damaged (CRC)";
+    case ModelError::out_of_range:
+      return "model table holds a value out of range";
+    case ModelError::not_in_image:
+      return "model uses an effect or filter that this image was not built with";
+  }
+  return "unknown";
+}
+
+}  // namespace fog

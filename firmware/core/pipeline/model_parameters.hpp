@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/acquisition/calibration.hpp"
+#include "core/acquisition/sample_monitor.hpp"
+#include "core/compensation/drift_model.hpp"
+#include "core/denoise/denoise_parameters.hpp"
+#include "core/effects/effect_bank.hpp"
+#include "core/network/network.hpp"
+#include "core/signal/span.hpp"
+#include "core/signal/status.hpp"
+#include "core/thermal/thermal_state.hpp"
+
+namespace fog {
+
+/// Frames that are sent for each sample.
+enum class OutputSelection : std::int32_t { kvh = 0, compact = 1, both = 2 };
+
+constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
+constexpr std::int32_t kModelLayout = 1;          ///< of the table; SPEC.md, "Model table"
+constexpr std::size_t kMostModelWords = 4096;
+
+/// What an image has room for: fixed by the header that it is built with.
+struct ModelShape {
+  EffectMask effects = 0;
+  std::size_t taps = 0;
+  std::size_t levels = 0;
+};
+
+/// Room for any model.
+constexpr ModelShape kAnyModel{kAllEffects, kMostTaps, kMostLevels};
+
+/// A model table taken apart. Arrays stay in the table, which must outlive this.
+/// As constructed it is the parameters of a board without a usable model: no rate is valid.
+struct ModelParameters {
+  Status fault = Status::model_refused;  ///< goes into the status of every sample
+  std::uint32_t provenance = 0;          ///< CRC-32 of the model file that it was made from
+  std::uint32_t sample_period_us = 0;
+  std::uint32_t samples_per_block = 1;
+  CalibrationParameters calibration;
+  AcquisitionParameters acquisition;
+  ThermalParameters<BoardNumbers> thermal;
+  DriftPolicy policy;
+  EffectsParameters effects;
+  NetworkParameters network;
+  DenoiseParameters denoise;
+  OutputSelection output = OutputSelection::kvh;
+};
+
+/// Why a table was refused.
+enum class ModelError : std::uint8_t {
+  none,
+  not_a_model,   ///< no magic number, or too short or long
+  other_layout,  ///< made for another version of the firmware
+  damaged,       ///< CRC
+  out_of_range,  ///< a value that no export writes
+  not_in_image,  ///< an effect or a filter that this image was not built for
+};
+
+/// Checks everything once, so that the pipeline need not: CRC, layout, ranges, and sums that must
+/// not overflow. On an error `parameters` are as constructed.
+ModelError read_model(Span<const std::int32_t> table, const ModelShape& room,
+                      ModelParameters& parameters);
+
+/// For the boot message and the host's errors.
+const char* describe(ModelError error);
+
+}  // namespace fog

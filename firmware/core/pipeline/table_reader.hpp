@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/signal/span.hpp"
+
+namespace fog {
+
+/// Takes words from a table in order. Remembers if it was asked for more than there is, or for a
+/// value outside its range, instead of making every caller ask.
+class TableReader {
+ public:
+  explicit TableReader(Span<const std::int32_t> table) : rest_(table) {}
+
+  std::int32_t next() {
+    if (rest_.size == 0) {
+      good_ = false;
+      return 0;
+    }
+    const std::int32_t word = rest_[0];
+    rest_ = {rest_.data + 1, rest_.size - 1};
+    return word;
+  }
+
+  /// A word within [least, most]; `least` where it is not.
+  std::int32_t next(std::int32_t least, std::int32_t most) {
+    const std::int32_t word = next();
+    if (word >= least && word <= most) return word;
+    good_ = false;
+    return least;
+  }
+
+  Span<const std::int32_t> next_words(std::size_t count) {
+    if (count > rest_.size) {
+      good_ = false;
+      return {};
+    }
+    const Span<const std::int32_t> words{rest_.data, count};
+    rest_ = {rest_.data + count, rest_.size - count};
+    return words;
+  }
+
+  void require(bool condition) { good_ = good_ && condition; }
+
+  /// Whether all words so far were there and in range.
+  bool good() const { return good_; }
+  bool at_end() const { return rest_.size == 0; }
+
+ private:
+  Span<const std::int32_t> rest_;
+  bool good_ = true;
+};
+
+}  // namespace fog

@@ -1,0 +1,61 @@
+#include "core/protocol/compact_frame.hpp"
+
+#include "core/protocol/byte_order.hpp"
+#include "core/protocol/crc.hpp"
+
+namespace fog {
+namespace {
+
+constexpr std::uint8_t kSync0 = 0xC3;
+constexpr std::uint8_t kSync1 = 0x3C;
+constexpr std::size_t kSequence = 2;
+constexpr std::size_t kCompensated = 4;
+constexpr std::size_t kDenoised = 8;
+constexpr std::size_t kDrift = 12;
+constexpr std::size_t kTemperature = 16;
+constexpr std::size_t kStatus = 20;
+constexpr std::size_t kDelay = 24;
+constexpr std::size_t kCrc = 26;
+
+std::uint16_t frame_crc(const std::uint8_t* bytes) {
+  return crc16(bytes + kSequence, kCrc - kSequence);
+}
+
+void store_signed(std::uint8_t* to, std::int32_t value) {
+  store_le32(to, static_cast<std::uint32_t>(value));
+}
+
+std::int32_t load_signed(const std::uint8_t* from) {
+  return static_cast<std::int32_t>(load_le32(from));
+}
+
+}  // namespace
+
+CompactFrame encode_compact_frame(const OutputSample& sample, std::uint16_t denoiser_delay) {
+  CompactFrame frame{kSync0, kSync1};
+  store_le16(&frame[kSequence], sample.sequence);
+  store_signed(&frame[kCompensated], sample.compensated.raw());
+  store_signed(&frame[kDenoised], sample.denoised.raw());
+  store_signed(&frame[kDrift], sample.drift.raw());
+  store_signed(&frame[kTemperature], sample.temperature.raw());
+  store_le32(&frame[kStatus], static_cast<std::uint32_t>(sample.status));
+  store_le16(&frame[kDelay], denoiser_delay);
+  store_le16(&frame[kCrc], frame_crc(frame.data()));
+  return frame;
+}
+
+bool decode_compact_frame(const std::uint8_t* bytes, OutputSample& sample,
+                          std::uint16_t& denoiser_delay) {
+  if (bytes[0] != kSync0 || bytes[1] != kSync1) return false;
+  if (load_le16(bytes + kCrc) != frame_crc(bytes)) return false;
+  sample.sequence = load_le16(bytes + kSequence);
+  sample.compensated = Rate::from_raw(load_signed(bytes + kCompensated));
+  sample.denoised = Rate::from_raw(load_signed(bytes + kDenoised));
+  sample.drift = Rate::from_raw(load_signed(bytes + kDrift));
+  sample.temperature = Temperature::from_raw(load_signed(bytes + kTemperature));
+  sample.status = static_cast<Status>(load_le32(bytes + kStatus));
+  denoiser_delay = load_le16(bytes + kDelay);
+  return true;
+}
+
+}  // namespace fog

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/signal/output_sample.hpp"
+
+namespace fog {
+
+/// Our own frame, little-endian, 28 bytes: everything that the pipeline knows about a sample, in
+/// its own formats (SPEC.md, "Compact frame").
+///   C3 3C | u16 sequence | i32 compensated | i32 denoised | i32 drift (LSB 2^-10 deg/h)
+///   | i32 temperature (LSB 2^-16 degC) | u32 status | u16 denoiser delay in samples | u16 CRC-16
+/// The CRC is over bytes 2..25.
+constexpr std::size_t kCompactFrameBytes = 28;
+using CompactFrame = std::array<std::uint8_t, kCompactFrameBytes>;
+
+CompactFrame encode_compact_frame(const OutputSample& sample, std::uint16_t denoiser_delay);
+
+/// Reads 28 bytes; false, with nothing changed, unless sync and CRC are right.
+bool decode_compact_frame(const std::uint8_t* bytes, OutputSample& sample,
+                          std::uint16_t& denoiser_delay);
+
+}  // namespace fog

@@ -1,0 +1,34 @@
+#include "core/protocol/kvh_frame.hpp"
+
+#include "core/fixed_point/fixed.hpp"
+#include "core/protocol/byte_order.hpp"
+#include "core/protocol/crc.hpp"
+#include "core/protocol/rate_float.hpp"
+
+namespace fog {
+namespace {
+
+constexpr std::uint32_t kHeader = 0xFE81FF55U;
+constexpr std::size_t kRotationZ = 12;
+constexpr std::size_t kStatus = 28;
+constexpr std::size_t kSequence = 29;
+constexpr std::size_t kTemperature = 30;
+constexpr std::size_t kCrc = 32;
+constexpr std::uint8_t kRotationZValid = 1U << 2U;
+constexpr std::uint32_t kSequenceMask = 0x7F;
+
+}  // namespace
+
+KvhFrame encode_kvh_frame(const OutputSample& sample, std::uint32_t frame_number) {
+  KvhFrame frame{};
+  store_be32(&frame[0], kHeader);
+  store_be32(&frame[kRotationZ], rate_as_radians_float(sample.denoised));
+  frame[kStatus] = sample.denoised_valid() ? kRotationZValid : std::uint8_t{0};
+  frame[kSequence] = static_cast<std::uint8_t>(frame_number & kSequenceMask);
+  const auto whole_degrees = round_to<Fixed<std::int32_t, 0>>(sample.temperature);
+  store_be16(&frame[kTemperature], static_cast<std::uint16_t>(whole_degrees.raw()));
+  store_be32(&frame[kCrc], crc32(frame.data(), kCrc));
+  return frame;
+}
+
+}  // namespace fog

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/signal/output_sample.hpp"
+
+namespace fog {
+
+/// KVH "format A", big-endian: header, X Y Z rotation and X Y Z acceleration as float32, status,
+/// sequence 0..127, whole degC, CRC-32. Ours is a one-axis gyro: Z rotation is the denoised rate in
+/// rad/s, the other five are 0 and not valid (SPEC.md, "KVH format A").
+constexpr std::size_t kKvhFrameBytes = 36;
+using KvhFrame = std::array<std::uint8_t, kKvhFrameBytes>;
+
+/// `frame_number` counts the frames sent; its lower 7 bits are the frame's sequence.
+KvhFrame encode_kvh_frame(const OutputSample& sample, std::uint32_t frame_number);
+
+}  // namespace fog

@@ -1,0 +1,32 @@
+#include "core/protocol/rate_float.hpp"
+
+namespace fog {
+namespace {
+
+// One deg/h is pi / 648000 rad/s: round(2^49 * pi / 648000). The test RateFloat recomputes it.
+constexpr std::uint64_t kRadiansPerDegreePerHour = 2729258392U;
+constexpr int kConstantFraction = 49;
+
+constexpr int kMantissaBits = 23;
+constexpr int kExponentBias = 127;
+constexpr std::uint32_t kSign = 0x80000000U;
+
+}  // namespace
+
+std::uint32_t rate_as_radians_float(Rate rate) {
+  const std::int64_t raw = rate.raw();
+  if (raw == 0) return 0;
+  const std::uint64_t magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+  // Below 2^31 * 2^32, at least 2^31: the top bit lies above the mantissa and the number is normal.
+  const std::uint64_t product = magnitude * kRadiansPerDegreePerHour;
+  const int top_bit = 63 - __builtin_clzll(product);
+  const int dropped = top_bit - kMantissaBits;
+  const std::uint64_t mantissa = (product + (std::uint64_t{1} << (dropped - 1))) >> dropped;
+  const int exponent = top_bit - kConstantFraction - Rate::fractional_bits + kExponentBias;
+  // Adding, not or-ing: a mantissa that was rounded up to 2^24 carries into the exponent.
+  const std::uint32_t bits = (static_cast<std::uint32_t>(exponent) << kMantissaBits) +
+                             static_cast<std::uint32_t>(mantissa - (1U << kMantissaBits));
+  return raw < 0 ? bits | kSign : bits;
+}
+
+}  // namespace fog

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/signal/quantities.hpp"
+#include "core/signal/status.hpp"
+
+namespace fog {
+
+/// What the pipeline makes of one sensor sample.
+struct OutputSample {
+  std::uint16_t sequence = 0;  ///< of the sensor sample that caused it
+  Rate compensated{};          ///< measured - drift, undelayed
+  Rate denoised{};             ///< the same, denoised and late by the denoiser's delay
+  Rate drift{};                ///< what was subtracted from `compensated`
+  Temperature temperature{};   ///< last good one
+  Status status = Status::none;
+
+  bool compensated_valid() const { return !any(status, kRateInvalid); }
+  bool denoised_valid() const { return !any(status, kDenoisedInvalid); }
+};
+
+}  // namespace fog

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/fixed_point/fixed.hpp"
+
+namespace fog {
+
+// The physical quantities of the pipeline and their formats (SPEC.md, "Numbers").
+using Rate = Fixed<std::int32_t, 10>;             ///< deg/h, also drift; LSB 0.00098, +-582 deg/s
+using Temperature = Fixed<std::int32_t, 16>;      ///< degC, LSB 15 udegC
+using TemperatureRate = Fixed<std::int32_t, 20>;  ///< degC/min, LSB 0.95e-6, +-2048
+using Regressor = Fixed<std::int32_t, 28>;        ///< dimensionless, +-8
+
+/// The number types of the board, for templates that the host also instantiates with its real type
+/// (BoardNumbers here, RealNumbers there): the same source is the model that is fitted and the
+/// model that is flashed.
+struct BoardNumbers {
+  using Rate = fog::Rate;
+  using Temperature = fog::Temperature;
+  using TemperatureRate = fog::TemperatureRate;
+  using Regressor = fog::Regressor;
+  /// A value with F fractional bits.
+  template <int kFractionalBits>
+  using Number = Fixed<std::int32_t, kFractionalBits>;
+  /// A slow state: 64 bits, so that a lag of 10^5 s still moves.
+  template <int kFractionalBits>
+  using Wide = Fixed<std::int64_t, kFractionalBits>;
+  /// How the model table holds a constant: the raw integer.
+  using Constant = std::int32_t;
+  template <int kFractionalBits>
+  static constexpr Number<kFractionalBits> number(Constant constant) {
+    return Number<kFractionalBits>::from_raw(constant);
+  }
+  /// A constant that is a plain integer (an order, a count).
+  static constexpr std::int32_t integer(Constant constant) { return constant; }
+};
+
+}  // namespace fog

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fog {
+
+/// What is known against a sample. The bits are part of the compact frame (SPEC.md, "Status
+/// flags"): add at the end, never move one.
+enum class Status : std::uint32_t {
+  none = 0,
+  gyro_invalid = 1U << 0U,         ///< the demodulator says that its rate is not valid
+  rate_out_of_range = 1U << 1U,    ///< beyond the gyro's range, or clipped by the number format
+  gyro_stuck = 1U << 2U,           ///< the same counts for longer than a live gyro can give them
+  sequence_gap = 1U << 3U,         ///< samples before this one were lost or repeated
+  temperature_invalid = 1U << 4U,  ///< this sample's temperature is missing or impossible
+  temperature_clamped = 1U << 5U,  ///< outside the trained range; the model saw its limit
+  drift_held = 1U << 6U,           ///< no temperature in the last block; drift is the last good one
+  drift_given_up = 1U << 7U,       ///< held too long: the compensation cannot be trusted
+  thermal_settling = 1U << 8U,     ///< the temperature rate is not yet known well after start-up
+  denoiser_filling = 1U << 9U,     ///< the denoised rate still holds samples from before start-up
+  model_refused = 1U << 10U,       ///< the weight table is damaged or not for this firmware
+  denoised_invalid = 1U << 11U,    ///< the denoised rate stands for a sample that was not valid
+};
+
+constexpr Status operator|(Status a, Status b) {
+  return static_cast<Status>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
+}
+constexpr Status operator&(Status a, Status b) {
+  return static_cast<Status>(static_cast<std::uint32_t>(a) & static_cast<std::uint32_t>(b));
+}
+constexpr Status& operator|=(Status& a, Status b) {
+  return a = a | b;
+}
+constexpr bool any(Status status, Status of) {
+  return (status & of) != Status::none;
+}
+constexpr Status status_if(bool condition, Status flag) {
+  return condition ? flag : Status::none;
+}
+
+/// Any of these, and the undelayed rate must not be used.
+constexpr Status kRateInvalid = Status::gyro_invalid | Status::rate_out_of_range |
+                                Status::gyro_stuck | Status::drift_given_up | Status::model_refused;
+
+/// Any of these, and the denoised rate must not be used.
+constexpr Status kDenoisedInvalid = kRateInvalid | Status::denoised_invalid;
+
+}  // namespace fog

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace fog {
+
+/// What every effect and the network see, once per block.
+template <class N>
+struct Signals {
+  typename N::Temperature temperature{};  ///< coil sensor, block mean, in the trained range
+  typename N::TemperatureRate temperature_rate{};  ///< its filtered derivative
+};
+
+}  // namespace fog

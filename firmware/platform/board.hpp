@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fog::platform {
+
+/// What the boot message says of the board.
+struct BoardDescription {
+  const char* name;
+  std::uint32_t core_clock_hz;
+  const char* clock_source;
+  const char* reset_cause;
+};
+
+/// Clocks, ports and the millisecond tick: after it everything in hal/ works, except that the
+/// watchdog waits for start_watchdog(). Called once, first.
+void start_board();
+
+/// Valid after start_board().
+BoardDescription describe_board();
+
+/// Restarts from the reset vector, as after power-on but for the reset cause "request".
+[[noreturn]] void restart_board();
+
+}  // namespace fog::platform
+
+namespace fog::app {
+
+/// The application: provided by each image, entered once by start-up with memory initialised.
+[[noreturn]] void run();
+
+}  // namespace fog::app

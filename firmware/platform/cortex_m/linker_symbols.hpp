@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+// What linker/common_sections.ld places. Only the addresses mean anything. All are word aligned.
+extern "C" {
+
+/// The image in flash, vector table to the last initialiser of .data: what a CRC has to cover.
+extern const std::uint8_t fog_image_start[];
+extern const std::uint8_t fog_image_end[];
+
+extern const std::uint32_t fog_data_load[];
+extern std::uint32_t fog_data_start[];
+extern std::uint32_t fog_data_end[];
+extern std::uint32_t fog_bss_start[];
+extern std::uint32_t fog_bss_end[];
+
+/// The stack grows down from fog_stack_top; below fog_stack_bottom there is no memory.
+extern std::uint32_t fog_stack_bottom[];
+extern std::uint32_t fog_stack_top[];
+}

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "platform/cortex_m/registers.hpp"
+
+// The parts of the ARMv7-M System Control Space that this firmware uses (ARM DDI 0403, B3).
+namespace fog::platform {
+
+struct SysTick {
+  Register control;
+  Register reload;
+  Register current;
+
+  static constexpr std::uint32_t kEnable = 1U << 0U;
+  static constexpr std::uint32_t kInterrupt = 1U << 1U;
+  static constexpr std::uint32_t kProcessorClock = 1U << 2U;
+};
+
+struct SystemControlBlock {
+  Register cpu_id;
+  Register interrupt_control;
+  Register vector_table_offset;
+  Register application_interrupt_and_reset;
+  Register system_control;
+  Register configuration;
+  std::array<Register, 3> system_handler_priority;
+  Register system_handler_control;
+  Register configurable_fault_status;
+  Register hard_fault_status;
+
+  static constexpr std::uint32_t kResetKeyAndRequest = (0x05FAU << 16U) | (1U << 2U);
+  static constexpr std::uint32_t kTrapDivisionByZero = 1U << 4U;
+};
+static_assert(offsetof(SystemControlBlock, configurable_fault_status) == 0x28);
+
+struct InterruptController {
+  std::array<Register, 32> set_enable;
+  std::array<Register, 32> clear_enable;
+};
+
+inline SysTick& systick() {
+  return peripheral_at<SysTick>(0xE000E010U);
+}
+inline SystemControlBlock& system_control_block() {
+  return peripheral_at<SystemControlBlock>(0xE000ED00U);
+}
+inline InterruptController& interrupt_controller() {
+  return peripheral_at<InterruptController>(0xE000E100U);
+}
+
+inline void enable_interrupt(std::uint32_t number) {
+  interrupt_controller().set_enable[number / 32U].write(1U << (number % 32U));
+}
+
+/// A level that is still asserted stays pending and interrupts again once enabled.
+inline void disable_interrupt(std::uint32_t number) {
+  interrupt_controller().clear_enable[number / 32U].write(1U << (number % 32U));
+}
+
+/// Makes an interrupt pending, as its device would.
+inline void trigger_interrupt(std::uint32_t number) {
+  peripheral_at<Register>(0xE000EF00U).write(number);
+}
+
+}  // namespace fog::platform

@@ -1,0 +1,14 @@
+#include "platform/cortex_m/vector_table.hpp"
+#include "platform/mps2_an386/peripherals.hpp"
+#include "platform/ports.hpp"
+
+namespace fog::platform {
+namespace {
+
+constexpr InterruptHandler kHandlers[] = {{kSensorInterrupt, on_sensor_interrupt}};
+
+[[gnu::section(".vectors"), gnu::used]] constexpr auto kVectors =
+    make_vector_table<kInterruptLines>(kHandlers);
+
+}  // namespace
+}  // namespace fog::platform

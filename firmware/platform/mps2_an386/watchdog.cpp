@@ -1,0 +1,19 @@
+#include "hal/watchdog.hpp"
+
+#include "platform/mps2_an386/peripherals.hpp"
+
+namespace fog::hal {
+
+// The first expiry raises the NMI, which traps, says so and restarts; should that fail, the second
+// resets the processor.
+void start_watchdog() {
+  using platform::CmsdkWatchdog;
+  platform::watchdog().load.write(platform::kClockHz / 10U);
+  platform::watchdog().control.write(CmsdkWatchdog::kInterrupt | CmsdkWatchdog::kReset);
+}
+
+void kick_watchdog() {
+  platform::watchdog().interrupt_clear.write(1);
+}
+
+}  // namespace fog::hal

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fog::platform {
+
+struct ClockTree {
+  std::uint32_t core_hz;
+  std::uint32_t apb1_hz;  ///< USART2, USART3
+  std::uint32_t apb2_hz;  ///< USART1
+  const char* source;
+};
+
+/// Brings the core to 168 MHz, from the crystal if it starts, else from the internal oscillator.
+/// Where the PLL does not lock either, the part stays as reset left it: 16 MHz everywhere. A
+/// crystal that dies later traps (clock security system), and the restart comes back without it.
+void start_clock_tree();
+
+/// What is running: every bit rate and the tick derive from here.
+const ClockTree& clock_tree();
+
+}  // namespace fog::platform

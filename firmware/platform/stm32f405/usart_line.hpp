@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "platform/stm32f405/peripherals.hpp"
+#include "platform/stm32f405/pins.hpp"
+
+namespace fog::platform {
+
+/// Opens a USART on `pin`, 8N1. `control` is what control1 gets besides the enable bit: the
+/// direction and its interrupt. `bus_hz` is the clock of the bus that the USART is on.
+void open_line(Usart& usart, const Pin& pin, std::uint32_t control, std::uint32_t bus_hz,
+               std::uint32_t baud);
+
+/// Polled: returns when the last byte is handed to the USART.
+void send_byte(Usart& usart, std::uint8_t byte);
+
+}  // namespace fog::platform

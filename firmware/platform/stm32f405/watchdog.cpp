@@ -1,0 +1,34 @@
+#include "hal/watchdog.hpp"
+
+#include "platform/stm32f405/peripherals.hpp"
+
+namespace fog::hal {
+namespace {
+
+// The watchdog has its own oscillator (LSI), so that it bites even if every other clock has died.
+// 100 ms is for the nominal 32 kHz; the data sheet allows 17 kHz to 47 kHz, 68 ms to 188 ms.
+constexpr std::uint32_t kLsiHz = 32'000;
+constexpr std::uint32_t kPrescaleBy4 = 0;
+constexpr std::uint32_t kTimeoutTicks = kLsiHz / 4U / 10U;
+
+// Settings cross to the slow oscillator's side within five of its periods, 0.3 ms.
+constexpr std::uint32_t kUpdatePolls = 100'000;
+
+}  // namespace
+
+void start_watchdog() {
+  auto& watchdog = platform::watchdog();
+  using Keys = platform::IndependentWatchdog;
+  watchdog.key.write(Keys::kStart);
+  watchdog.key.write(Keys::kUnlock);
+  watchdog.prescaler.write(kPrescaleBy4);
+  watchdog.reload.write(kTimeoutTicks - 1U);
+  platform::wait_for_bits(watchdog.status, Keys::kUpdating, 0, kUpdatePolls);
+  watchdog.key.write(Keys::kKick);
+}
+
+void kick_watchdog() {
+  platform::watchdog().key.write(platform::IndependentWatchdog::kKick);
+}
+
+}  // namespace fog::hal

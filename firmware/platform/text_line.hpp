@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace fog::platform {
+
+/// One line of console text, put together without a library: what does not fit is cut off.
+class TextLine {
+ public:
+  TextLine& text(const char* characters) {
+    while (*characters != '\0') append(*characters++);
+    return *this;
+  }
+
+  TextLine& decimal(std::uint32_t value) {
+    std::array<char, 10> digits{};
+    std::size_t count = 0;
+    do {
+      digits[count++] = static_cast<char>('0' + value % 10U);
+      value /= 10U;
+    } while (value != 0);
+    while (count > 0) append(digits[--count]);
+    return *this;
+  }
+
+  TextLine& hex(std::uint32_t value) {
+    text("0x");
+    for (std::uint32_t shift = 32; shift > 0; shift -= 4) {
+      append("0123456789abcdef"[(value >> (shift - 4)) & 0xFU]);
+    }
+    return *this;
+  }
+
+  const char* c_str() const { return characters_.data(); }
+
+ private:
+  void append(char character) {
+    if (length_ + 1 < characters_.size()) characters_[length_++] = character;
+  }
+
+  std::array<char, 120> characters_{};  // zeroed, so always terminated
+  std::size_t length_ = 0;
+};
+
+}  // namespace fog::platform

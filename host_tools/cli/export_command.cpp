@@ -1,0 +1,68 @@
+// fogcomp export: model -> C header of weights.
+
+#include <cstdio>
+
+#include "cli/arguments.hpp"
+#include "cli/board_options.hpp"
+#include "export/header.hpp"
+#include "model/model_file.hpp"
+#include "quantization/verification.hpp"
+#include "support/input_error.hpp"
+#include "support/json.hpp"
+#include "support/output_file.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+std::string file_name(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+int run_export(const Arguments& arguments) {
+  const std::string& model_path = arguments.positionals()[0];
+  const std::string output = arguments.required("o");
+  const Model model = load_model(model_path);
+  const BoardTable table = make_board_table(model, board_options(arguments));
+  const QuantizationError error = verify_quantization(model, read_board_table(table, model_path));
+  if (error.worst_dph > kQuantizationLimitDph && !arguments.has("allow-error")) {
+    throw InputError(
+        model_path,
+        format("the board's integers would be %.4f deg/h off at %.1f degC, %.1f degC/min "
+               "(limit %.4f); lower the drift's size or give --allow-error",
+               error.worst_dph, error.at_temperature_degc, error.at_temperature_rate,
+               kQuantizationLimitDph));
+  }
+  write_file(output, header_text(table, file_name(model_path)));
+  if (arguments.has("json")) {
+    Json result = Json::object();
+    result.set("header", output).set("words", table.words.size());
+    result.set("quantization_error_dph", error.worst_dph).set("blocks_compared", error.blocks);
+    std::puts(result.text().c_str());
+    return 0;
+  }
+  std::printf(
+      "%s: %zu words; integers against double: at most %.5f deg/h over %zu blocks (limit %.5f)\n",
+      output.c_str(), table.words.size(), error.worst_dph, error.blocks, kQuantizationLimitDph);
+  return 0;
+}
+
+}  // namespace
+
+Command export_command() {
+  Command command;
+  command.name = "export";
+  command.positionals = "MODEL";
+  command.least_positionals = command.most_positionals = 1;
+  command.summary = "the C header of weights for the firmware";
+  command.example = "fogcomp export gyro.model -o fog_model.h --sample-rate 200";
+  command.options = {{"o", "HEADER", "header to write", ""},
+                     {"allow-error", "", "write it even if the integers are too far off", ""},
+                     {"json", "", "one JSON object on stdout", ""}};
+  add_board_options(command, "200");
+  command.run = run_export;
+  return command;
+}
+
+}  // namespace fogcomp::cli

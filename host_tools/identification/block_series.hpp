@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dataset/recording.hpp"
+
+namespace fogcomp {
+
+/// A recording cut into the blocks in which the board would take it, with block means.
+struct BlockSeries {
+  double period_s = 0;  ///< of a sample
+  std::uint32_t samples_per_block = 1;
+  double block_s = 0;
+  struct Block {
+    std::int64_t number = 0;  ///< since the first sample; gaps leave numbers out
+    std::uint32_t samples = 0;
+    double time_s = 0;  ///< mean of its samples
+    double temperature_degc = 0;
+    double rate_dph = 0;
+    double input_rate_dph = 0;
+  };
+  std::vector<Block> blocks;
+  double first_temperature_degc = 0;  ///< of the first sample: what the board starts from
+};
+
+/// The number of the sample in a stream without gaps, from its time.
+std::int64_t sample_number(const Recording& recording, std::size_t row);
+
+/// Samples in the board's block of 1 s, at least one.
+std::uint32_t samples_per_block(double period_s);
+
+BlockSeries make_blocks(const Recording& recording);
+
+}  // namespace fogcomp

@@ -1,0 +1,75 @@
+#include "model/catalogue.hpp"
+
+#include <algorithm>
+
+#include "core/effects/registry.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+template <template <class> class Effect>
+class RealInstance : public RealEffect {
+ public:
+  explicit RealInstance(const std::vector<double>& constants) : effect_(constants.data()) {}
+  std::size_t regressor_count() const override { return effect_.regressor_count(); }
+  void reset(const fog::Signals<RealNumbers>& signals) override { effect_.reset(signals); }
+  void step(const fog::Signals<RealNumbers>& signals, double* regressors) override {
+    effect_.step(signals, regressors);
+  }
+
+ private:
+  Effect<RealNumbers> effect_;
+};
+
+template <template <class> class Effect>
+std::vector<double> board_constants(const std::vector<double>& parameters, double block_s) {
+  std::vector<double> constants(Effect<RealNumbers>::constant_fractions.size());
+  Effect<RealNumbers>::board_constants(parameters.data(), block_s, constants.data());
+  return constants;
+}
+
+template <template <class> class Effect>
+CatalogueEntry entry() {
+  using Real = Effect<RealNumbers>;
+  return {Real::description,
+          {Real::parameters.begin(), Real::parameters.end()},
+          {Real::coefficients.begin(), Real::coefficients.end()},
+          {Real::constant_fractions.begin(), Real::constant_fractions.end()},
+          board_constants<Effect>,
+          [](const std::vector<double>& constants) -> std::unique_ptr<RealEffect> {
+            return std::make_unique<RealInstance<Effect>>(constants);
+          }};
+}
+
+template <template <class> class... Effects>
+std::vector<CatalogueEntry> entries(fog::EffectList<Effects...> /*list*/) {
+  return {entry<Effects>()...};
+}
+
+}  // namespace
+
+const std::vector<CatalogueEntry>& catalogue() {
+  static const std::vector<CatalogueEntry> all = entries(fog::Registry{});
+  return all;
+}
+
+const CatalogueEntry& find_effect(const std::string& name) {
+  const auto& all = catalogue();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const CatalogueEntry& candidate) {
+    return candidate.description.name == name;
+  });
+  if (found != all.end()) return *found;
+  throw InputError("effect '" + name + "'", "is not in the catalogue" +
+                                                did_you_mean(name, effect_names()) +
+                                                "; fogcomp effects lists all");
+}
+
+std::vector<std::string> effect_names() {
+  std::vector<std::string> names;
+  for (const CatalogueEntry& candidate : catalogue()) names.push_back(candidate.description.name);
+  return names;
+}
+
+}  // namespace fogcomp

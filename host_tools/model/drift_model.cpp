@@ -1,0 +1,66 @@
+#include "model/drift_model.hpp"
+
+#include <cmath>
+
+namespace fogcomp {
+
+fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
+  return {-std::expm1(-block_s / model.derivative_tau_s), 60 / block_s, model.least_degc,
+          model.most_degc};
+}
+
+RegressorBank::RegressorBank(const std::vector<EffectTerm>& terms, double block_s) {
+  std::size_t size = 0;
+  for (const EffectTerm& term : terms) {
+    const CatalogueEntry& entry = find_effect(term.name);
+    effects_.push_back(entry.make(entry.constants(term.parameters, block_s)));
+    size += effects_.back()->regressor_count();
+  }
+  values_.resize(size);
+}
+
+void RegressorBank::reset(const fog::Signals<RealNumbers>& signals) {
+  for (const auto& effect : effects_) effect->reset(signals);
+}
+
+const std::vector<double>& RegressorBank::step(const fog::Signals<RealNumbers>& signals) {
+  double* values = values_.data();
+  for (const auto& effect : effects_) {
+    effect->step(signals, values);
+    values += effect->regressor_count();
+  }
+  return values_;
+}
+
+RealDriftModel::RealDriftModel(const Model& model, double block_s)
+    : model_(model),
+      thermal_(thermal_parameters(model, block_s)),
+      bank_(model.terms, block_s),
+      effects_dph_(model.terms.size()) {}
+
+void RealDriftModel::start(double temperature_degc) {
+  signals_ = thermal_.reset(temperature_degc);
+  bank_.reset(signals_);
+  evaluate();
+}
+
+void RealDriftModel::step(double temperature_degc) {
+  signals_ = thermal_.step(temperature_degc);
+  evaluate();
+}
+
+void RealDriftModel::evaluate() {
+  const std::vector<double>& regressors = bank_.step(signals_);
+  std::size_t column = 0;
+  physics_dph_ = 0;
+  for (std::size_t i = 0; i < model_.terms.size(); ++i) {
+    effects_dph_[i] = 0;
+    for (const double coefficient : model_.terms[i].coefficients_dph) {
+      effects_dph_[i] += coefficient * regressors[column++];
+    }
+    physics_dph_ += effects_dph_[i];
+  }
+  network_dph_ = model_.network.drift_dph(signals_);
+}
+
+}  // namespace fogcomp

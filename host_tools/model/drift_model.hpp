@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/thermal/thermal_state.hpp"
+#include "model/catalogue.hpp"
+#include "model/model.hpp"
+
+namespace fogcomp {
+
+/// Numbers of the thermal stage for a block period. The board's table is the rounding of these.
+fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s);
+
+/// Regressors of a set of effects over block means of the temperature: the board's own code in
+/// double. `terms` needs names and parameters only.
+class RegressorBank {
+ public:
+  RegressorBank(const std::vector<EffectTerm>& terms, double block_s);
+
+  std::size_t size() const { return values_.size(); }
+  void reset(const fog::Signals<RealNumbers>& signals);
+  /// Advances one block; the result is valid until the next call.
+  const std::vector<double>& step(const fog::Signals<RealNumbers>& signals);
+
+ private:
+  std::vector<std::unique_ptr<RealEffect>> effects_;
+  std::vector<double> values_;
+};
+
+/// fog::DriftModel in double: the reference for the board's rounding, and the model that fit and
+/// compare see.
+class RealDriftModel {
+ public:
+  RealDriftModel(const Model& model, double block_s);
+
+  /// From one temperature, rate 0.
+  void start(double temperature_degc);
+  /// The mean temperature of one more block.
+  void step(double temperature_degc);
+
+  double drift_dph() const { return physics_dph_ + network_dph_; }
+  double network_dph() const { return network_dph_; }
+  /// Part of one effect, by its place in the model.
+  double effect_dph(std::size_t term) const { return effects_dph_[term]; }
+  const fog::Signals<RealNumbers>& signals() const { return signals_; }
+
+ private:
+  void evaluate();
+
+  const Model& model_;
+  fog::ThermalState<RealNumbers> thermal_;
+  RegressorBank bank_;
+  fog::Signals<RealNumbers> signals_;
+  std::vector<double> effects_dph_;
+  double physics_dph_ = 0;
+  double network_dph_ = 0;
+};
+
+}  // namespace fogcomp

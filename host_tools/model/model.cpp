@@ -1,0 +1,50 @@
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/catalogue.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+
+const EffectTerm* Model::find(const std::string& name) const {
+  const auto found = std::find_if(terms.begin(), terms.end(),
+                                  [&](const EffectTerm& term) { return term.name == name; });
+  return found == terms.end() ? nullptr : &*found;
+}
+
+double natural_coefficient(const EffectTerm& term, std::size_t index) {
+  const CatalogueEntry& entry = find_effect(term.name);
+  return std::ldexp(term.coefficients_dph[index], -entry.coefficients[index].scale_log2);
+}
+
+std::string describe(const Model& model) {
+  std::string text;
+  for (const EffectTerm& term : model.terms) {
+    const CatalogueEntry& entry = find_effect(term.name);
+    text += format("  %-24s %s", term.name.c_str(), entry.description.equation);
+    for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+      text += format(", %s %g %s", entry.parameters[i].name, term.parameters[i],
+                     entry.parameters[i].unit);
+    }
+    text += '\n';
+    for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
+      const double sigma = std::ldexp(term.sigma_dph[i], -entry.coefficients[i].scale_log2);
+      text += format("  %24s %-4s = %12.5g +- %-9.2g %s\n", "", entry.coefficients[i].symbol,
+                     natural_coefficient(term, i), sigma, entry.coefficients[i].unit);
+    }
+  }
+  if (model.network.present()) {
+    std::string inputs;
+    for (const RealInput& input : model.network.inputs) {
+      inputs += (inputs.empty() ? "" : ", ") + std::string(name_of(input.signal));
+    }
+    text += format("  %-24s %zu-%td-1 (%s), amplitude %.3g deg/h\n", "network",
+                   model.network.inputs.size(), model.network.hidden.biases.size(), inputs.c_str(),
+                   model.network.amplitude_dph);
+  }
+  return text;
+}
+
+}  // namespace fogcomp

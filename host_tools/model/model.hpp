@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/network.hpp"
+
+namespace fogcomp {
+
+/// One effect of a model: its shape and what was identified.
+struct EffectTerm {
+  std::string name;
+  std::vector<double> parameters;        ///< in the units of the catalogue
+  std::vector<double> coefficients_dph;  ///< one per regressor (dimensionless, within +-8)
+  std::vector<double> sigma_dph;         ///< one standard deviation of each coefficient
+};
+
+/// What the streaming denoiser is to do.
+struct DenoiseSettings {
+  std::string wavelet = "sym8";
+  int levels = 5;  ///< 0: off
+  bool hard = false;
+};
+
+/// One line of a model's history: what was done and what it brought.
+struct HistoryEntry {
+  std::string action;           ///< e.g. "fit bias,temperature_rate", "network 10"
+  std::uint32_t data_hash = 0;  ///< CRC-32 of the recordings used
+  double rms_before_dph = 0;
+  double rms_after_dph = 0;
+};
+
+/// A drift model as it is fitted, saved and exported. Drift = sum of effects + network.
+struct Model {
+  std::vector<EffectTerm> terms;
+  RealNetwork network;
+  DenoiseSettings denoise;
+
+  double scale_factor = 0;      ///< counts per deg/s of the board's sensor stream
+  double derivative_tau_s = 0;  ///< of each of the two lags behind dT/dt
+  double least_degc = 0;        ///< trained range; the board clamps to it
+  double most_degc = 0;
+  double noise_dph_rthz = 0;    ///< white noise density of the rate: std of a 1 s mean
+  double residual_rms_dph = 0;  ///< on the training data, rows of average_s
+  double average_s = 10;
+  std::vector<HistoryEntry> history;
+
+  const EffectTerm* find(const std::string& name) const;
+};
+
+/// A coefficient in the natural unit that the catalogue states.
+double natural_coefficient(const EffectTerm& term, std::size_t index);
+
+/// The drift as an equation that an engineer reads, a line per effect.
+std::string describe(const Model& model);
+
+}  // namespace fogcomp

@@ -1,0 +1,281 @@
+#include "model/model_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+#include "core/denoise/denoise_parameters.hpp"
+#include "core/protocol/crc.hpp"
+#include "model/catalogue.hpp"
+#include "support/input_error.hpp"
+#include "support/output_file.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr const char* kTitle = "fogcomp-model ";
+constexpr const char* kTitleLine = "fogcomp-model 1";
+
+std::uint32_t crc_of(const std::string& text, std::size_t size) {
+  return fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), size);
+}
+
+// Words separated by spaces, lines that begin with a keyword.
+class Writer {
+ public:
+  Writer& word(const std::string& text) {
+    if (!text_.empty() && text_.back() != '\n') text_ += ' ';
+    text_ += text;
+    return *this;
+  }
+  Writer& number(double value) {
+    char digits[40];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+    return word(std::string(digits, end));
+  }
+  template <class Values>
+  Writer& numbers(const Values& values) {
+    for (const double value : values) number(value);
+    return *this;
+  }
+  void end_line() { text_ += '\n'; }
+  std::string& text() { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void write_layer(Writer& out, const char* name, const RealLayer& layer) {
+  out.word(name).word(name_of(layer.activation));
+  out.number(static_cast<double>(layer.weights.rows()));
+  for (Eigen::Index row = 0; row < layer.weights.rows(); ++row) {
+    out.number(layer.biases[row]);
+    for (Eigen::Index i = 0; i < layer.weights.cols(); ++i) out.number(layer.weights(row, i));
+  }
+  out.end_line();
+}
+
+// The lines of a model file. Every failure is an InputError that names the line.
+class Reader {
+ public:
+  Reader(const std::string& text, std::string file)
+      : lines_(split(text, '\n')), file_(std::move(file)) {}
+
+  bool next_line() {
+    if (line_ == lines_.size()) return false;
+    words_ = split(lines_[line_++], ' ');
+    position_ = 0;
+    return !words_.empty();
+  }
+
+  std::string word() {
+    if (position_ == words_.size()) fail("the line is too short");
+    return words_[position_++];
+  }
+  std::string rest_of_line() {
+    std::string text = word();
+    while (position_ < words_.size()) text += ' ' + words_[position_++];
+    return text;
+  }
+  double number() {
+    const std::string text = word();
+    const auto value = parse_number(text);
+    if (!value) fail("'" + text + "' is not a number");
+    return *value;
+  }
+  double positive() {
+    const double value = number();
+    if (value <= 0) fail("a value must be above 0");
+    return value;
+  }
+  std::size_t count(std::size_t most) {
+    const double value = number();
+    if (value < 0 || value > static_cast<double>(most) ||
+        value != static_cast<double>(static_cast<std::size_t>(value))) {
+      fail("a count is out of range");
+    }
+    return static_cast<std::size_t>(value);
+  }
+  std::vector<double> numbers(std::size_t size) {
+    std::vector<double> values(size);
+    for (double& value : values) value = number();
+    return values;
+  }
+  template <class Enum, std::size_t N>
+  Enum named(const std::array<Enum, N>& choices) {
+    const std::string text = word();
+    for (const Enum choice : choices) {
+      if (text == name_of(choice)) return choice;
+    }
+    fail("'" + text + "' is unknown");
+  }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(file_ + ":" + std::to_string(line_), what + "; fit the model again");
+  }
+
+ private:
+  std::vector<std::string> lines_;
+  std::string file_;
+  std::size_t line_ = 0;
+  std::vector<std::string> words_;
+  std::size_t position_ = 0;
+};
+
+EffectTerm read_effect(Reader& in) {
+  EffectTerm term;
+  term.name = in.word();
+  const auto names = effect_names();
+  if (std::find(names.begin(), names.end(), term.name) == names.end()) {
+    in.fail("this version knows no effect '" + term.name + "'");
+  }
+  const CatalogueEntry& entry = find_effect(term.name);
+  term.parameters = in.numbers(in.count(16));
+  if (term.parameters.size() != entry.parameters.size()) in.fail("wrong number of parameters");
+  const std::size_t coefficients = in.count(entry.coefficients.size());
+  term.coefficients_dph = in.numbers(coefficients);
+  term.sigma_dph = in.numbers(coefficients);
+  return term;
+}
+
+RealLayer read_layer(Reader& in, Eigen::Index columns) {
+  constexpr std::array<fog::Activation, 3> kActivations{
+      fog::Activation::logsig, fog::Activation::tansig, fog::Activation::linear};
+  RealLayer layer;
+  layer.activation = in.named(kActivations);
+  const auto rows = static_cast<Eigen::Index>(in.count(fog::kMostHidden));
+  layer.weights.resize(rows, columns);
+  layer.biases.resize(rows);
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    layer.biases[row] = in.number();
+    for (Eigen::Index i = 0; i < columns; ++i) layer.weights(row, i) = in.number();
+  }
+  return layer;
+}
+
+RealInput read_input(Reader& in) {
+  constexpr std::array<fog::NetworkInput, 2> kInputs{fog::NetworkInput::temperature,
+                                                     fog::NetworkInput::temperature_rate};
+  RealInput input;
+  input.signal = in.named(kInputs);
+  input.centre = in.number();
+  input.half_range = in.positive();
+  return input;
+}
+
+void read_line(Reader& in, Model& model) {
+  const std::string key = in.word();
+  if (key == "scale_factor") {
+    model.scale_factor = in.positive();
+  } else if (key == "derivative_tau_s") {
+    model.derivative_tau_s = in.positive();
+  } else if (key == "range_degc") {
+    model.least_degc = in.number();
+    model.most_degc = in.number();
+  } else if (key == "noise_dph_rthz") {
+    model.noise_dph_rthz = in.number();
+  } else if (key == "residual_rms_dph") {
+    model.residual_rms_dph = in.number();
+  } else if (key == "average_s") {
+    model.average_s = in.positive();
+  } else if (key == "denoise") {
+    model.denoise.wavelet = in.word();
+    model.denoise.levels = static_cast<int>(in.count(fog::kMostLevels));
+    model.denoise.hard = in.word() == "hard";
+  } else if (key == "effect") {
+    model.terms.push_back(read_effect(in));
+  } else if (key == "input") {
+    model.network.inputs.push_back(read_input(in));
+  } else if (key == "hidden") {
+    model.network.hidden = read_layer(in, static_cast<Eigen::Index>(model.network.inputs.size()));
+  } else if (key == "output") {
+    model.network.output = read_layer(in, model.network.hidden.biases.size());
+  } else if (key == "network_drift_dph") {
+    model.network.centre_dph = in.number();
+    model.network.amplitude_dph = in.number();
+  } else if (key == "history") {
+    HistoryEntry entry;
+    entry.data_hash = static_cast<std::uint32_t>(in.count(0xFFFFFFFFU));
+    entry.rms_before_dph = in.number();
+    entry.rms_after_dph = in.number();
+    entry.action = in.rest_of_line();
+    model.history.push_back(entry);
+  } else {
+    in.fail("unknown entry '" + key + "'");
+  }
+}
+
+}  // namespace
+
+std::string model_text(const Model& model) {
+  Writer out;
+  out.word(kTitleLine).end_line();
+  out.word("scale_factor").number(model.scale_factor).end_line();
+  out.word("derivative_tau_s").number(model.derivative_tau_s).end_line();
+  out.word("range_degc").number(model.least_degc).number(model.most_degc).end_line();
+  out.word("noise_dph_rthz").number(model.noise_dph_rthz).end_line();
+  out.word("residual_rms_dph").number(model.residual_rms_dph).end_line();
+  out.word("average_s").number(model.average_s).end_line();
+  out.word("denoise").word(model.denoise.wavelet).number(model.denoise.levels);
+  out.word(model.denoise.hard ? "hard" : "soft").end_line();
+  for (const EffectTerm& term : model.terms) {
+    out.word("effect").word(term.name).number(static_cast<double>(term.parameters.size()));
+    out.numbers(term.parameters).number(static_cast<double>(term.coefficients_dph.size()));
+    out.numbers(term.coefficients_dph).numbers(term.sigma_dph).end_line();
+  }
+  if (model.network.present()) {
+    for (const RealInput& input : model.network.inputs) {
+      out.word("input").word(name_of(input.signal)).number(input.centre).number(input.half_range);
+      out.end_line();
+    }
+    write_layer(out, "hidden", model.network.hidden);
+    write_layer(out, "output", model.network.output);
+    out.word("network_drift_dph").number(model.network.centre_dph);
+    out.number(model.network.amplitude_dph).end_line();
+  }
+  for (const HistoryEntry& entry : model.history) {
+    out.word("history").number(static_cast<double>(entry.data_hash));
+    out.number(entry.rms_before_dph).number(entry.rms_after_dph).word(entry.action).end_line();
+  }
+  std::string text = std::move(out.text());
+  return text + format("crc %08x\n", static_cast<unsigned>(crc_of(text, text.size())));
+}
+
+bool looks_like_model(const std::string& text) {
+  return text.rfind(kTitle, 0) == 0;
+}
+
+Model parse_model(const std::string& text, const std::string& file) {
+  if (!looks_like_model(text)) {
+    throw InputError(file, "is not a fogcomp model; fogcomp fit makes one");
+  }
+  if (text.rfind(std::string(kTitleLine) + "\n", 0) != 0) {
+    throw InputError(file + ":1", "is a model of another version ('" +
+                                      text.substr(0, text.find('\n')) + "', this fogcomp reads '" +
+                                      kTitleLine + "'); fit it again");
+  }
+  const std::size_t crc_line = text.rfind("crc ");
+  if (crc_line == std::string::npos ||
+      text.substr(crc_line) !=
+          format("crc %08x\n", static_cast<unsigned>(crc_of(text, crc_line)))) {
+    throw InputError(file, "is damaged (its CRC does not match); fit it again or copy it anew");
+  }
+  Reader in(text.substr(0, crc_line), file);
+  Model model;
+  in.next_line();
+  while (in.next_line()) read_line(in, model);
+  if (model.scale_factor <= 0 || model.derivative_tau_s <= 0 || model.terms.empty()) {
+    in.fail("scale_factor, derivative_tau_s or every effect is missing");
+  }
+  return model;
+}
+
+void save_model(const Model& model, const std::string& path) {
+  write_file(path, model_text(model));
+}
+
+Model load_model(const std::string& path) {
+  return parse_model(read_file(path), path);
+}
+
+}  // namespace fogcomp

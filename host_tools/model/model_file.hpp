@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "model/model.hpp"
+
+namespace fogcomp {
+
+/// A model as text, a fact per line, doubles in the shortest form that reads back to the same bits,
+/// a CRC-32 of everything before it at the end (host_tools/README.md, "Model file").
+std::string model_text(const Model& model);
+
+/// Reads model_text(). `file` names it in errors: InputError for a file that is not a model, of
+/// another version, or damaged.
+Model parse_model(const std::string& text, const std::string& file);
+
+/// Whether a text begins as a model file does.
+bool looks_like_model(const std::string& text);
+
+void save_model(const Model& model, const std::string& path);
+Model load_model(const std::string& path);
+
+}  // namespace fogcomp

@@ -1,0 +1,266 @@
+#include "quantization/board_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/protocol/byte_order.hpp"
+#include "core/protocol/crc.hpp"
+#include "identification/block_series.hpp"
+#include "identification/block_walk.hpp"
+#include "model/catalogue.hpp"
+#include "model/drift_model.hpp"
+#include "model/model_file.hpp"
+#include "quantization/table_writer.hpp"
+#include "wavelet/filters.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kRangeDegPerS = 570;       // of the rate format's 582
+constexpr double kStuckSeconds = 0.5;       // equal counts for longer than this ...
+constexpr double kLeastStuckSamples = 100;  // ... and for at least this many samples
+constexpr double kSettleTimeConstants = 5;
+
+struct Timing {
+  std::int64_t period_us = 0;
+  std::uint32_t samples_per_block = 1;
+  double block_s = 0;
+};
+
+Timing timing_of(const BoardSettings& settings) {
+  Timing timing;
+  timing.period_us = std::llround(1e6 / settings.sample_rate_hz);
+  const double period_s = static_cast<double>(timing.period_us) * 1e-6;
+  timing.samples_per_block = samples_per_block(period_s);
+  timing.block_s = period_s * timing.samples_per_block;
+  return timing;
+}
+
+// The largest fraction at which `largest` still fits 32 bits.
+int fraction_for(double largest, int least, int most) {
+  int fraction = most;
+  while (fraction > least && std::ldexp(largest, fraction) > 2147483646.0) --fraction;
+  return fraction;
+}
+
+void write_calibration(TableWriter& out, const Model& model, const Timing& timing) {
+  out.note(format("sample period, us (%.6g Hz)", 1e6 / static_cast<double>(timing.period_us)));
+  out.integer(timing.period_us, "the sample period");
+  out.note(format("samples per block (%.6g s)", timing.block_s));
+  out.integer(timing.samples_per_block, "samples per block");
+  // deg/h in units of 2^-10 per count, as 30 significant bits and a shift.
+  const double gain = 3600 * 1024 / model.scale_factor;
+  const int shift = 30 - std::ilogb(gain);
+  if (shift < 0 || shift > 62) {
+    throw InputError("export", format("a scale factor of %g counts per deg/s is out of range",
+                                      model.scale_factor));
+  }
+  const auto multiplier =
+      static_cast<std::int64_t>(std::min(std::round(std::ldexp(gain, shift)), 2147483647.0));
+  out.note(
+      format("rate = counts * multiplier / 2^shift (%.9g counts per deg/s)", model.scale_factor));
+  out.integer(multiplier, "the scale factor");
+  out.integer(shift, "the scale factor");
+  out.note(format("range (+-%g deg/s)", kRangeDegPerS));
+  out.real<fog::Rate>(kRangeDegPerS * 3600, "the range");
+  const double stuck = kStuckSeconds * 1e6 / static_cast<double>(timing.period_us);
+  out.note("equal counts that mean a stuck gyro");
+  out.integer(std::llround(std::max(stuck, kLeastStuckSamples)), "stuck samples");
+}
+
+void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
+  const auto thermal = thermal_parameters(model, timing.block_s);
+  out.note(format("decay per block of the two derivative lags (tau %g s)", model.derivative_tau_s));
+  out.real(std::min(thermal.smoothing_decay, 1 - std::ldexp(1, -31)), 31, "the derivative's decay");
+  out.note("blocks per minute");
+  out.real(thermal.blocks_per_minute, 20, "blocks per minute");
+  const double least = std::max(model.least_degc, -70.0);
+  const double most = std::min(model.most_degc, 130.0);
+  out.note(format("trained range (%.4g to %.4g degC)", least, most));
+  out.real<fog::Temperature>(least, "the coldest trained temperature");
+  out.real<fog::Temperature>(most, "the warmest trained temperature");
+  out.note(format("blocks for which a drift is held without a temperature (%g s)", kHoldSeconds));
+  out.integer(hold_blocks(timing.block_s), "hold blocks");
+  const double settle = kSettleTimeConstants * model.derivative_tau_s / timing.block_s;
+  out.note("blocks until the temperature rate has settled");
+  out.integer(std::llround(std::ceil(settle)), "settle blocks");
+}
+
+double largest_coefficient(const Model& model) {
+  double largest =
+      std::max(std::abs(model.network.centre_dph), std::abs(model.network.amplitude_dph));
+  for (const EffectTerm& term : model.terms) {
+    for (const double coefficient : term.coefficients_dph) {
+      largest = std::max(largest, std::abs(coefficient));
+    }
+  }
+  return largest;
+}
+
+void write_effects(TableWriter& out, const Model& model, const Timing& timing, int fraction) {
+  out.note("fractional bits of all coefficients");
+  out.integer(fraction, "coefficient fraction");
+  out.note("number of effects");
+  out.integer(static_cast<std::int64_t>(model.terms.size()), "number of effects");
+  for (const EffectTerm& term : model.terms) {
+    const CatalogueEntry& entry = find_effect(term.name);
+    const std::vector<double> constants = entry.constants(term.parameters, timing.block_s);
+    out.note(format("%s: %s; id, constants, coefficients", term.name.c_str(),
+                    entry.description.equation));
+    out.integer(entry.description.id, "effect id");
+    out.integer(static_cast<std::int64_t>(constants.size()), "constants");
+    for (std::size_t i = 0; i < constants.size(); ++i) {
+      out.real(constants[i], entry.constant_fractions[i], term.name.c_str());
+    }
+    out.integer(static_cast<std::int64_t>(term.coefficients_dph.size()), "coefficients");
+    for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
+      out.note(format("%s = %.9g %s", entry.coefficients[i].symbol, natural_coefficient(term, i),
+                      entry.coefficients[i].unit));
+      out.real(term.coefficients_dph[i], fraction, term.name.c_str());
+    }
+  }
+}
+
+void write_layer(TableWriter& out, const RealLayer& layer, const char* name) {
+  // Row sums of magnitudes stay below 2^31 in raw (fog::layer_fits), rounding included.
+  const double largest_row =
+      (layer.weights.cwiseAbs().rowwise().sum() + layer.biases.cwiseAbs()).maxCoeff();
+  const int fraction = fraction_for(largest_row * 1.001, 0, 30);
+  out.note(format("%s: activation (%s), fractional bits", name, name_of(layer.activation)));
+  out.integer(static_cast<std::int32_t>(layer.activation), "activation");
+  out.integer(fraction, "weight fraction");
+  out.note(format("%s: weights, a row per neuron", name));
+  for (Eigen::Index row = 0; row < layer.weights.rows(); ++row) {
+    for (Eigen::Index i = 0; i < layer.weights.cols(); ++i) {
+      out.real(layer.weights(row, i), fraction, "a weight");
+    }
+  }
+  out.note(format("%s: biases", name));
+  for (const double bias : layer.biases) out.real(bias, fraction, "a bias");
+}
+
+void write_network(TableWriter& out, const RealNetwork& network, int fraction) {
+  const std::size_t inputs = network.present() ? network.inputs.size() : 0;
+  out.note("network: inputs, hidden neurons");
+  out.integer(static_cast<std::int64_t>(inputs), "network inputs");
+  out.integer(network.hidden.biases.size(), "hidden neurons");
+  if (!network.present()) return;
+  for (const RealInput& input : network.inputs) {
+    out.note(format("input %s: (x - %.9g) / %.9g; signal, centre, gain", name_of(input.signal),
+                    input.centre, input.half_range));
+    out.integer(static_cast<std::int32_t>(input.signal), "input signal");
+    const bool is_temperature = input.signal == fog::NetworkInput::temperature;
+    out.real(
+        input.centre,
+        is_temperature ? fog::Temperature::fractional_bits : fog::TemperatureRate::fractional_bits,
+        "an input's centre");
+    // A signal that hardly varied in training has a gain beyond the format: then it varies less.
+    out.real(std::min(1 / input.half_range, 7.99), 28, "an input's gain");
+  }
+  write_layer(out, network.hidden, "hidden layer");
+  write_layer(out, network.output, "output layer");
+  out.note(format("drift = %.9g + %.9g y deg/h", network.centre_dph, network.amplitude_dph));
+  out.real(network.centre_dph, fraction, "the network's centre");
+  out.real(network.amplitude_dph, fraction, "the network's amplitude");
+}
+
+// Taps rounded so that even and odd taps sum to one half each: a constant then passes exactly.
+std::vector<std::int64_t> rounded_taps(const std::vector<double>& filter) {
+  std::vector<std::int64_t> taps;
+  std::int64_t missing[2] = {1LL << (fog::kTapFraction - 1), 1LL << (fog::kTapFraction - 1)};
+  std::size_t largest[2] = {0, 1};
+  for (std::size_t i = 0; i < filter.size(); ++i) {
+    taps.push_back(std::llround(std::ldexp(filter[i] / std::sqrt(2), fog::kTapFraction)));
+    missing[i % 2] -= taps.back();
+    if (std::abs(filter[i]) > std::abs(filter[largest[i % 2]])) largest[i % 2] = i;
+  }
+  for (const std::size_t phase : {std::size_t{0}, std::size_t{1}}) {
+    taps[largest[phase]] += missing[phase];
+  }
+  return taps;
+}
+
+// The universal threshold for blocks of this many samples: sigma sqrt(2 ln n).
+constexpr double kThresholdSamples = 1024;
+
+void write_denoise(TableWriter& out, const Model& model, const Timing& timing) {
+  const int levels = model.denoise.levels;
+  std::vector<std::int64_t> taps;
+  if (levels > 0) taps = rounded_taps(lowpass_filter(model.denoise.wavelet));
+  out.note(format("denoiser (%s): levels, taps, mode (%s)", model.denoise.wavelet.c_str(),
+                  model.denoise.hard ? "hard" : "soft"));
+  out.integer(levels, "levels");
+  out.integer(static_cast<std::int64_t>(taps.size()), "taps");
+  out.integer(model.denoise.hard ? 1 : 0, "threshold mode");
+  if (levels == 0) return;
+  out.note("low-pass taps / sqrt 2");
+  for (const std::int64_t tap : taps) out.integer(tap, "a tap");
+  const double period_s = static_cast<double>(timing.period_us) * 1e-6;
+  const double sigma = model.noise_dph_rthz / std::sqrt(period_s);
+  const double universal = std::sqrt(2 * std::log(kThresholdSamples));
+  out.note(format("thresholds, level 1 first (white noise %.4g deg/h per sample)", sigma));
+  constexpr double kMostThreshold = 30000;
+  for (int level = 1; level <= levels; ++level) {
+    // Taps are divided by sqrt 2 at every level, and so is the noise in the details.
+    const double threshold = universal * sigma * std::exp2(-0.5 * level);
+    out.real(std::min(threshold, kMostThreshold), fog::kDetailFraction, "a threshold");
+  }
+}
+
+std::uint32_t crc_of_words(const std::vector<std::int32_t>& words) {
+  std::vector<std::uint8_t> bytes(words.size() * 4);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    fog::store_le32(&bytes[4 * i], static_cast<std::uint32_t>(words[i]));
+  }
+  return fog::crc32(bytes.data(), bytes.size());
+}
+
+std::int32_t as_signed(std::uint32_t word) {
+  return static_cast<std::int32_t>(word);
+}
+
+}  // namespace
+
+BoardTable make_board_table(const Model& model, const BoardSettings& settings) {
+  const Timing timing = timing_of(settings);
+  if (timing.period_us < 1) {
+    throw InputError("--sample-rate", format("%g Hz is beyond 1 MHz", settings.sample_rate_hz));
+  }
+  const std::string text = model_text(model);
+  BoardTable table;
+  TableWriter out(table);
+  out.note("magic number, layout version");
+  out.integer(fog::kModelMagic, "magic");
+  out.integer(fog::kModelLayout, "layout");
+  out.note("words in this table");
+  const std::size_t size_word = table.words.size();
+  out.integer(0, "size");
+  out.note("CRC-32 of the model file");
+  out.integer(
+      as_signed(fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size())),
+      "provenance");
+  write_calibration(out, model, timing);
+  write_thermal(out, model, timing);
+  const int fraction = fraction_for(largest_coefficient(model), fog::kLeastCoefficientFraction,
+                                    fog::kMostCoefficientFraction);
+  write_effects(out, model, timing, fraction);
+  write_network(out, model.network, fraction);
+  write_denoise(out, model, timing);
+  out.note("output: 0 KVH format A, 1 compact, 2 both");
+  out.integer(static_cast<std::int32_t>(settings.output), "output");
+  table.words[size_word] = static_cast<std::int32_t>(table.words.size() + 1);
+  out.note("CRC-32 of the words above");
+  out.integer(as_signed(crc_of_words(table.words)), "CRC");
+  return table;
+}
+
+fog::ModelParameters read_board_table(const BoardTable& table, const std::string& file) {
+  fog::ModelParameters parameters;
+  const fog::ModelError error = fog::read_model(table.span(), fog::kAnyModel, parameters);
+  if (error != fog::ModelError::none) {
+    throw InputError(file, std::string(fog::describe(error)) + "; export the header again");
+  }
+  return parameters;
+}
+
+}  // namespace fogcomp

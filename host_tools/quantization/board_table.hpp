@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/pipeline/model_parameters.hpp"
+#include "model/model.hpp"
+
+namespace fogcomp {
+
+/// What the board is, as far as the table depends on it.
+struct BoardSettings {
+  double sample_rate_hz = 200;
+  fog::OutputSelection output = fog::OutputSelection::kvh;
+};
+
+/// A model in the integers of the firmware (firmware/SPEC.md, "Model table").
+struct BoardTable {
+  struct Note {
+    std::size_t first_word;
+    std::string text;  ///< what the words from here on are, with their real values
+  };
+  std::vector<std::int32_t> words;
+  std::vector<Note> notes;
+
+  fog::Span<const std::int32_t> span() const { return {words.data(), words.size()}; }
+};
+
+/// Rounds a model to the board's formats. Throws InputError where a value does not fit one.
+BoardTable make_board_table(const Model& model, const BoardSettings& settings);
+
+/// Takes a table apart with the firmware's own reader. Throws InputError naming `file` and the
+/// reason. The table must outlive the result.
+fog::ModelParameters read_board_table(const BoardTable& table, const std::string& file);
+
+}  // namespace fogcomp

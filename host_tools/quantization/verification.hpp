@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/pipeline/model_parameters.hpp"
+#include "model/model.hpp"
+
+namespace fogcomp {
+
+/// How far the board's integers are from the model in double, over temperature programmes that
+/// cover the trained range: slow and fast ramps, steps, soaks.
+struct QuantizationError {
+  double worst_dph = 0;
+  double at_temperature_degc = 0;
+  double at_temperature_rate = 0;  ///< degC/min
+  std::size_t blocks = 0;          ///< compared
+};
+
+/// The board promises at most this: 2 LSB of Rate.
+constexpr double kQuantizationLimitDph = 2.0 / 1024;
+
+/// `parameters` is `model` rounded for the board.
+QuantizationError verify_quantization(const Model& model, const fog::ModelParameters& parameters);
+
+}  // namespace fogcomp

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "quantization/board_table.hpp"
+
+namespace fogcomp {
+
+/// The weights of a board, from an exported header or straight from a model.
+class BoardSource {
+ public:
+  /// Throws InputError for a file that is neither, is damaged, or is of another version.
+  explicit BoardSource(const std::string& path);
+
+  bool is_model() const { return is_model_; }
+  /// Counts per deg/s of its sensor stream.
+  double scale_factor() const;
+  /// The board's table. A header has settings of its own: there `settings` does not matter.
+  const BoardTable& table(const BoardSettings& settings);
+
+ private:
+  std::string path_;
+  bool is_model_;
+  Model model_;
+  BoardTable table_;
+};
+
+}  // namespace fogcomp

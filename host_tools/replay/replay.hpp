@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/pipeline/compensator.hpp"
+#include "core/signal/span.hpp"
+
+namespace fogcomp {
+
+/// The firmware's own pipeline with room for any model.
+using HostCompensator =
+    fog::Compensator<fog::kAnyModel.effects, fog::kAnyModel.taps, fog::kAnyModel.levels>;
+
+/// What a replay saw, beside the bytes.
+struct ReplaySummary {
+  std::uint64_t frames = 0;  ///< sensor samples accepted
+  std::uint64_t output_bytes = 0;
+  std::uint64_t invalid_rates = 0;    ///< samples whose undelayed rate was not valid
+  std::uint64_t clamped_samples = 0;  ///< outside the trained temperature range
+};
+
+/// Bytes of the sensor stream in, the board's bytes out.
+class Replay {
+ public:
+  /// `parameters` and the table behind them must outlive this.
+  explicit Replay(const fog::ModelParameters& parameters);
+
+  /// Feeds a piece of the stream; returns the bytes that it causes to be sent, valid until the next
+  /// call.
+  fog::Span<const std::uint8_t> feed(fog::Span<const std::uint8_t> bytes);
+
+  const ReplaySummary& summary() const { return summary_; }
+
+ private:
+  std::unique_ptr<HostCompensator> compensator_;
+  std::vector<std::uint8_t> output_;
+  ReplaySummary summary_;
+};
+
+}  // namespace fogcomp

@@ -1,0 +1,41 @@
+#include "replay/sensor_stream.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/acquisition/sensor_frame.hpp"
+#include "identification/block_series.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr std::size_t kPieceBytes = 1U << 16U;
+
+std::int32_t rounded(double value) {
+  return static_cast<std::int32_t>(
+      std::llround(std::clamp(value, double{INT32_MIN}, double{INT32_MAX})));
+}
+
+}  // namespace
+
+void make_sensor_stream(const Recording& recording, double scale_factor, const ByteSink& sink) {
+  std::vector<std::uint8_t> piece;
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    fog::SensorSample sample;
+    sample.sequence = static_cast<std::uint16_t>(sample_number(recording, row));
+    sample.rate_counts = rounded(recording.rate_dph[row] * scale_factor / 3600);
+    sample.temperature_q16 = rounded(recording.temperature_degc[row] * 65536);
+    sample.gyro_valid = true;
+    sample.temperature_valid = true;
+    const fog::SensorFrame frame = fog::encode_sensor_frame(sample);
+    piece.insert(piece.end(), frame.begin(), frame.end());
+    if (piece.size() >= kPieceBytes) {
+      sink({piece.data(), piece.size()});
+      piece.clear();
+    }
+  }
+  if (!piece.empty()) sink({piece.data(), piece.size()});
+}
+
+}  // namespace fogcomp

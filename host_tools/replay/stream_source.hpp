@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "dataset/recording.hpp"
+#include "replay/sensor_stream.hpp"
+
+namespace fogcomp {
+
+/// Bytes of the sensor stream for a file: a captured stream as it is, damage and all; a CSV as the
+/// board would have seen it.
+class StreamSource {
+ public:
+  /// Reads a CSV whole (its errors come from here); only opens a capture.
+  StreamSource(const std::string& path, const ReadOptions& options, double scale_factor);
+
+  bool is_capture() const { return capture_; }
+  /// Of a CSV.
+  double period_s() const { return recording_.period_s; }
+  std::size_t rows() const { return recording_.rows(); }
+
+  void send(const ByteSink& sink) const;
+
+ private:
+  std::string path_;
+  double scale_factor_;
+  bool capture_;
+  Recording recording_;
+};
+
+}  // namespace fogcomp

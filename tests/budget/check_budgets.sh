@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# check_budgets.sh BUDGETS.txt BUILD_DIR: prints what each image of BUDGETS.txt takes, and exits 1 if
+# one takes more than it may or is missing.
+set -euo pipefail
+(($# == 2)) || { echo "usage: check_budgets.sh BUDGETS.txt BUILD_DIR" >&2; exit 2; }
+budgets=$1
+build=$2
+
+# section_bytes SIZES SECTION...: the sum of the sections named, absent ones counting nothing.
+section_bytes() {
+  local sizes=$1 total=0 name size address wanted
+  shift
+  while read -r name size address; do
+    for wanted in "$@"; do
+      [[ $name == "$wanted" ]] && total=$((total + size))
+    done
+  done <<<"$sizes"
+  echo "$total"
+}
+
+status=0
+refuse() {
+  echo "    OVER BUDGET: $1" >&2
+  status=1
+}
+
+printf '%-28s %7s %7s  %7s %7s %7s %7s\n' image flash of static stack RAM of
+while read -r image flash_budget ram_budget; do
+  [[ -z $image || $image == \#* ]] && continue
+  [[ -f $build/$image ]] || { echo "$image: not built" >&2; exit 1; }
+  sizes=$(arm-none-eabi-size -A "$build/$image")
+  flash=$(section_bytes "$sizes" .text .data)
+  static=$(section_bytes "$sizes" .data .bss .noinit)
+  stack=$(section_bytes "$sizes" .stack)
+  ram=$((static + stack))
+  printf '%-28s %7d %7d  %7d %7d %7d %7d\n' \
+    "$image" "$flash" "$flash_budget" "$static" "$stack" "$ram" "$ram_budget"
+  ((flash <= flash_budget)) || refuse "$image flash by $((flash - flash_budget)) bytes"
+  ((ram <= ram_budget)) || refuse "$image RAM by $((ram - ram_budget)) bytes"
+done <"$budgets"
+exit "$status"

@@ -1,0 +1,6 @@
+#!/usr/bin/env bash
+# format.sh ROOT: every C++ file is as clang-format leaves it.
+set -euo pipefail
+cd "${1:?usage: format.sh ROOT}"
+find firmware host_tools tests -name '*.hpp' -o -name '*.cpp' |
+  xargs clang-format --dry-run --Werror

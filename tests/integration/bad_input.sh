@@ -1,0 +1,109 @@
+#!/usr/bin/env bash
+# bad_input.sh FOGCOMP: whatever is wrong with arguments or files, fogcomp says so in one line that names
+# where and what to do, exits 2, and leaves the output as it was.
+set -uo pipefail
+fogcomp=$(realpath "${1:?usage: bad_input.sh FOGCOMP}")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+cases=0
+failures=0
+
+fail() {
+  echo "FAILED: $1" >&2
+  failures=$((failures + 1))
+}
+
+# refuses REGEX COMMAND...: exit code 2, nothing on stdout, one line on stderr that matches REGEX, and no
+# file in the folder changed.
+refuses() {
+  local expected=$1 status=0 before after
+  shift
+  cases=$((cases + 1))
+  before=$(ls -l --time-style=full-iso | cksum)
+  "$fogcomp" "$@" >"$scratch.out" 2>"$scratch.err" || status=$?
+  after=$(ls -l --time-style=full-iso | cksum)
+  ((status == 2)) || fail "exit code $status: $*"
+  [[ ! -s $scratch.out ]] || fail "printed on stdout: $*"
+  [[ $(wc -l <"$scratch.err") == 1 ]] || fail "not one line: $* -> $(cat "$scratch.err")"
+  grep -qE -- "$expected" "$scratch.err" || fail "$* -> $(cat "$scratch.err"), expected $expected"
+  [[ $before == "$after" ]] || fail "changed a file: $*"
+}
+trap 'rm -rf "$scratch" "$scratch.out" "$scratch.err"' EXIT
+
+"$fogcomp" simulate -o good.csv >/dev/null
+"$fogcomp" fit good.csv -o good.model --effects bias,temperature_rate >/dev/null
+"$fogcomp" export good.model -o good.h --sample-rate 0.1 >/dev/null
+echo "kept" >kept
+fit=(fit -o kept --effects bias)
+
+# Recordings.
+: >empty.csv
+echo "time_s,temperature_degc,rate_dph" >header_only.csv
+mkdir folder
+bad_row() { { echo "time_s,temperature_degc,rate_dph"; echo "0,20,1"; echo "10,20,1"; echo "$1"; echo "30,20,1"; } >row.csv; }
+refuses '^missing\.csv: .*' "${fit[@]}" missing.csv
+refuses '^empty\.csv: .*' "${fit[@]}" empty.csv
+refuses '^header_only\.csv' "${fit[@]}" header_only.csv
+refuses '^folder: is a directory' "${fit[@]}" folder
+{ echo "time_s,temp_degc,rate_dph"; echo "0,20,1"; } >column.csv
+refuses "^column\.csv:1: .*temperature_degc" "${fit[@]}" column.csv
+bad_row "20,20"
+refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
+bad_row "20,,1"
+refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
+bad_row "20,warm,1"
+refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
+bad_row "20,20,nan"
+refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
+bad_row "20,inf,1"
+refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
+bad_row "5,20,1"
+refuses '^row\.csv:4: .*time' "${fit[@]}" row.csv
+bad_row "10,20,1"
+refuses '^row\.csv:4: .*time' "${fit[@]}" row.csv
+{ echo "time_s,temperature_degc,rate_dph"; echo "0,20,1"; } >one.csv
+refuses 'too few' "${fit[@]}" one.csv
+{ echo "time_s,temperature_degc,counts"; echo "0,20,1"; echo "10,20,2"; } >counts.csv
+refuses '^counts\.csv.*scale-factor' "${fit[@]}" counts.csv
+
+# Models.
+refuses '^missing\.model: ' compare missing.model good.csv
+refuses '^good\.csv: is not a fogcomp model' compare good.csv good.csv
+refuses '^folder: is a directory' compare folder good.csv
+sed 's/bias 0/bias 1/' good.model >damaged.model
+refuses '^damaged\.model: is damaged' export damaged.model -o kept
+sed '1s/1$/9/' good.model >version.model
+refuses '^version\.model:1: is a model of another version' export version.model -o kept
+head -c 200 good.model >cut.model
+refuses '^cut\.model: is damaged' replay cut.model good.csv -o kept
+
+# Headers.
+sed 's/2101248000/2101248001/' good.h >damaged.h
+refuses '^damaged\.h: .*damaged' replay damaged.h good.csv -o kept
+head -c 900 good.h >cut.h
+refuses '^cut\.h: ' replay cut.h good.csv -o kept
+"$fogcomp" export good.model -o fast.h --sample-rate 200 >/dev/null
+refuses '^good\.csv: is sampled at 0\.1 Hz but the header is for 200 Hz' replay fast.h good.csv -o kept
+
+# Arguments.
+refuses "no command 'fti' \(did you mean 'fit'\?\)" fti
+refuses 'unknown option --efects \(did you mean .effects.\?\)' fit good.csv -o kept --efects bias
+refuses '--effects needs a value' fit good.csv -o kept --effects
+refuses '-o is missing' fit good.csv --effects bias
+refuses '--effects is missing' fit good.csv -o kept
+refuses "effect 'biass': .*did you mean 'bias'" fit good.csv -o kept --effects biass
+refuses "effect 'bias': is listed twice" fit good.csv -o kept --effects bias,bias
+refuses "no parameter 'ordr' \(did you mean 'order'" fit good.csv -o kept --effects bias_temperature:ordr=2
+refuses 'order must be a whole number from 1 to 9' fit good.csv -o kept --effects bias_temperature:order=12
+refuses "--network '33' is not a number from 0 to 32" fit good.csv -o kept --effects bias --network 33
+refuses "--average 'ten' is not a number" fit good.csv -o kept --effects bias --average ten
+refuses "--trainer 'sgd' is not one of" fit good.csv -o kept --effects bias --trainer sgd
+refuses 'expects RUN' fit -o kept --effects bias
+refuses 'unexpected argument' effects bias bias
+refuses 'is a directory' fit good.csv -o folder --effects bias
+refuses 'cannot be written' fit good.csv -o nowhere/x.model --effects bias
+
+# A header for another layout is refused by the compiler.
+echo "$cases cases, $failures failures"
+((failures == 0))

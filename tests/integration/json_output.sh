@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# json_output.sh FOGCOMP: --json prints exactly one JSON object with the contract's keys and nothing else.
+set -euo pipefail
+fogcomp=$(realpath "${1:?usage: json_output.sh FOGCOMP}")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+# has_keys FILE KEY...: FILE is one line that CMake's own JSON parser takes, with these members.
+has_keys() {
+  local file=$1
+  shift
+  [[ $(wc -l <"$file") == 1 ]] || { echo "$file: not one line" >&2; exit 1; }
+  for key in "$@"; do
+    printf 'file(READ "%s" text)\nstring(JSON value GET "${text}" %s)\n' "$file" "$key" >check.cmake
+    cmake -P check.cmake >/dev/null || { echo "$file: no $key in $(cat "$file")" >&2; exit 1; }
+  done
+  echo "$file: ok"
+}
+
+"$fogcomp" simulate -o run.csv --json >simulate.json
+has_keys simulate.json file rows
+"$fogcomp" info run.csv --json >info.json
+has_keys info.json rows period_s mean_dph std_dph noise_floor_dph "segments 0 name" \
+  "segments 0 start_s" "segments 0 end_s" "segments 0 mean_dph" "segments 0 std_dph" \
+  "segments 0 temperature_min_degc" "segments 0 temperature_max_degc" "allan tau_s" \
+  "allan sigma_dph" "allan one_sigma_dph" angle_random_walk_dprh bias_instability_dph \
+  rate_random_walk_dphrh rate_ramp_dphh quantization_deg
+"$fogcomp" fit run.csv -o gyro.model --effects bias,bias_temperature,temperature_rate --network 4 \
+  --json >fit.json
+has_keys fit.json residual_rms_dph "effects 2 effect"
+"$fogcomp" compare gyro.model run.csv run.csv --json >compare.json
+has_keys compare.json "runs 1 file" "runs 1 rows" "runs 1 raw_std_dph" "runs 1 residual_rms_dph" \
+  "runs 1 residual_std_dph" "runs 1 noise_floor_dph" "runs 1 segments 0 name" \
+  "runs 1 segments 0 mean_dph" "runs 1 segments 0 std_dph" extrapolated_fraction
+"$fogcomp" export gyro.model -o fog_model.h --json >export.json
+has_keys export.json words quantization_error_dph
+"$fogcomp" replay gyro.model run.csv -o out.bin --json >replay.json
+has_keys replay.json frames bytes
+"$fogcomp" effects --json >effects.json
+has_keys effects.json "effects 2 equation"

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# All tests, on Debian 12 from nothing: sets the machine up, builds, runs CTest for the optimised build
+# (unit, property, golden, target, integration, budget) and the host tests again under ASan and UBSan
+# with every fixed-point operation checked for overflow.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source cmake/bootstrap/packages.sh
+
+require_packages "${build_packages[@]}" "${test_packages[@]}" || exit 2
+
+cmake --preset host -DFOG_TESTS=ON
+cmake --build build/host
+cmake --preset host_sanitized
+cmake --build build/host_sanitized
+
+results=build/host/test_results.txt
+status=0
+ctest --test-dir build/host --output-on-failure --no-tests=error -j 2 | tee "$results" || status=1
+ctest --test-dir build/host_sanitized --output-on-failure --no-tests=error -j 2 -L 'unit|property' |
+  tee -a "$results" || status=1
+
+# One plain line at the end: what passed, failed and was skipped, both builds together.
+passed=$(grep -cE '^ *[0-9]+/[0-9]+ Test .* Passed ' "$results" || true)
+skipped=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped' "$results" || true)
+failed=$(($(grep -cE '^ *[0-9]+/[0-9]+ Test ' "$results" || true) - passed - skipped))
+echo "$passed passed, $failed failed, $skipped skipped"
+exit "$status"

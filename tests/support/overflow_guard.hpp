@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/fixed_point/overflow.hpp"
+
+namespace fog::test {
+
+#if defined(FOG_CHECKED_FIXED)
+constexpr bool kChecked = true;
+inline std::uint32_t overflows() {
+  return overflow_log().count;
+}
+inline void forget_overflows() {
+  overflow_log() = OverflowLog();
+}
+#else
+// Without checks nothing is counted; the checked preset runs the same tests.
+constexpr bool kChecked = false;
+inline std::uint32_t overflows() {
+  return 0;
+}
+inline void forget_overflows() {}
+#endif
+
+}  // namespace fog::test

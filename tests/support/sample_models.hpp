@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/model.hpp"
+#include "quantization/board_table.hpp"
+#include "wavelet/filters.hpp"
+
+// Models for tests: small, complete, and the same in every test.
+namespace fog::test {
+
+inline const std::vector<double>& sym8_filter() {
+  return fogcomp::lowpass_filter("sym8");
+}
+
+/// Effects of the size of the reference paper's gyro, and a network of 3 neurons.
+inline fogcomp::Model paper_like_model() {
+  fogcomp::Model model;
+  model.scale_factor = 3600 * 1024;
+  model.derivative_tau_s = 30;
+  model.least_degc = -41;
+  model.most_degc = 61;
+  model.noise_dph_rthz = 0.075;
+  model.residual_rms_dph = 0.024;
+  model.terms = {{"bias", {}, {0.7197}, {0.0005}},
+                 {"bias_temperature", {3}, {-0.0113, -0.129, 0.021}, {1e-4, 1e-4, 1e-4}},
+                 {"temperature_rate", {}, {0.44}, {0.004}}};
+  model.network.inputs = {{fog::NetworkInput::temperature, 10, 51},
+                          {fog::NetworkInput::temperature_rate, 0, 0.6}};
+  model.network.hidden.activation = fog::Activation::logsig;
+  model.network.hidden.weights.resize(3, 2);
+  model.network.hidden.weights << 3.1, -0.4, -5.2, 2.2, 0.3, 7.5;
+  model.network.hidden.biases.resize(3);
+  model.network.hidden.biases << 0.5, -1.5, 0.1;
+  model.network.output.activation = fog::Activation::tansig;
+  model.network.output.weights.resize(1, 3);
+  model.network.output.weights << 0.9, -1.4, 0.6;
+  model.network.output.biases.resize(1);
+  model.network.output.biases << 0.2;
+  model.network.centre_dph = 0.003;
+  model.network.amplitude_dph = 0.05;
+  model.history = {{"fit bias,bias_temperature:order=3,temperature_rate", 0x12345678, 0.06, 0.024}};
+  return model;
+}
+
+/// sym8 as the board has it.
+inline std::vector<std::int32_t> sym8_taps() {
+  const fogcomp::BoardTable table = fogcomp::make_board_table(paper_like_model(), {});
+  const auto parameters = fogcomp::read_board_table(table, "test");
+  return {parameters.denoise.lowpass.begin(), parameters.denoise.lowpass.end()};
+}
+
+}  // namespace fog::test

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# run_semihosted.sh MACHINE ELF DIR: runs an image that ends itself by semihosting on QEMU's MACHINE,
+# with DIR as its folder, and passes its console on. The exit code is the image's own, or 124 after
+# FOG_QEMU_TIMEOUT_S (default 120).
+set -euo pipefail
+(($# == 3)) || { echo "usage: run_semihosted.sh MACHINE ELF DIR" >&2; exit 2; }
+machine=$1
+elf=$(realpath "$2")
+cd "$3"
+exec timeout --kill-after=1 "${FOG_QEMU_TIMEOUT_S:-120}" \
+  qemu-system-arm -M "$machine" -display none -monitor none \
+  -semihosting-config enable=on,target=native \
+  -serial null -serial null -serial stdio -kernel "$elf" </dev/null

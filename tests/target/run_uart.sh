@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# run_uart.sh MACHINE ELF IN.bin OUT.bin EXPECTED_BYTES: boots the product image on QEMU's MACHINE,
+# plays the sensor stream IN.bin into its sensor port and collects its output stream in OUT.bin, its
+# console in OUT.bin.console. Ends when EXPECTED_BYTES have come out, and with exit code 1 if they have
+# not after FOG_QEMU_TIMEOUT_S (default 60).
+set -euo pipefail
+(($# == 5)) || { echo "usage: run_uart.sh MACHINE ELF IN.bin OUT.bin EXPECTED_BYTES" >&2; exit 2; }
+machine=$1
+elf=$2
+input=$3
+output=$(realpath "$4")
+expected_bytes=$5
+timeout_s=${FOG_QEMU_TIMEOUT_S:-60}
+deadline=$((SECONDS + timeout_s))
+
+scratch=$(mktemp -d)
+clean_up() {
+  jobs -p | xargs -r kill 2>/dev/null || true
+  wait
+  rm -rf "$scratch"
+}
+trap clean_up EXIT
+trap 'exit 143' TERM INT HUP
+
+give_up() {
+  echo "$machine uart: $1" >&2
+  cat "$scratch/qemu.log" "$output.console" >&2
+  exit 1
+}
+
+# wait_for WHAT COMMAND...: polls until COMMAND succeeds.
+wait_for() {
+  local what=$1
+  shift
+  until "$@"; do
+    ((SECONDS < deadline)) || give_up "no $what within $timeout_s s"
+    kill -0 "$qemu" 2>/dev/null || give_up "QEMU ended before $what"
+    sleep 0.02
+  done
+}
+is_ready() { grep -q ready "$output.console"; }
+is_complete() { (($(stat -c %s "$output") >= expected_bytes)); }
+
+# Serial ports 0, 1, 2 are USART 1, 2, 3 of the STM32 and UART 0, 1, 2 of the MPS2: output, sensor,
+# console. `timeout` ends QEMU even if this script is killed outright.
+mkfifo "$scratch/sensor.in" "$scratch/sensor.out"
+: >"$output"
+: >"$output.console"
+timeout --kill-after=1 "$((timeout_s + 5))" \
+  qemu-system-arm -M "$machine" -display none -monitor none \
+  -serial "file:$output" -serial "pipe:$scratch/sensor" -serial "file:$output.console" \
+  -kernel "$elf" </dev/null >"$scratch/qemu.log" 2>&1 &
+qemu=$!
+
+# Bytes sent before the USART is enabled would be lost.
+wait_for "boot message" is_ready
+cat "$output.console"
+start_us=${EPOCHREALTIME/./}
+cat "$input" >"$scratch/sensor.in" &
+wait_for "$expected_bytes bytes of output" is_complete
+elapsed_us=$((${EPOCHREALTIME/./} - start_us))
+sleep 0.2 # so that a byte too many shows
+
+frames=$(($(stat -c %s "$input") / 16))
+echo "$machine uart: $frames frames in $((elapsed_us / 1000)) ms," \
+  "$((frames * 1000000 / elapsed_us)) frames/s"

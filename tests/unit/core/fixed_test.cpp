@@ -1,0 +1,81 @@
+#include "core/fixed_point/fixed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "support/overflow_guard.hpp"
+
+namespace {
+
+using fog::Fixed;
+using fog::round_divide;
+using fog::round_shift;
+using Q16 = Fixed<std::int32_t, 16>;
+using Q20 = Fixed<std::int32_t, 20>;
+using Q28 = Fixed<std::int32_t, 28>;
+
+TEST(RoundShift, RoundsToNearestWithHalvesUpwardsForEverySixteenBitValue) {
+  for (int bits = 0; bits < 16; ++bits) {
+    for (std::int32_t value = -32768; value <= 32767; ++value) {
+      const auto expected = static_cast<std::int32_t>(std::floor(std::ldexp(value, -bits) + 0.5));
+      ASSERT_EQ(round_shift(value, bits), expected) << value << " >> " << bits;
+    }
+  }
+}
+
+TEST(RoundShift, DoesNotOverflowAtTheEndsOfTheRange) {
+  EXPECT_EQ(round_shift(INT32_MAX, 1), 0x40000000);
+  EXPECT_EQ(round_shift(INT32_MIN, 1), -0x40000000);
+  EXPECT_EQ(round_shift(INT64_MAX, 62), 2);
+  EXPECT_EQ(round_shift(INT64_MIN, 63), -1);
+}
+
+TEST(RoundDivide, RoundsLikeRoundShift) {
+  for (std::int64_t numerator = -1000; numerator <= 1000; ++numerator) {
+    for (std::int32_t denominator = 1; denominator < 40; ++denominator) {
+      const double exact = static_cast<double>(numerator) / denominator;
+      ASSERT_EQ(round_divide(numerator, denominator), std::floor(exact + 0.5));
+    }
+  }
+}
+
+TEST(Fixed, MultipliesExactly) {
+  const auto product = Q16::from_raw(INT32_MIN) * Q16::from_raw(INT32_MIN);
+  static_assert(decltype(product)::fractional_bits == 32);
+  EXPECT_EQ(product.raw(), std::int64_t{1} << 62);
+}
+
+TEST(Fixed, ChangesFormatByRoundingAndClipsOnlyWhereItSaysSo) {
+  EXPECT_EQ(fog::round_to<Q16>(Q20::from_raw(24)).raw(), 2);    // 1.5 -> 2
+  EXPECT_EQ(fog::round_to<Q16>(Q20::from_raw(-24)).raw(), -1);  // -1.5 -> -1
+  EXPECT_EQ(fog::round_to<Q20>(Q16::from_raw(-3)).raw(), -48);
+  EXPECT_EQ(fog::saturate_to<Q28>(fog::from_integer<Q16>(100)), Q28::highest());
+  EXPECT_EQ(fog::saturate_to<Q28>(fog::from_integer<Q16>(-100)), Q28::lowest());
+  EXPECT_EQ(fog::saturate_to<Q28>(fog::from_integer<Q16>(-3)).raw(), -3 * (1 << 28));
+}
+
+TEST(Fixed, WidensTheRangeOfASaturatedProduct) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100000; ++i) {
+    const auto a = Q28::from_raw(static_cast<std::int32_t>(random()));
+    const auto b = Q20::from_raw(static_cast<std::int32_t>(random()));
+    const long double exact = std::ldexp(static_cast<long double>(a.raw()) * b.raw(), -48 + 16);
+    const long double clipped =
+        std::min(std::max(std::floor(exact + 0.5L), -2147483648.0L), 2147483647.0L);
+    ASSERT_EQ(fog::saturate_to<Q16>(a * b).raw(), static_cast<std::int64_t>(clipped));
+  }
+}
+
+TEST(CheckedFixed, CountsAnOverflowAndKnowsItsPlace) {
+  if (!fog::test::kChecked) GTEST_SKIP() << "not a checked build (preset host_sanitized)";
+  const std::uint32_t before = fog::test::overflows();
+  const auto sum = Q16::highest() + Q16::from_raw(1);
+  EXPECT_EQ(sum, Q16::lowest());  // wraps, as on the board
+  EXPECT_EQ(fog::test::overflows(), before + 1);
+  fog::test::forget_overflows();
+}
+
+}  // namespace

@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/pipeline/model_parameters.hpp"
+#include "core/protocol/byte_order.hpp"
+#include "core/protocol/crc.hpp"
+#include "support/sample_models.hpp"
+
+namespace {
+
+using fog::ModelError;
+
+ModelError read(const std::vector<std::int32_t>& words,
+                const fog::ModelShape& room = fog::kAnyModel) {
+  fog::ModelParameters parameters;
+  return fog::read_model({words.data(), words.size()}, room, parameters);
+}
+
+std::vector<std::int32_t> good_words() {
+  return fogcomp::make_board_table(fog::test::paper_like_model(), {}).words;
+}
+
+void repair_crc(std::vector<std::int32_t>& words) {
+  std::vector<std::uint8_t> bytes(4 * (words.size() - 1));
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    fog::store_le32(&bytes[4 * i], static_cast<std::uint32_t>(words[i]));
+  }
+  words.back() = static_cast<std::int32_t>(fog::crc32(bytes.data(), bytes.size()));
+}
+
+TEST(ModelTable, IsRefusedForEveryFlippedBit) {
+  const auto good = good_words();
+  ASSERT_EQ(read(good), ModelError::none);
+  for (std::size_t word = 0; word < good.size(); ++word) {
+    for (unsigned bit = 0; bit < 32; ++bit) {
+      auto damaged = good;
+      damaged[word] =
+          static_cast<std::int32_t>(static_cast<std::uint32_t>(damaged[word]) ^ (1U << bit));
+      ASSERT_NE(read(damaged), ModelError::none) << word << ":" << bit;
+    }
+  }
+}
+
+TEST(ModelTable, SaysWhyItIsRefused) {
+  auto words = good_words();
+  EXPECT_EQ(read({}), ModelError::not_a_model);
+  words[0] ^= 1;
+  EXPECT_EQ(read(words), ModelError::not_a_model);
+  words = good_words();
+  words[1] = 2;
+  repair_crc(words);
+  EXPECT_EQ(read(words), ModelError::other_layout);
+  words = good_words();
+  words.pop_back();
+  EXPECT_EQ(read(words), ModelError::damaged);
+  words = good_words();
+  EXPECT_EQ(read(words, {0x3, 16, 5}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 16, 4}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 14, 5}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 16, 5}), ModelError::none);
+}
+
+// Whatever numbers a table with a good CRC holds, reading it ends in a verdict, and one that is
+// accepted can be run. (ASan and UBSan watch in the sanitized build.)
+TEST(ModelTable, WithAGoodCrcAndAnyNumbersIsReadSafely) {
+  std::mt19937 random(1);
+  const auto good = good_words();
+  int accepted = 0;
+  for (int i = 0; i < 20000; ++i) {
+    auto words = good;
+    for (int n = static_cast<int>(random() % 3); n >= 0; --n) {
+      std::int32_t& word = words[4 + random() % (words.size() - 5)];
+      word = random() % 2 == 0 ? static_cast<std::int32_t>(random())
+                               : word + static_cast<std::int32_t>(random() % 5) - 2;
+    }
+    repair_crc(words);
+    fog::ModelParameters parameters;
+    if (fog::read_model({words.data(), words.size()}, fog::kAnyModel, parameters) !=
+        ModelError::none) {
+      continue;
+    }
+    ++accepted;
+    fog::DriftModel<fog::kAllEffects> model(parameters.thermal, parameters.effects,
+                                            parameters.network, parameters.policy);
+    model.start(fog::Temperature::from_raw(static_cast<std::int32_t>(random())));
+    for (int block = 0; block < 5; ++block) {
+      model.step(fog::Temperature::from_raw(static_cast<std::int32_t>(random())));
+    }
+  }
+  EXPECT_GT(accepted, 100);
+}
+
+}  // namespace
