@@ -2,13 +2,12 @@
 
 namespace fogcomp::cli {
 
-void add_board_options(Command& command, const char* default_sample_rate) {
-  command.options.push_back(
-      {"sample-rate", "HZ", "of the board's sensor stream", default_sample_rate});
-  command.options.push_back({"output", "FRAMES", "kvh, compact or both", "kvh"});
+std::vector<Option> board_options() {
+  return {{"sample-rate", "HZ", "of the board's sensor stream", "200"},
+          {"output", "FRAMES", "kvh, compact or both", "kvh"}};
 }
 
-BoardSettings board_options(const Arguments& arguments) {
+BoardSettings board_settings(const Arguments& arguments) {
   BoardSettings settings;
   settings.sample_rate_hz = arguments.number("sample-rate", 1e-3, 1e5);
   const std::string output = arguments.choice("output", {"kvh", "compact", "both"});

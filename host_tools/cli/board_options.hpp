@@ -1,14 +1,16 @@
 #pragma once
 
+#include <vector>
+
 #include "cli/arguments.hpp"
 #include "quantization/board_table.hpp"
 
 namespace fogcomp::cli {
 
-/// --sample-rate and --output: what the board is to do, for export and replay.
-void add_board_options(Command& command, const char* default_sample_rate);
+/// The options of the commands that make a board's table: --sample-rate, --output.
+std::vector<Option> board_options();
 
-/// The settings given. The sample rate must be there.
-BoardSettings board_options(const Arguments& arguments);
+/// Their values.
+BoardSettings board_settings(const Arguments& arguments);
 
 }  // namespace fogcomp::cli

@@ -66,7 +66,8 @@ int run_compare(const Arguments& arguments) {
   Model model = load_model(arguments.positionals()[0]);
   if (arguments.has("average")) model.average_s = arguments.number("average", 1e-3, 1e6);
   if (arguments.choice("network", {"on", "off"}) == "off") model.network = RealNetwork();
-  const ReadOptions options = recording_options(arguments);
+  ReadOptions options = read_options(arguments);
+  options.model_scale_factor = model.scale_factor;
   const bool json = arguments.has("json");
   Json runs = Json::array();
   double outside = 0;
@@ -105,7 +106,7 @@ Command compare_command() {
       {"network", "on|off", "off shows the physical effects alone", "on"},
       {"json", "", "one JSON object on stdout", ""},
   };
-  add_recording_options(command);
+  for (Option& option : recording_options()) command.options.push_back(std::move(option));
   command.run = run_compare;
   return command;
 }

@@ -24,7 +24,7 @@ int run_export(const Arguments& arguments) {
   const std::string& model_path = arguments.positionals()[0];
   const std::string output = arguments.required("o");
   const Model model = load_model(model_path);
-  const BoardTable table = make_board_table(model, board_options(arguments));
+  const BoardTable table = make_board_table(model, board_settings(arguments));
   const QuantizationError error = verify_quantization(model, read_board_table(table, model_path));
   if (error.worst_dph > kQuantizationLimitDph && !arguments.has("allow-error")) {
     throw InputError(
@@ -60,7 +60,7 @@ Command export_command() {
   command.options = {{"o", "HEADER", "header to write", ""},
                      {"allow-error", "", "write it even if the integers are too far off", ""},
                      {"json", "", "one JSON object on stdout", ""}};
-  add_board_options(command, "200");
+  for (Option& option : board_options()) command.options.push_back(std::move(option));
   command.run = run_export;
   return command;
 }

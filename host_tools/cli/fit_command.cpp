@@ -65,13 +65,15 @@ int run_fit(const Arguments& arguments) {
   training.hidden = static_cast<int>(arguments.integer("network", 0, 32));
   training.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
 
-  const ReadOptions read_options = recording_options(arguments);
-  model.scale_factor = read_options.scale_factor.value_or(kDefaultScaleFactor);
+  // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
+  ReadOptions reading = read_options(arguments);
+  model.scale_factor = reading.scale_factor.value_or(kDefaultScaleFactor);
+  std::swap(reading.scale_factor, reading.model_scale_factor);
   std::vector<Design> designs;
   std::uint32_t hash = fog::kCrc32Initial;
   double noise_variance = 0;
   for (const std::string& file : arguments.positionals()) {
-    const Recording recording = read_recording(file, read_options);
+    const Recording recording = read_recording(file, reading);
     hash = data_hash(recording, hash);
     noise_variance += std::pow(white_noise_dph_rthz(recording), 2);
     designs.push_back(make_design(model, make_blocks(recording)));
@@ -143,7 +145,7 @@ Command fit_command() {
       {"mode", "NAME", "soft or hard thresholds", "soft"},
       {"json", "", "one JSON object on stdout", ""},
   };
-  add_recording_options(command);
+  for (Option& option : recording_options()) command.options.push_back(std::move(option));
   command.run = run_fit;
   return command;
 }

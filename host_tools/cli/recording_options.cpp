@@ -1,16 +1,57 @@
 #include "cli/recording_options.hpp"
 
-namespace fogcomp::cli {
+#include <cmath>
 
-void add_recording_options(Command& command) {
-  command.options.push_back({"scale-factor", "COUNTS", "counts per deg/s", ""});
-  command.options.push_back({"skip-bad-rows", "", "count bad rows instead of stopping", ""});
+#include "cli/arguments.hpp"
+#include "support/input_error.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+constexpr double kEarthRateDph = 15.041067;  // sidereal
+constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
+
+double earth_rate_dph(const Arguments& arguments) {
+  if (!arguments.has("latitude")) {
+    if (arguments.has("axis")) {
+      throw InputError("--axis", "means nothing without --latitude; give both");
+    }
+    return 0;
+  }
+  const double latitude_deg = arguments.number("latitude", -90, 90);
+  const double up_dph = kEarthRateDph * std::sin(latitude_deg * kRadiansPerDegree);
+  return arguments.choice("axis", {"up", "down"}) == "up" ? up_dph : -up_dph;
 }
-ReadOptions recording_options(const Arguments& arguments) {
-  ReadOptions o;
-  if (arguments.has("scale-factor")) o.scale_factor = arguments.number("scale-factor", 1e-6, 1e12);
-  o.skip_bad_rows = arguments.has("skip-bad-rows");
-  return o;
+
+}  // namespace
+
+std::vector<Option> recording_options() {
+  return {
+      {"scale-factor", "C", "counts per deg/s of a `counts` column or a sensor stream", ""},
+      {"skip-bad-rows", "", "leave bad rows out and count them instead of stopping", ""},
+      {"latitude", "DEG", "subtract the Earth rate there, for a file without input_rate_dph", ""},
+      {"axis", "up|down", "where the input axis points, with --latitude", "up"},
+      {"rate", "HZ", "sample rate of a captured sensor stream", "200"},
+  };
+}
+
+ReadOptions read_options(const Arguments& arguments) {
+  ReadOptions options;
+  if (arguments.has("scale-factor")) {
+    options.scale_factor = arguments.number("scale-factor", 1e-6, 1e15);
+  }
+  options.skip_bad_rows = arguments.has("skip-bad-rows");
+  options.default_input_rate_dph = earth_rate_dph(arguments);
+  if (arguments.has("rate")) options.stream_rate_hz = arguments.number("rate", 1e-3, 1e6);
+  return options;
+}
+
+Option average_option() {
+  return {"average", "S", "length of a block mean (a row where the rows are longer)", "10"};
+}
+
+double average_s(const Arguments& arguments) {
+  return arguments.number("average", 1e-6, 1e6);
 }
 
 }  // namespace fogcomp::cli

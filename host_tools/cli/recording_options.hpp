@@ -1,11 +1,21 @@
 #pragma once
 
-#include "cli/arguments.hpp"
+#include <vector>
+
+#include "cli/command.hpp"
 #include "dataset/recording.hpp"
 
 namespace fogcomp::cli {
 
-void add_recording_options(Command& command);
-ReadOptions recording_options(const Arguments& arguments);
+/// The options of every command that reads recordings: --scale-factor, --skip-bad-rows, --latitude,
+/// --axis, --rate.
+std::vector<Option> recording_options();
+
+/// Their values. Throws InputError for a value out of range, or --axis without --latitude.
+ReadOptions read_options(const Arguments& arguments);
+
+/// --average, in seconds.
+Option average_option();
+double average_s(const Arguments& arguments);
 
 }  // namespace fogcomp::cli

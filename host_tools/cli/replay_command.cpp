@@ -33,8 +33,8 @@ void check_rate(const fog::ModelParameters& parameters, double period_s, const s
 struct Session {
   explicit Session(const Arguments& arguments)
       : run(arguments.positionals()[1]), board(arguments.positionals()[0]) {
-    ReadOptions options = recording_options(arguments);
-    options.scale_factor = options.scale_factor.value_or(board.scale_factor());
+    ReadOptions options = read_options(arguments);
+    options.model_scale_factor = board.scale_factor();
     source = std::make_unique<StreamSource>(run, options, board.scale_factor());
   }
 
@@ -47,7 +47,7 @@ int run_replay(const Arguments& arguments) {
   const std::string output_path = arguments.required("o");
   Session session(arguments);
   const StreamSource& source = *session.source;
-  BoardSettings settings = board_options(arguments);
+  BoardSettings settings = board_settings(arguments);
   if (!arguments.has("sample-rate") && !source.is_capture() && source.period_s() > 0) {
     settings.sample_rate_hz = 1 / source.period_s();
   }
@@ -108,8 +108,8 @@ Command replay_command() {
   command.example = "fogcomp replay fog_model.h run.csv -o out.bin";
   command.options = {{"o", "OUT", "output stream to write", ""},
                      {"json", "", "one JSON object on stdout", ""}};
-  add_board_options(command, "200");
-  add_recording_options(command);
+  for (Option& option : board_options()) command.options.push_back(std::move(option));
+  for (Option& option : recording_options()) command.options.push_back(std::move(option));
   command.run = run_replay;
   return command;
 }
@@ -122,7 +122,7 @@ Command stream_command() {
   command.summary = "the sensor stream in which a board would see a recording";
   command.example = "fogcomp stream fog_model.h run.csv -o in.bin";
   command.options = {{"o", "OUT", "sensor stream to write", ""}};
-  add_recording_options(command);
+  for (Option& option : recording_options()) command.options.push_back(std::move(option));
   command.run = run_stream;
   return command;
 }

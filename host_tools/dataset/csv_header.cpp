@@ -95,7 +95,9 @@ void choose_rate(CsvHeader& header, const std::string& file, const std::string& 
     }
     return;
   }
-  if (!options.scale_factor) {
+  const auto scale_factor =
+      options.scale_factor ? options.scale_factor : options.model_scale_factor;
+  if (!scale_factor) {
     throw InputError(where,
                      "'counts' without a scale factor; give --scale-factor (counts per "
                      "deg/s) or a column 'rate_dph'");
@@ -103,7 +105,7 @@ void choose_rate(CsvHeader& header, const std::string& file, const std::string& 
   constexpr double kDphPerDegreePerSecond = 3600;
   std::replace(header.slots.begin(), header.slots.end(), kRateSlot, CsvHeader::kIgnored);
   header.slots[static_cast<std::size_t>(counts - header.names.begin())] = kRateSlot;
-  header.dph_per_rate_unit = kDphPerDegreePerSecond / *options.scale_factor;
+  header.dph_per_rate_unit = kDphPerDegreePerSecond / *scale_factor;
 }
 
 void name_ignored_columns(const CsvHeader& header, const std::string& file) {

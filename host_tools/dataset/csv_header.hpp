@@ -22,9 +22,9 @@ struct CsvHeader {
   bool has(std::size_t slot) const;
 };
 
-/// Names `file` and `line` in the InputError for a duplicate or missing column, a wrong separator,
-/// numbers instead of names, or `counts` without a scale factor. Unknown columns, and options that
-/// this file makes void, are named on stderr.
+/// Reads the header line of `file`; `where` is its `FILE:LINE`. Throws InputError for a duplicate
+/// or missing column, a wrong separator, numbers instead of names, or `counts` without a scale
+/// factor. Unknown columns, and options that this file makes void, are named on stderr.
 CsvHeader parse_csv_header(std::string_view text, const std::string& file, const std::string& where,
                            const ReadOptions& options);
 

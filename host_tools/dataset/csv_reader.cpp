@@ -80,6 +80,12 @@ std::string fault_of(const CsvHeader& header, std::string_view line) {
   return "not a row of numbers";
 }
 
+std::string fault_of_range(std::size_t slot, const Row& row) {
+  const ColumnInfo& column = kColumns[slot];
+  return format("%s is %.6g, outside %g to %g", std::string(column.name).c_str(), row.values[slot],
+                column.least, column.most);
+}
+
 std::string fault_of_time(double previous_s, double time_s) {
   if (time_s == previous_s) return format("time_s repeats %.15g", time_s);
   return format("time_s goes back from %.15g to %.15g", previous_s, time_s);
@@ -119,6 +125,10 @@ class RowCollector {
   void add(std::string_view line) {
     Row row;
     if (!parse_row(header_, line, row)) return refuse(fault_of(header_, line));
+    row.values[kRateSlot] *= header_.dph_per_rate_unit;
+    for (const auto& [slot, values] : columns_) {
+      if (!kColumns[slot].can_be(row.values[slot])) return refuse(fault_of_range(slot, row));
+    }
     const double time_s = row.values[kTimeSlot];
     if (!(time_s > previous_s_)) return refuse(fault_of_time(previous_s_, time_s));
     if (recording_.rows() == kMostRows) {
@@ -126,7 +136,6 @@ class RowCollector {
                                              kMostRows / 1'000'000));
     }
     previous_s_ = time_s;
-    row.values[kRateSlot] *= header_.dph_per_rate_unit;
     if (!row.label.empty() || !recording_.labels.empty()) add_label(row.label);
     for (const auto& [slot, values] : columns_) values->push_back(row.values[slot]);
   }

@@ -7,11 +7,14 @@
 #include "dataset/csv_reader.hpp"
 #include "dataset/stream_reader.hpp"
 #include "support/input_error.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp {
 namespace {
 
 constexpr double kGapPeriods = 1.5;
+constexpr double kShortestPeriodS = 1e-6;
+constexpr double kLongestPeriodS = 86400;
 
 // Of at most 65537 spacings spread over the recording: a typical value needs no more.
 double median_spacing_s(const std::vector<double>& time_s) {
@@ -50,7 +53,12 @@ void find_stretches(Recording& recording) {
       ++spacings;
     }
   }
-  recording.period_s = without_rounding_dust(spanned_s / static_cast<double>(spacings));
+  const double period_s = spanned_s / static_cast<double>(spacings);
+  if (period_s < kShortestPeriodS || period_s > kLongestPeriodS) {
+    throw InputError(recording.file,
+                     format("rows are %g s apart; is time_s in seconds?", period_s));
+  }
+  recording.period_s = without_rounding_dust(period_s);
 }
 
 }  // namespace

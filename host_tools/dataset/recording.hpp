@@ -13,7 +13,7 @@ constexpr std::size_t kMostRows = 20'000'000;
 /// What a captured sensor stream held besides the rows.
 struct CaptureCounts {
   std::size_t invalid_samples = 0;    ///< gyro not valid, or no temperature yet: left out
-  std::size_t held_temperatures = 0;  ///< temperature not valid: the last valid one stands
+  std::size_t held_temperatures = 0;  ///< not valid or not possible: the last valid one stands
   std::size_t repeated_samples = 0;   ///< same sequence number as the one before: left out
   std::size_t missing_samples = 0;    ///< sequence numbers that never came
   std::size_t discarded_bytes = 0;    ///< part of no good frame
@@ -52,6 +52,9 @@ struct ReadOptions {
   /// Counts per deg/s: needed for a file with `counts` instead of `rate_dph`, and for a captured
   /// sensor stream unless it is kDefaultScaleFactor.
   std::optional<double> scale_factor;
+  /// The same as the model in hand has it: for files that have nothing but counts, where no other
+  /// is given.
+  std::optional<double> model_scale_factor;
   bool skip_bad_rows = false;
   /// Constant input rate (Earth rate by latitude and axis) for a file without that column, which it
   /// then gets; left at 0 the column stays empty.

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/acquisition/stream_parser.hpp"
-#include "dataset/recording_writer.hpp"
+#include "dataset/columns.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -26,7 +26,9 @@ bool is_control(char character) {
 class SampleCollector {
  public:
   SampleCollector(const InputFile& file, const ReadOptions& options)
-      : dph_per_count_(kDphPerDegreePerSecond / options.scale_factor.value_or(kDefaultScaleFactor)),
+      : dph_per_count_(kDphPerDegreePerSecond /
+                       options.scale_factor.value_or(
+                           options.model_scale_factor.value_or(kDefaultScaleFactor))),
         rate_hz_(options.stream_rate_hz.value_or(kDefaultStreamRateHz)) {
     recording_.file = file.path();
     const std::size_t rows = std::min(file.size() / fog::kSensorFrameBytes + 1, kMostRows);
@@ -41,15 +43,18 @@ class SampleCollector {
       return;
     }
     advance_to(sample.sequence);
-    if (sample.temperature_valid) {
-      temperature_degc_ = sample.temperature_q16 * kDegcPerLsb;
+    const double temperature_degc = sample.temperature_q16 * kDegcPerLsb;
+    const bool temperature_valid =
+        sample.temperature_valid && column_info(Column::temperature_degc).can_be(temperature_degc);
+    if (temperature_valid) {
+      temperature_degc_ = temperature_degc;
       has_temperature_ = true;
     }
     if (!sample.gyro_valid || !has_temperature_) {
       ++counts_.invalid_samples;
       return;
     }
-    if (!sample.temperature_valid) ++counts_.held_temperatures;
+    if (!temperature_valid) ++counts_.held_temperatures;
     if (recording_.rows() == kMostRows) {
       throw InputError(recording_.file, format("more than %zu million samples; cut the capture",
                                                kMostRows / 1'000'000));

@@ -31,7 +31,9 @@ std::vector<double> scaled_differences(const std::vector<double>& bias,
   std::vector<double> differences;
   std::vector<double> sums;
   for (const RowRange& stretch : stretches) {
-    sums.assign(1, 0);
+    sums.clear();
+    sums.reserve(stretch.size() + 1);
+    sums.push_back(0);
     for (std::size_t row = stretch.first; row < stretch.end; ++row) {
       sums.push_back(sums.back() + (bias[row] - bias[stretch.first]));
     }

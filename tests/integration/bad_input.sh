@@ -82,7 +82,7 @@ refuses '^cut\.model: is damaged' replay cut.model good.csv -o kept
 sed 's/2101248000/2101248001/' good.h >damaged.h
 refuses '^damaged\.h: .*damaged' replay damaged.h good.csv -o kept
 head -c 900 good.h >cut.h
-refuses '^cut\.h: ' replay cut.h good.csv -o kept
+refuses '^cut\.h:' replay cut.h good.csv -o kept
 "$fogcomp" export good.model -o fast.h --sample-rate 200 >/dev/null
 refuses '^good\.csv: is sampled at 0\.1 Hz but the header is for 200 Hz' replay fast.h good.csv -o kept
 

@@ -129,6 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadRow{"inf", "1.5,20,-inf", "rate_dph is '-inf', not a finite number"},
         BadRow{"overflow", "1e999,20,0.5", "time_s is '1e999', not a finite number"},
         BadRow{"binary", "1.5,20,\x01", "rate_dph is '?', not a finite number"},
+        BadRow{"no_value", "1.5,-999,0.5", "temperature_degc is -999, outside -273.15 to 1000"},
+        BadRow{"huge", "1.5,20,1e300", "rate_dph is 1e+300, outside -1e+09 to 1e+09"},
         BadRow{"repeat", "1,20,0.5", "time_s repeats 1"},
         BadRow{"back", "0.5,20,0.5", "time_s goes back from 1 to 0.5"}),
     [](const auto& each) { return each.param.name; });
@@ -158,6 +160,11 @@ TEST(CsvReader, SaysWhatIsWrongWithTheFile) {
             ": has no good row; the first bad one: line 2, 2 fields where the header has 3");
   EXPECT_EQ(fault(kHeader + std::string(2U << 20U, '1')),
             ":2: line longer than 1 MiB; is this a recording?");
+}
+
+TEST(CsvReader, RefusesTimesThatCannotBeSeconds) {
+  EXPECT_EQ(fault(kHeader + "0,20,1\n5e6,20,1\n1e7,20,1\n"),
+            ": rows are 5e+06 s apart; is time_s in seconds?");
 }
 
 TEST(CsvReader, RefusesMoreThanTwentyMillionRows) {

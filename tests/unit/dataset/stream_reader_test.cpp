@@ -74,6 +74,15 @@ TEST(StreamReader, LeavesOutInvalidSamplesAndHoldsTheTemperature) {
   EXPECT_EQ(recording.capture->repeated_samples, 1U);
 }
 
+TEST(StreamReader, HoldsTheTemperatureWhereItIsImpossible) {
+  fog::SensorSample sample{2, 0, -300 * 65536, true, true};
+  const fog::SensorFrame cold = fog::encode_sensor_frame(sample);
+  const Recording recording =
+      read_stream(frame(1) + std::string(reinterpret_cast<const char*>(cold.data()), cold.size()));
+  EXPECT_EQ(recording.temperature_degc, (std::vector<double>{1, 1}));
+  EXPECT_EQ(recording.capture->held_temperatures, 1U);
+}
+
 TEST(StreamReader, IsNotFooledByDamageAtTheStart) {
   std::mt19937 random(1);
   for (int round = 0; round < 50; ++round) {

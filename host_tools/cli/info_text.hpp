@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "dataset/recording.hpp"
+#include "evaluation/run_summary.hpp"
+
+namespace fogcomp::cli {
+
+/// The summary as tables for a terminal, about 90 columns wide.
+std::string info_text(const Recording& recording, const RunSummary& summary);
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "unit/dataset/temporary_file.hpp"
+
+namespace fogcomp {
+namespace {
+
+struct Outcome {
+  int code;
+  std::string output;
+};
+
+/// Runs `fogcomp info` with stderr joined to stdout.
+Outcome info(const std::string& arguments) {
+  const std::string command = FOGCOMP " info " + arguments + " 2>&1";
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) return {-1, ""};
+  Outcome outcome{0, ""};
+  std::array<char, 4096> chunk;
+  for (std::size_t got = 0; (got = std::fread(chunk.data(), 1, chunk.size(), pipe)) > 0;) {
+    outcome.output.append(chunk.data(), got);
+  }
+  outcome.code = WEXITSTATUS(::pclose(pipe));
+  return outcome;
+}
+
+std::string recording(const std::string& name) {
+  std::string text = "time_s,temperature_degc,rate_dph\n";
+  for (int i = 0; i < 2000; ++i) {
+    text +=
+        std::to_string(i) + ",20," + std::to_string(8.05 + 0.001 * ((i * 7919) % 101 - 50)) + "\n";
+  }
+  return temporary_file(name, text);
+}
+
+TEST(InfoCommand, PrintsOneJsonObjectWithEveryPromisedKey) {
+  const Outcome outcome = info(recording("info.csv") + " --json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.output.front(), '{');
+  EXPECT_EQ(outcome.output.find('\n'), outcome.output.size() - 1);
+  for (const char* key : {"rows",
+                          "period_s",
+                          "mean_dph",
+                          "std_dph",
+                          "noise_floor_dph",
+                          "segments",
+                          "name",
+                          "start_s",
+                          "end_s",
+                          "temperature_min_degc",
+                          "temperature_max_degc",
+                          "allan",
+                          "tau_s",
+                          "sigma_dph",
+                          "one_sigma_dph",
+                          "angle_random_walk_dprh",
+                          "bias_instability_dph",
+                          "rate_random_walk_dphrh",
+                          "rate_ramp_dphh",
+                          "quantization_deg"}) {
+    EXPECT_NE(outcome.output.find("\"" + std::string(key) + "\":"), std::string::npos) << key;
+  }
+}
+
+TEST(InfoCommand, SubtractsTheEarthRateOfALatitude) {
+  const std::string run = recording("earth.csv");
+  EXPECT_NE(info(run + " --json").output.find("\"mean_dph\":8.0"), std::string::npos);
+  // 15.041 sin 30 = 7.52 deg/h
+  EXPECT_NE(info(run + " --json --latitude 30").output.find("\"mean_dph\":0.5"), std::string::npos);
+  EXPECT_NE(info(run + " --json --latitude 30 --axis down").output.find("\"mean_dph\":15.5"),
+            std::string::npos);
+}
+
+TEST(InfoCommand, EndsWithCodeTwoAndOneLineForBadInput) {
+  for (const std::string& arguments :
+       {std::string("/no/such/file"), temporary_file("bad.csv", "time_s,rate_dph\n1,2\n"),
+        recording("axis.csv") + " --axis up", recording("average.csv") + " --average 0"}) {
+    const Outcome outcome = info(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.output.find('\n'), outcome.output.size() - 1) << outcome.output;
+  }
+}
+
+TEST(InfoCommand, ReadsOneRow) {
+  const std::string run = temporary_file("one.csv", "time_s,temperature_degc,rate_dph\n0,20,0.5\n");
+  EXPECT_EQ(info(run).code, 0);
+  EXPECT_NE(info(run + " --json").output.find("\"std_dph\":null"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fogcomp
