@@ -33,11 +33,11 @@ class WhiteNoise : public NoiseSource {
 
 /// Bias instability B in deg/h: S(f) = B^2 / (2 pi f), two-sided, from a sum of first-order
 /// Gauss-Markov processes an octave apart, each stationary from the first row and stepped exactly:
-/// end value and mean of every period are drawn from their joint law. Flat to 2 % between
-/// kShortest_s and kLongest_s, white below and constant beyond.
+/// end value and mean of every period are drawn from their joint law. The Allan deviation is flat
+/// to 4 % from 30 kShortest_s to a twentieth of kLongest_s (measured), and lower outside.
 class FlickerNoise : public NoiseSource {
  public:
-  static constexpr double kShortest_s = 1;
+  static constexpr double kShortest_s = 0.03125;
   static constexpr double kLongest_s = 262144;
 
   FlickerNoise(double b_dph, double period_s, std::uint64_t seed);

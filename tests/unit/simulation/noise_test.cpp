@@ -102,6 +102,14 @@ TEST(FlickerNoise, HasItsFloorAt0664TimesTheBiasInstability) {
   }
 }
 
+TEST(FlickerNoise, IsFlatDownToASecond) {
+  FlickerNoise flicker(1, 0.1, 4);
+  const std::vector<double> rows = rows_of(flicker, 1000000);
+  for (const std::size_t length : {10U, 30U, 100U, 300U}) {
+    EXPECT_NEAR(allan(rows, length), 0.664, 0.025) << "at " << length / 10 << " s";
+  }
+}
+
 TEST(FlickerNoise, OfLongRowsIsTheMeanOfThatOfShortOnes) {
   // Variance and neighbour covariance of 20 s means, made directly and from 0.5 s rows.
   FlickerNoise direct(1, 20, 5);
