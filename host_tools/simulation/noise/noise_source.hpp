@@ -38,7 +38,7 @@ class WhiteNoise : public NoiseSource {
 class FlickerNoise : public NoiseSource {
  public:
   static constexpr double kShortest_s = 0.03125;
-  static constexpr double kLongest_s = 262144;
+  static constexpr double kLongest_s = 1048576;
 
   FlickerNoise(double b_dph, double period_s, std::uint64_t seed);
   void fill(double* values, std::size_t rows) override;

@@ -94,11 +94,11 @@ TEST(WhiteNoise, HasTheAngleRandomWalkAtAnyPeriod) {
 }
 
 TEST(FlickerNoise, HasItsFloorAt0664TimesTheBiasInstability) {
-  // Two million rows of 10 s: the deviation's own error at 10 000 s is 0.7 %.
+  // Two million rows of 10 s: the deviation's own error at 10 000 s is 1.6 %.
   FlickerNoise flicker(1, 10, 4);
   const std::vector<double> rows = rows_of(flicker, 2000000);
   for (const std::size_t length : {10U, 30U, 100U, 300U, 1000U}) {
-    EXPECT_NEAR(allan(rows, length), 0.664, 0.025) << "at " << 10 * length << " s";
+    EXPECT_NEAR(allan(rows, length), 0.664, 0.03) << "at " << 10 * length << " s";
   }
 }
 
