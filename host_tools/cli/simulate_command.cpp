@@ -123,6 +123,10 @@ int run(const Arguments& arguments) {
     return 0;
   }
   const std::string output = arguments.required("o");
+  const std::string truth_path = arguments.text("hide");
+  if (truth_path == output) {
+    throw InputError("--hide", "would overwrite the recording; name another file");
+  }
   const GyroDescription gyro = gyro_from(arguments);
   SimulationOptions options;
   options.rate_hz = arguments.number("rate", 0.01, 1000);
@@ -143,7 +147,6 @@ int run(const Arguments& arguments) {
   for (const ExtraColumn& extra : extras) columns.push_back(extra.column);
   RecordingWriter recording(output, stream ? RecordingFormat::sensor_stream : RecordingFormat::csv,
                             columns, kDefaultScaleFactor, options.rate_hz);
-  const std::string truth_path = arguments.text("hide");
   std::unique_ptr<TruthWriter> truth;
   if (!truth_path.empty()) {
     truth = std::make_unique<TruthWriter>(
@@ -155,7 +158,8 @@ int run(const Arguments& arguments) {
   }
   const std::size_t rows = write_run(simulation, recording, truth.get(), extras);
   if (rows == 0) {
-    throw InputError(profile, format("the programme lasts %g s, less than one row at %g Hz",
+    throw InputError(profile, format("the programme lasts %g s, less than one row at %g Hz; "
+                                     "raise --rate or make it longer",
                                      programme.duration_s(), options.rate_hz));
   }
   if (truth) truth->commit();

@@ -13,7 +13,7 @@ using namespace simulation;
 void print_files(const char* title, const std::vector<EmbeddedFile>& files) {
   std::printf("%s\n", title);
   for (const EmbeddedFile& file : files) {
-    std::printf("  %-15s %s\n", file.name.c_str(), first_sentence(file).c_str());
+    std::printf("  %-19s %s\n", file.name.c_str(), first_sentence(file).c_str());
   }
 }
 

@@ -15,8 +15,8 @@ constexpr double kFan_grms = 0.02;
 constexpr double kCompressor_grms = 0.05;
 // The compressor runs below this, and whenever the air must fall.
 constexpr double kCompressorBelow_degc = 15;
-constexpr double kHeaterField_ut_per_kps = 60;
-constexpr double kCompressorField_ut = 1;
+constexpr double kHeaterField_ut_per_kps = 600;
+constexpr double kCompressorField_ut = 3;
 
 }  // namespace
 

@@ -32,7 +32,8 @@ std::string first_sentence(const EmbeddedFile& file) {
     if (line.empty() || line[0] != '#') break;
     comment += (comment.empty() ? "" : " ") + std::string(trim(line.substr(1)));
   }
-  return comment.substr(0, comment.find_first_of(":;("));
+  const std::size_t end = std::min(comment.find(". "), comment.find_first_of(":;("));
+  return std::string(trim(comment.substr(0, end)));
 }
 
 }  // namespace fogcomp::simulation

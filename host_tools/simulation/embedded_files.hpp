@@ -22,7 +22,8 @@ const std::vector<EmbeddedFile>& ready_made_presets();
 std::string find_text(const std::string& name, const std::vector<EmbeddedFile>& files,
                       const std::string& what);
 
-/// The comment at the head of an embedded file: up to the first full stop or colon.
+/// The comment at the head of an embedded file, up to its first full stop, colon, semicolon or
+/// bracket.
 std::string first_sentence(const EmbeddedFile& file);
 
 }  // namespace fogcomp::simulation

@@ -10,6 +10,8 @@ namespace fogcomp::simulation {
 namespace {
 
 constexpr double kMarble_j_per_kgk = 880;
+// Parallel cylinders cannot fill more than pi/(2 sqrt 3); the coating takes some of that.
+constexpr double kDensestPack = 0.85;
 
 bool acts_before(const GyroDescription::ActiveEffect& a, const GyroDescription::ActiveEffect& b) {
   return a.description < b.description;  // both point into the catalogue
@@ -78,6 +80,12 @@ CoilGeometry GyroDescription::coil() const {
   coil.height_m = values["height_mm"] * 1e-3;
   if (coil.outer_radius_m < coil.inner_radius_m + 1e-4) {
     throw InputError("coil", "outer_radius_mm must be above inner_radius_mm");
+  }
+  const double glass = glass_share(coil, FibreMaterial{});
+  if (glass > kDensestPack) {
+    throw InputError("coil", format("the fibre does not fit: glass would fill %.0f %% of the "
+                                    "winding; fewer layers or turns, or a larger winding",
+                                    100 * glass));
   }
   return coil;
 }

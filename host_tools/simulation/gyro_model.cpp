@@ -31,10 +31,10 @@ double earth_rate_dph(double latitude_deg, Axis axis) {
 
 std::vector<std::unique_ptr<Effect>> make_effects(const GyroDescription& gyro,
                                                   const GyroThermalModel& thermal,
-                                                  std::uint64_t seed) {
+                                                  double duration_s, std::uint64_t seed) {
   const CoilError coil_error(gyro.coil(), FibreMaterial{},
                              static_cast<int>(thermal.coil_degc().cols()));
-  const EffectContext context{coil_error, thermal, seed};
+  const EffectContext context{coil_error, duration_s, seed};
   std::vector<std::unique_ptr<Effect>> effects;
   for (const auto& active : gyro.effects()) {
     effects.push_back(active.description->make(active.parameters, context));
@@ -59,7 +59,7 @@ GyroModel::GyroModel(const GyroDescription& gyro, const Programme& programme,
       ambient_(seed),
       sensor_(gyro.part("sensor"), "sensor", seed),
       sensor2_(gyro.part("sensor2"), "sensor2", seed),
-      effects_(make_effects(gyro, thermal_, seed)),
+      effects_(make_effects(gyro, thermal_, programme.duration_s(), seed)),
       scales_(std::move(scales)),
       contributions_dph_(effects_.size(), 0) {
   scales_.resize(effects_.size(), 1);

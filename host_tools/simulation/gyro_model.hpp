@@ -31,6 +31,8 @@ class GyroModel {
   /// gyro.effects(); empty means 1.
   GyroModel(const GyroDescription& gyro, const Programme& programme, const EarthRate& earth,
             std::uint64_t seed, std::vector<double> scales = {});
+  GyroModel(const GyroModel&) = delete;  // the state points into the object
+  GyroModel& operator=(const GyroModel&) = delete;
 
   /// Advances by kThermalStep_s.
   void step();

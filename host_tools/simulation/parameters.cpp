@@ -1,6 +1,7 @@
 #include "simulation/parameters.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "support/input_error.hpp"
@@ -53,6 +54,9 @@ void Parameters::assign(const std::string& where, const std::string& assignment)
       throw InputError(where, owner_ + ": " + name + " '" + value + "' is not a number from " +
                                   format("%g to %g", spec.least, spec.most) +
                                   (spec.unit.empty() ? "" : " " + spec.unit));
+    }
+    if (spec.whole && *number != std::floor(*number)) {
+      throw InputError(where, owner_ + ": " + name + " '" + value + "' is not a whole number");
     }
     values_[index] = *number;
   }

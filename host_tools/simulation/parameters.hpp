@@ -15,6 +15,7 @@ struct ParameterSpec {
   std::string help;
   /// For a parameter that is a word: the words allowed; its value is the index.
   std::vector<std::string> choices = {};
+  bool whole = false;  ///< only whole numbers
 };
 
 /// Values for a list of specs. `specs` must outlive the object.

@@ -12,7 +12,7 @@ enum class Axis : std::uint8_t { up, down, north, south, east, west };
 /// What the operator sets beside the temperature; holds until changed.
 struct Conditions {
   bool powered = true;
-  double heater_w = 0;  ///< on the spool's lower flange
+  double heater_w = 0;  ///< on the spool
   double table_rate_dph = 0;
   double vibration_grms = 0;  ///< on top of the chamber's own
   double field_ut = 0;        ///< a coil's field along the azimuth's zero, on top of the Earth's

@@ -1,6 +1,5 @@
 #include "simulation/coil/coil_geometry.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace fogcomp::simulation {
@@ -19,11 +18,13 @@ double FibreMaterial::strain_phase() const {
                       (strain_optic_p12 - poisson_ratio * (strain_optic_p11 + strain_optic_p12)));
 }
 
-PackProperties pack_properties(const CoilGeometry& coil, const FibreMaterial& material) {
+double glass_share(const CoilGeometry& coil, const FibreMaterial& material) {
   const double turn_area_m2 = coil.layer_thickness_m() * coil.height_m / coil.turns_per_layer;
-  const double glass_area_m2 = M_PI / 4 * material.glass_diameter_m * material.glass_diameter_m;
-  // Parallel cylinders cannot fill more than pi/(2 sqrt 3) of the pack.
-  const double glass = std::min(glass_area_m2 / turn_area_m2, 0.9);
+  return M_PI / 4 * material.glass_diameter_m * material.glass_diameter_m / turn_area_m2;
+}
+
+PackProperties pack_properties(const CoilGeometry& coil, const FibreMaterial& material) {
+  const double glass = glass_share(coil, material);
   const double k_glass = material.glass_conductivity_w_per_mk;
   const double k_matrix = material.coating_conductivity_w_per_mk;
   const double numerator = (1 + glass) * k_glass + (1 - glass) * k_matrix;

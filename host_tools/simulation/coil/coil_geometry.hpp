@@ -63,6 +63,9 @@ struct PackProperties {
   double diffusivity_m2_per_s() const { return conductivity_w_per_mk / heat_j_per_m3k; }
 };
 
+/// Share of the winding's cross-section that is glass, below 1.
+double glass_share(const CoilGeometry& coil, const FibreMaterial& material);
+
 /// Volume mean of the heat capacities, Rayleigh's formula for the conductivity across parallel
 /// cylinders (Phil. Mag. 34, 481, 1892, first order).
 PackProperties pack_properties(const CoilGeometry& coil, const FibreMaterial& material);

@@ -9,7 +9,8 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Which half lies in a layer, from the inside; repeated over the coil.
+// Which half lies in a layer, from the inside; repeated over the coil. Which half is called A only
+// decides the sign.
 std::string_view half_sequence(WindingPattern pattern) {
   switch (pattern) {
     case WindingPattern::single:
@@ -17,7 +18,7 @@ std::string_view half_sequence(WindingPattern pattern) {
     case WindingPattern::dipole:
       return "AB";
     case WindingPattern::quadrupole:
-      return "ABBA";
+      return "BAAB";
     case WindingPattern::octupole:
       return "ABBABAAB";
   }

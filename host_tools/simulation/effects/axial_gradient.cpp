@@ -3,8 +3,8 @@
 namespace fogcomp::simulation {
 namespace {
 
-// The fibre's two ends leave the coil over different flanges, so that one lies at the temperature
-// of the lower flange, the other at that of the upper: n kappa d / D * d/dt(T_lower - T_upper). The
+// The fibre's two ends leave the coil over different faces, so that one lies at the temperature of
+// the lower face, the other at that of the upper: n kappa d / D * d/dt(T_lower - T_upper). The
 // clamped ends are also strained by the difference itself.
 class AxialGradient : public Effect {
  public:
@@ -14,8 +14,7 @@ class AxialGradient : public Effect {
 
   double step(const GyroState& state) override {
     const GyroThermalModel& thermal = *state.thermal;
-    return lead_ * (thermal.lower_flange_rate_kps() - thermal.upper_flange_rate_kps()) +
-           stress_ * (thermal.lower_flange_degc() - thermal.upper_flange_degc());
+    return lead_ * thermal.axial_difference_rate_kps() + stress_ * thermal.axial_difference_k();
   }
 
  private:
@@ -29,8 +28,8 @@ EffectDescription axial_gradient_effect() {
   return {"axial_gradient",
           "gradient along the coil's axis; seen with --columns temperature2 and a heater profile",
           {peak_parameter(),
-           {"asymmetry_m", "m", 1, -100, 100, "fibre on each flange"},
-           {"stress", "deg/h/K", 0.02, -100, 100, "of the lower flange's excess over the upper's"}},
+           {"asymmetry_m", "m", 1, -100, 100, "fibre on each face"},
+           {"stress", "deg/h/K", 0.02, -100, 100, "of the lower face's excess over the upper's"}},
           make_effect<AxialGradient>};
 }
 

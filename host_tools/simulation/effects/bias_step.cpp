@@ -13,12 +13,12 @@ class BiasStep : public Effect {
       : random_(context.seed, "bias_step"),
         size_dph_(parameters["size_dph"]),
         per_hour_(parameters["per_hour"]),
-        first_s_(parameters["first_s"]),
-        tau_s_(parameters["tau_s"]) {}
+        tau_s_(parameters["tau_s"]),
+        next_s_(parameters["first_s"] > 0 ? parameters["first_s"]
+                                          : (0.1 + 0.8 * random_.uniform()) * context.duration_s) {}
 
   double step(const GyroState& state) override {
     if (tau_s_ > 0) level_dph_ *= std::exp(-state.step_s / tau_s_);
-    if (next_s_ < 0) next_s_ = first_s_ > 0 ? first_s_ : wait_s();
     while (state.time_s >= next_s_) {
       const double sign = random_.uniform() < 0.5 ? -1 : 1;
       level_dph_ += sign * size_dph_ * (0.5 + random_.uniform());
@@ -35,10 +35,9 @@ class BiasStep : public Effect {
   Random random_;
   double size_dph_;
   double per_hour_;
-  double first_s_;
   double tau_s_;
+  double next_s_;
   double level_dph_ = 0;
-  double next_s_ = -1;
 };
 
 }  // namespace
@@ -49,8 +48,8 @@ EffectDescription bias_step_effect() {
       "jumps at random times: mode hops, stick-slip; not repeatable in time or temperature",
       {peak_parameter(),
        {"size_dph", "deg/h", 0.05, 0, 1e4, "typical; each is 0.5 to 1.5 times this, either way"},
-       {"per_hour", "1/h", 0.1, 0, 1000, "how often, on average"},
-       {"first_s", "s", 0, 0, 1e9, "time of the first one; 0: random"},
+       {"per_hour", "1/h", 0.1, 0, 1000, "how often, on average, after the first"},
+       {"first_s", "s", 0, 0, 1e9, "time of the first one; 0: somewhere within the programme"},
        {"tau_s", "s", 0, 0, 1e9, "time constant of its decay; 0: it stays"}},
       make_effect<BiasStep>};
 }

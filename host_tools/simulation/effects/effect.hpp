@@ -45,7 +45,7 @@ class Effect {
 /// What an effect may be built from, beside its parameters.
 struct EffectContext {
   const CoilError& coil_error;
-  const GyroThermalModel& thermal;
+  double duration_s;  ///< of the programme
   std::uint64_t seed;
 };
 

@@ -6,14 +6,15 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Structural relaxation slows by a decade for each of these below the transition (effective value
-// for epoxies in the Tool-Narayanaswamy picture), so that fast ramps meet it shifted.
-constexpr double kDecade_k = 3;
-constexpr double kRelaxation_s = 100;  ///< at the transition: its usual definition
-constexpr double kSlowest_s = 3 * 3600.0;
+// What freezes does so at its own transition, where structure relaxes in 100 s or so (the usual
+// definition of the glass transition): fast ramps meet it shifted. A part goes on relaxing in the
+// glass for hours.
+constexpr double kRelaxation_s = 150;
+constexpr double kSlowRelaxation_s = 5400;
+constexpr double kSlowShare = 0.2;
 
-// Each layer of the potting freezes on its own: the frozen share follows its equilibrium value with
-// a time constant that depends on temperature.
+// Each layer of the potting freezes on its own: the frozen share follows its equilibrium value
+// late.
 class GlassTransition : public Effect {
  public:
   GlassTransition(const Parameters& parameters, const EffectContext& context)
@@ -23,29 +24,22 @@ class GlassTransition : public Effect {
         kernel_(parameters["rate_term"] * unit_stress_kernel(context.coil_error)) {}
 
   double step(const GyroState& state) override {
-    const CellArray& degc = state.thermal->coil_degc();
-    if (frozen_.size() == 0) {
-      frozen_ = degc.unaryExpr([this](double t) { return equilibrium(t); });
-    }
-    for (Eigen::Index i = 0; i < frozen_.size(); ++i) {
-      const double t = degc(i);
-      const double time_constant_s =
-          std::min(kRelaxation_s * std::pow(10.0, (tg_degc_ - t) / kDecade_k), kSlowest_s);
-      frozen_(i) += (equilibrium(t) - frozen_(i)) * -std::expm1(-state.step_s / time_constant_s);
-    }
-    return step_dph_ * frozen_.mean() + (kernel_ * frozen_ * state.thermal->coil_rate_kps()).sum();
+    const CellArray target = state.thermal->coil_degc().unaryExpr(
+        [this](double degc) { return 0.5 * std::erfc((degc - tg_degc_) / (M_SQRT2 * width_k_)); });
+    if (fast_.size() == 0) fast_ = slow_ = target;
+    fast_ -= std::expm1(-state.step_s / kRelaxation_s) * (target - fast_);
+    slow_ -= std::expm1(-state.step_s / kSlowRelaxation_s) * (target - slow_);
+    const CellArray frozen = (1 - kSlowShare) * fast_ + kSlowShare * slow_;
+    return step_dph_ * frozen.mean() + (kernel_ * frozen * state.thermal->coil_rate_kps()).sum();
   }
 
  private:
-  double equilibrium(double degc) const {
-    return 0.5 * std::erfc((degc - tg_degc_) / (M_SQRT2 * width_k_));
-  }
-
   double tg_degc_;
   double width_k_;
   double step_dph_;
   CellArray kernel_;
-  CellArray frozen_;
+  CellArray fast_;  ///< frozen share of each cell, 0 to 1
+  CellArray slow_;
 };
 
 }  // namespace

@@ -11,8 +11,8 @@ constexpr double kReference_degc = 20;
 constexpr double kChirp_per_k = 5e-4;
 constexpr double kSecondPeriodRatio = 0.37;
 
-// Two pieces of birefringent fibre beside the integrated optics act as interferometers for the
-// light that the polariser lets through in the wrong axis.
+// Two pieces of birefringent fibre, in the coil's pigtails, act as interferometers for the light
+// that the polariser lets through in the wrong axis.
 class PolarizationRipple : public Effect {
  public:
   PolarizationRipple(const Parameters& parameters, const EffectContext&)
@@ -22,7 +22,7 @@ class PolarizationRipple : public Effect {
         phase_rad_(parameters["phase_deg"] * M_PI / 180) {}
 
   double step(const GyroState& state) override {
-    const double above_k = state.thermal->optics_degc() - kReference_degc;
+    const double above_k = state.thermal->coil_mean_degc() - kReference_degc;
     const double turns = turns_per_k_ * above_k * (1 + kChirp_per_k * above_k);
     return amplitude_dph_ * (std::cos(2 * M_PI * turns + phase_rad_) +
                              second_ * std::cos(2 * M_PI * turns / kSecondPeriodRatio + 1.0));

@@ -8,7 +8,7 @@ namespace {
 
 // Charge leaks off faster when warm: a decade for this many kelvin (lithium niobate, order of
 // magnitude).
-constexpr double kLeakDecade_k = 25;
+constexpr double kLeakDecade_k = 60;
 
 // Lithium niobate charges itself when its temperature changes; beyond a threshold the waveguide
 // leaks light and the bias moves until the charge has leaked off.
@@ -46,7 +46,7 @@ EffectDescription pyroelectric_effect() {
           {peak_parameter(),
            {"coefficient", "deg/h/K", 0.01, -1e3, 1e3, "per kelvin of charge above the threshold"},
            {"threshold_k", "K", 5, 0, 100, "charge that does no harm"},
-           {"leak_s", "s", 600, 1, 1e6, "time constant of the leakage at 20 degC"}},
+           {"leak_s", "s", 200, 1, 1e6, "time constant of the leakage at 20 degC"}},
           make_effect<Pyroelectric>};
 }
 

@@ -7,18 +7,19 @@ namespace {
 class Shupe : public Effect {
  public:
   Shupe(const Parameters& parameters, const EffectContext& context)
-      : kernel_(context.coil_error.kernel_dph_s() *
-                context.coil_error.material().thermal_phase_per_k()),
+      : coil_error_(context.coil_error),
+        kappa_per_k_(context.coil_error.material().thermal_phase_per_k()),
         lead_(context.coil_error.lead_dph_s_per_k(parameters["asymmetry_m"])) {}
 
   double step(const GyroState& state) override {
     const GyroThermalModel& thermal = *state.thermal;
-    return (kernel_ * thermal.coil_rate_kps()).sum() +
+    return coil_error_.rate_dph(kappa_per_k_ * thermal.coil_rate_kps()) +
            lead_ * (thermal.coil_outside_rate_kps() - thermal.coil_mean_rate_kps());
   }
 
  private:
-  CellArray kernel_;
+  CoilError coil_error_;
+  double kappa_per_k_;
   double lead_;
 };
 

@@ -4,29 +4,20 @@ namespace fogcomp::simulation {
 namespace {
 
 constexpr double kSecondsPerMinute = 60;
-constexpr double kOutsideShare = 1.0 / 3.0;
 
 }  // namespace
 
-CellArray strain_per_k(const CoilGeometry& coil, int axial_cells, double inside, double outside) {
-  CellArray strain(coil.layers, axial_cells);
-  for (int layer = 0; layer < coil.layers; ++layer) {
-    const double depth = coil.layers > 1 ? static_cast<double>(layer) / (coil.layers - 1) : 0;
-    strain.row(layer) = inside + depth * (outside - inside);
+CellArray stress_kernel(const CoilError& coil_error, double inside, double outside) {
+  const int layers = coil_error.coil().layers;
+  CellArray kernel = coil_error.kernel_dph_s() * coil_error.material().strain_phase();
+  for (int layer = 0; layer < layers; ++layer) {
+    kernel.row(layer) *= inside + (outside - inside) * layer / (layers - 1);
   }
-  return strain;
-}
-
-double stress_coefficient(const CoilError& coil_error, double inside, double outside) {
-  const auto axial_cells = static_cast<int>(coil_error.kernel_dph_s().cols());
-  const CellArray strain = strain_per_k(coil_error.coil(), axial_cells, inside, outside);
-  return coil_error.rate_dph(coil_error.material().strain_phase() * strain) / kSecondsPerMinute;
+  return kernel;
 }
 
 CellArray unit_stress_kernel(const CoilError& coil_error) {
-  const auto axial_cells = static_cast<int>(coil_error.kernel_dph_s().cols());
-  const CellArray strain = strain_per_k(coil_error.coil(), axial_cells, 1.0, kOutsideShare);
-  const CellArray kernel = coil_error.kernel_dph_s() * strain;
+  const CellArray kernel = stress_kernel(coil_error, kStrainInside, kStrainOutside);
   return kernel * (kSecondsPerMinute / kernel.sum());
 }
 

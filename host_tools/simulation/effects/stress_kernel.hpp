@@ -4,17 +4,17 @@
 
 namespace fogcomp::simulation {
 
-/// Orthoradial strain of the fibre per K, by layer: `inside` at the spool falling in a straight
-/// line to `outside`, both per K. Layers by axial cells.
-CellArray strain_per_k(const CoilGeometry& coil, int axial_cells, double inside, double outside);
+/// The part of the coil integral that thermal stress causes, deg/h per K/s in each cell, for an
+/// orthoradial strain of the fibre per K that goes in a straight line from `inside` at the spool to
+/// `outside`, both per K.
+CellArray stress_kernel(const CoilError& coil_error, double inside, double outside);
 
-/// The part of the coil integral that thermal stress causes, for a strain that falls to a third
-/// from the spool to the outside (12 to 4 ppm/K is assumed in effects.md, section 1), scaled to
-/// one: its sum over a uniform 1 K/min is 1 deg/h. Multiply by dT/dt in K/s.
+/// Strains assumed where none are given, per K: effects.md, section 1, has 4 and 12 ppm/K at the
+/// two sides.
+constexpr double kStrainInside = 4e-6;
+constexpr double kStrainOutside = 12e-6;
+
+/// The same with those strains, scaled so that a uniform 1 K/min gives 1 deg/h.
 CellArray unit_stress_kernel(const CoilError& coil_error);
-
-/// deg/h per K/min of a uniform temperature rate for a given strain: the size that the physics
-/// predicts where the strains are known.
-double stress_coefficient(const CoilError& coil_error, double inside, double outside);
 
 }  // namespace fogcomp::simulation

@@ -61,15 +61,16 @@ void Outliers::draw_next() {
 
 void Outliers::fill(double* values, std::size_t rows) {
   for (std::size_t row = 0; row < rows; ++row) {
-    const double end_s = now_s_ + period_s_;
+    const double now_s = row_ * period_s_;
+    const double end_s = (row_ + 1) * period_s_;
     values[row] = 0;
     while (start_s_ < end_s) {
-      const double overlap_s = std::min(end_s, start_s_ + kOutlier_s) - std::max(now_s_, start_s_);
+      const double overlap_s = std::min(end_s, start_s_ + kOutlier_s) - std::max(now_s, start_s_);
       values[row] += height_dph_ * overlap_s / period_s_;
       if (start_s_ + kOutlier_s > end_s) break;  // goes on in the next row
       draw_next();
     }
-    now_s_ = end_s;
+    row_ += 1;
   }
 }
 

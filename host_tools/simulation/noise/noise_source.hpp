@@ -33,12 +33,12 @@ class WhiteNoise : public NoiseSource {
 
 /// Bias instability B in deg/h: S(f) = B^2 / (2 pi f), two-sided, from a sum of first-order
 /// Gauss-Markov processes an octave apart, each stationary from the first row and stepped exactly:
-/// end value and mean of every period are drawn from their joint law. Flat to 2 % between
-/// kShortest_s and kLongest_s, white below and constant beyond.
+/// end value and mean of every period are drawn from their joint law. The Allan deviation is flat
+/// to 4 % from 30 kShortest_s to a twentieth of kLongest_s (measured), and lower outside.
 class FlickerNoise : public NoiseSource {
  public:
-  static constexpr double kShortest_s = 1;
-  static constexpr double kLongest_s = 262144;
+  static constexpr double kShortest_s = 0.03125;
+  static constexpr double kLongest_s = 1048576;
 
   FlickerNoise(double b_dph, double period_s, std::uint64_t seed);
   void fill(double* values, std::size_t rows) override;
@@ -93,7 +93,7 @@ class Outliers : public NoiseSource {
   double per_second_;
   double size_dph_;
   double period_s_;
-  double now_s_ = 0;  ///< start of the next row
+  double row_ = 0;
   double start_s_ = 0;
   double height_dph_ = 0;
 };

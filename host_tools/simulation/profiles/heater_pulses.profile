@@ -1,4 +1,4 @@
-# A 2 W heater on the spool's lower flange at constant chamber temperature: gradients inside the gyro
+# A 2 W heater on the spool at constant chamber temperature: gradients inside the gyro
 # without a change outside. Record --columns temperature2 with it.
 start 20 degC
 segment rest

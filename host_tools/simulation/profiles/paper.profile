@@ -1,7 +1,6 @@
 # The reference paper's test (Opto-Electronic Engineering 46(9):180636, 2019): 59550 s, 5955 rows of
 # 10 s. Its text gives 14.67 h; the 37.5 min more for each of three transitions is what its 5955
-# samples leave, so the soaks count from the time the gyro has settled (shared evidence: the paper's
-# soaks are quiet from their start).
+# samples leave: its soaks, which are quiet from their start, count from when the gyro has settled.
 start 20 degC
 segment 20
 soak 2 h

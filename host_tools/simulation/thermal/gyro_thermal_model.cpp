@@ -5,9 +5,9 @@
 namespace fogcomp::simulation {
 namespace {
 
-// The spool's aluminium alloy.
-constexpr double kSpoolHeatJPerM3K = 2700.0 * 900.0;
-constexpr double kSpoolConductivityWPerMK = 160.0;
+// A titanium alloy (Ti-6Al-4V), common for spools because it expands little.
+constexpr double kSpoolHeat_j_per_m3k = 4430.0 * 560.0;
+constexpr double kSpoolConductivity_w_per_mk = 7.0;
 
 double ring_area_m2(double inner_m, double outer_m) {
   return M_PI * (outer_m * outer_m - inner_m * inner_m);
@@ -41,7 +41,7 @@ ThermalNetwork GyroThermalModel::build_network(const CoilGeometry& coil,
   const PackProperties pack = pack_properties(coil, material);
   add_coil(network, coil, pack, grid);
   add_spool(network, coil, pack, design, grid);
-  add_surroundings(network, coil, design, grid);
+  add_surroundings(network, coil, pack, design, grid);
   return network;
 }
 
@@ -81,12 +81,16 @@ void GyroThermalModel::add_spool(ThermalNetwork& network, const CoilGeometry& co
   const double height_m = coil.height_m / grid.axial_cells;
   const double wall_area_m2 =
       ring_area_m2(coil.inner_radius_m - design.spool_wall_m, coil.inner_radius_m);
+  const double flange_area_m2 = ring_area_m2(coil.inner_radius_m, coil.outer_radius_m);
   for (int j = 0; j < grid.axial_cells; ++j) {
-    const auto spool = network.add_node(kSpoolHeatJPerM3K * wall_area_m2 * height_m);
+    const bool at_flange = j == 0 || j == grid.axial_cells - 1;
+    const double volume_m3 =
+        wall_area_m2 * height_m + (at_flange ? flange_area_m2 * design.spool_wall_m : 0);
+    const auto spool = network.add_node(kSpoolHeat_j_per_m3k * volume_m3);
     if (j == 0) {
       spool_first_ = spool;
     } else {
-      network.connect(spool - 1, spool, kSpoolConductivityWPerMK * wall_area_m2 / height_m);
+      network.connect(spool - 1, spool, kSpoolConductivity_w_per_mk * wall_area_m2 / height_m);
     }
     spool_last_ = spool;
     const double to_cell_middle = std::log(1 + 0.5 * thickness_m / coil.inner_radius_m);
@@ -112,7 +116,8 @@ void GyroThermalModel::add_spool(ThermalNetwork& network, const CoilGeometry& co
 }
 
 void GyroThermalModel::add_surroundings(ThermalNetwork& network, const CoilGeometry& coil,
-                                        const GyroThermalDesign& design, const ThermalGrid& grid) {
+                                        const PackProperties& pack, const GyroThermalDesign& design,
+                                        const ThermalGrid& grid) {
   const int outermost = coil.layers * grid.cells_per_layer - 1;
   cover_ = network.add_node(0.5 * design.housing_j_per_k);
   base_ = network.add_node(0.5 * design.housing_j_per_k);
@@ -121,11 +126,15 @@ void GyroThermalModel::add_surroundings(ThermalNetwork& network, const CoilGeome
   network.connect_to_air(base_, 0.4 * design.housing_to_air_w_per_k);
   network.connect(spool_first_, base_, design.spool_to_base_w_per_k);
   const double side_m2 = 2 * M_PI * coil.outer_radius_m * coil.height_m / grid.axial_cells;
+  // Air gap and half a cell in series.
+  const double half_cell_m = 0.5 * coil.layer_thickness_m() / grid.cells_per_layer;
+  const double side_w_per_k =
+      side_m2 / (1 / design.coil_to_cover_w_per_m2k + half_cell_m / pack.conductivity_w_per_mk);
   for (int j = 0; j < grid.axial_cells; ++j) {
-    network.connect(cell(outermost, j), cover_, design.coil_to_cover_w_per_m2k * side_m2);
+    network.connect(cell(outermost, j), cover_, side_w_per_k);
   }
   const double top_m2 = ring_area_m2(coil.inner_radius_m, coil.outer_radius_m);
-  network.connect(spool_last_, cover_, design.coil_to_cover_w_per_m2k * top_m2);
+  network.connect(spool_last_, cover_, design.upper_flange_to_cover_w_per_m2k * top_m2);
   optics_ = network.add_node(design.optics_j_per_k);
   network.connect(optics_, base_, design.optics_to_base_w_per_k);
   if (design.slab_j_per_k > 0) {
@@ -136,7 +145,11 @@ void GyroThermalModel::add_surroundings(ThermalNetwork& network, const CoilGeome
 }
 
 void GyroThermalModel::step(double air_degc, double spool_heater_w, bool powered) {
-  power_w_[spool_first_] = spool_heater_w;
+  // A film heater around the spool's wall, wound denser towards the lower flange.
+  const double shares = axial_cells_ * (axial_cells_ + 1) / 2.0;
+  for (int j = 0; j < axial_cells_; ++j) {
+    power_w_[spool_first_ + j] = spool_heater_w * (axial_cells_ - j) / shares;
+  }
   power_w_[optics_] = powered ? self_heating_w_ : 0;
   integrator_.step(air_degc, power_w_);
   read_coil();

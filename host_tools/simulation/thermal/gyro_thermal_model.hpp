@@ -18,8 +18,9 @@ struct GyroThermalDesign {
   double spool_wall_m = 0.003;
   double spool_to_base_w_per_k = 0.25;
   double coil_to_cover_w_per_m2k = 10;  ///< still air and radiation
-  double flange_w_per_m2k = 150;        ///< coil faces against the spool's flanges, glued
-  double hub_j_per_k = 25;              ///< mass inside the spool, on an elastic bond
+  double upper_flange_to_cover_w_per_m2k = 10;
+  double flange_w_per_m2k = 150;  ///< coil faces against the spool's flanges, glued
+  double hub_j_per_k = 25;        ///< mass inside the spool, on an elastic bond
   double hub_time_constant_s = 400;
   double slab_j_per_k = 0;  ///< stone under the gyro; 0: it stands free
   double slab_time_constant_s = 5400;
@@ -40,8 +41,8 @@ class GyroThermalModel {
                    const GyroThermalDesign& design, const ThermalGrid& grid, double step_s,
                    double start_degc);
 
-  /// Air temperature at the end of the step, heater on the spool's lower flange, self-heating only
-  /// while `powered`.
+  /// Air temperature at the end of the step, heater on the spool, self-heating only while
+  /// `powered`.
   void step(double air_degc, double spool_heater_w, bool powered);
 
   /// Layer means over the cells of a layer; layers by axial cells.
@@ -53,10 +54,15 @@ class GyroThermalModel {
   double coil_outside_degc() const { return coil_degc_(coil_degc_.rows() - 1, middle()); }
   double coil_outside_rate_kps() const { return coil_rate_kps_(coil_degc_.rows() - 1, middle()); }
 
+  /// Lower less upper face of the pack.
+  double axial_difference_k() const {
+    return coil_degc_.col(0).mean() - coil_degc_.col(axial_cells_ - 1).mean();
+  }
+  double axial_difference_rate_kps() const {
+    return coil_rate_kps_.col(0).mean() - coil_rate_kps_.col(axial_cells_ - 1).mean();
+  }
+
   double lower_flange_degc() const { return temperature(spool_first_); }
-  double lower_flange_rate_kps() const { return rate(spool_first_); }
-  double upper_flange_degc() const { return temperature(spool_last_); }
-  double upper_flange_rate_kps() const { return rate(spool_last_); }
   double hub_rate_kps() const { return rate(hub_core_); }
   double optics_degc() const { return temperature(optics_); }
   double cover_degc() const { return temperature(cover_); }
@@ -70,7 +76,8 @@ class GyroThermalModel {
   void add_spool(ThermalNetwork& network, const CoilGeometry& coil, const PackProperties& pack,
                  const GyroThermalDesign& design, const ThermalGrid& grid);
   void add_surroundings(ThermalNetwork& network, const CoilGeometry& coil,
-                        const GyroThermalDesign& design, const ThermalGrid& grid);
+                        const PackProperties& pack, const GyroThermalDesign& design,
+                        const ThermalGrid& grid);
   void read_coil();
   ThermalNetwork::Node cell(int radial, int axial) const { return radial * axial_cells_ + axial; }
   Eigen::Index middle() const { return axial_cells_ / 2; }

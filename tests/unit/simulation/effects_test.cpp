@@ -1,0 +1,268 @@
+// Each effect leaves the signature that names it (effects.md, section 3).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/input_error.hpp"
+#include "unit/simulation/run_helper.hpp"
+
+namespace fogcomp::simulation {
+namespace {
+
+// 2 h soak, a ramp of 200 min at 0.5 K/min, 4 h soak.
+const char* const kOneRamp = "start 0 degC\nsoak 2 h\nramp to 100 degC at 0.5 degC/min\nsoak 4 h\n";
+constexpr std::size_t kRampStart = 720;  // in rows of 10 s
+constexpr std::size_t kRampEnd = 720 + 1200;
+
+WholeRun run_text(const std::vector<std::string>& options, const std::string& profile,
+                  SimulationOptions simulation_options = {}) {
+  return whole_run(gyro_of(options), parse_profile(profile, "test", 1), simulation_options);
+}
+
+double largest(const std::vector<double>& values) {
+  double peak = 0;
+  for (const double value : values) peak = std::max(peak, std::abs(value));
+  return peak;
+}
+
+double mean(const std::vector<double>& values, std::size_t first, std::size_t last) {
+  double sum = 0;
+  for (std::size_t i = first; i < last; ++i) sum += values[i];
+  return sum / static_cast<double>(last - first);
+}
+
+TEST(Effects, ReachThePeakAskedForInEveryCase) {
+  const Programme programme = parse_profile(
+      "ramp to -40 degC at 2 degC/min\nsoak 20 min\nramp to 60 degC at 2 degC/min\nsoak 20 min\n",
+      "test", 1);
+  SimulationOptions options;
+  options.rate_hz = 1;  // so that a short spike is not averaged away
+  options.earth.latitude_deg = 34.27;
+  for (const EffectDescription& description : effect_catalogue()) {
+    if (description.name == "bias" || description.name == "dead_band") continue;
+    const WholeRun result =
+        whole_run(gyro_of({description.name + ":peak=0.05"}), programme, options);
+    const double peak = largest(result.effect(description.name));
+    EXPECT_GT(peak, 0.045) << description.name;
+    EXPECT_LT(peak, 0.0500001) << description.name;
+  }
+}
+
+TEST(Effects, ThatStayZeroCannotBeScaled) {
+  EXPECT_THROW(whole_run(gyro_of({"scale_factor_temperature:peak=0.05"}), profile_of("static"), {}),
+               InputError);
+}
+
+TEST(TemperatureRate, IsConstantInARampAndZeroInASoak) {
+  const WholeRun result = run_text({"temperature_rate:coefficient=0.1"}, kOneRamp);
+  const auto& rate = result.effect("temperature_rate");
+  EXPECT_NEAR(mean(rate, kRampEnd - 360, kRampEnd), 0.05, 0.001);
+  EXPECT_NEAR(mean(rate, kRampEnd + 1200, kRampEnd + 1440), 0, 0.0005);
+}
+
+TEST(TemperatureRate, FollowsFromTheStrainsWhereNoCoefficientIsGiven) {
+  const WholeRun result = run_text({"temperature_rate"}, kOneRamp);
+  EXPECT_NEAR(mean(result.effect("temperature_rate"), kRampEnd - 360, kRampEnd), 0.136 / 2, 0.003);
+}
+
+TEST(Shupe, SpikesAtBothEndsOfARampAndIsZeroBetween) {
+  const WholeRun result = run_text({"shupe:peak=0.03"}, kOneRamp);
+  const auto& shupe = result.effect("shupe");
+  const double at_start = mean(shupe, kRampStart + 10, kRampStart + 60);
+  const double between = mean(shupe, kRampEnd - 360, kRampEnd);
+  const double at_end = mean(shupe, kRampEnd + 10, kRampEnd + 60);
+  EXPECT_GT(std::abs(at_start), 0.01);
+  EXPECT_NEAR(at_end, -at_start, 0.2 * std::abs(at_start));
+  EXPECT_LT(std::abs(between), 0.02 * std::abs(at_start));
+}
+
+TEST(ThermalLag, GoesOnAfterTheRateTermHasEnded) {
+  const WholeRun result = run_text(
+      {"thermal_lag:coefficient=0.1,tau_s=1500", "temperature_rate:coefficient=0.1"}, kOneRamp);
+  const auto& lagged = result.effect("thermal_lag");
+  const auto& prompt = result.effect("temperature_rate");
+  EXPECT_NEAR(mean(lagged, kRampEnd - 100, kRampEnd), 0.05, 0.002);
+  EXPECT_GT(lagged[kRampEnd + 200], 1.5 * prompt[kRampEnd + 200]);
+  EXPECT_LT(lagged[kRampStart + 60], 0.7 * prompt[kRampStart + 60]);
+}
+
+TEST(TemperatureRateProduct, ChangesSignWithTemperatureInAConstantRamp) {
+  const WholeRun result =
+      run_text({"temperature_rate_product"},
+               "start -60 degC\nsoak 1 h\nramp to 100 degC at 0.5 degC/min\nsoak 1 h\n");
+  const auto& product = result.effect("temperature_rate_product");
+  for (std::size_t i = 360 + 600; i < 360 + 1800; ++i) {
+    const double above_k = result.rows.coil_degc[i] - 20;
+    if (std::abs(above_k) > 5) {
+      ASSERT_GT(product[i] * above_k, 0) << "row " << i;
+    }
+  }
+}
+
+TEST(AxialGradient, ShowsWithAHeaterAndTheSecondSensor) {
+  const WholeRun heated = whole_run(gyro_of({"axial_gradient"}), profile_of("heater_pulses"), {});
+  EXPECT_GT(largest(heated.effect("axial_gradient")), 0.02);
+  double difference_k = 0;
+  for (std::size_t i = 0; i < heated.rows.rows(); ++i) {
+    difference_k =
+        std::max(difference_k, heated.rows.temperature2_degc[i] - heated.rows.temperature_degc[i]);
+  }
+  EXPECT_GT(difference_k, 0.2);
+}
+
+TEST(PolarizationRipple, RepeatsInTemperatureNotInTime) {
+  const WholeRun result =
+      run_text({"polarization_ripple:amplitude_dph=0.01,period_k=10,second=0"},
+               "start 0 degC\nsoak 1 h\nramp to 60 degC at 1 degC/min\nsoak 3 h\n"
+               "ramp to 0 degC at 0.25 degC/min\nsoak 2 h\n");
+  const auto& ripple = result.effect("polarization_ripple");
+  const auto& degc = result.rows.coil_degc;
+  // The same temperature met on the way up and, four times slower, on the way down.
+  const auto up = std::find_if(degc.begin() + 360, degc.end(), [](double t) { return t > 30; });
+  const auto down = std::find_if(degc.begin() + 2000, degc.end(), [](double t) { return t < 30; });
+  EXPECT_NEAR(ripple[static_cast<std::size_t>(up - degc.begin())],
+              ripple[static_cast<std::size_t>(down - degc.begin())], 0.002);
+}
+
+TEST(ThermalHysteresis, HasALoopOfItsWidthThatStaysInASoakAtAnyRate) {
+  for (const std::string rate : {"0.5", "2"}) {
+    const WholeRun result = run_text(
+        {"thermal_hysteresis:width_dph=0.04"},
+        "start 20 degC\nramp to 80 degC at " + rate + " degC/min\nsoak 2 h\nramp to 20 degC at " +
+            rate + " degC/min\nsoak 6 h\nramp to -40 degC at " + rate +
+            " degC/min\nsoak 2 h\nramp to 20 degC at " + rate + " degC/min\nsoak 6 h\n");
+    const auto& loop = result.effect("thermal_hysteresis");
+    const std::size_t last = loop.size() - 1;
+    const auto after_hot =
+        static_cast<std::size_t>((2 * 60 / std::stod(rate) * 60 + 8 * 3600 - 100) / 10);
+    EXPECT_NEAR(loop[last] - loop[after_hot], 0.04, 0.002) << rate;
+  }
+}
+
+TEST(GlassTransition, StepsAtItsTemperatureLaterInAFastRamp) {
+  const auto crossing_degc = [](const std::string& rate) {
+    const WholeRun result =
+        run_text({"glass_transition:tg_degc=10,step_dph=0.03,rate_term=0"},
+                 "start 60 degC\nsoak 3 h\nramp to -50 degC at " + rate + " degC/min\nsoak 3 h\n");
+    const auto& bias = result.effect("glass_transition");
+    EXPECT_LT(bias[1000], 0.001);
+    EXPECT_NEAR(bias.back(), 0.03, 0.002);
+    const auto half = std::find_if(bias.begin(), bias.end(), [](double b) { return b > 0.015; });
+    return result.rows.coil_degc[static_cast<std::size_t>(half - bias.begin())];
+  };
+  const double slow_degc = crossing_degc("0.2");
+  const double fast_degc = crossing_degc("3");
+  EXPECT_NEAR(slow_degc, 10, 2.5);
+  EXPECT_LT(fast_degc, slow_degc - 1);
+}
+
+TEST(WarmUp, ComesBackAfterAPowerCycleTheSmallerTheShorterTheBreak) {
+  const WholeRun result = run_text({"warm_up:amplitude_dph=0.1,tau_s=600"},
+                                   "soak 3 h\npower off\nsoak 3 h\npower on\nsoak 3 h\n"
+                                   "power off\nsoak 5 min\npower on\nsoak 1 h\n");
+  const auto& warm_up = result.effect("warm_up");
+  const auto& time_s = result.rows.time_s;
+  const auto at = [&](double t_s) {
+    return warm_up[static_cast<std::size_t>(std::lower_bound(time_s.begin(), time_s.end(), t_s) -
+                                            time_s.begin())];
+  };
+  EXPECT_NEAR(at(0), 0.1, 0.005);
+  EXPECT_LT(at(10000), 1e-3);
+  EXPECT_NEAR(at(6 * 3600), 0.1, 0.005);
+  EXPECT_GT(at(9 * 3600 + 300), 0.02);
+  EXPECT_LT(at(9 * 3600 + 300), 0.07);
+}
+
+TEST(PowerOff, LeavesAGapAndNoRowOfIt) {
+  const WholeRun result = run_text({"bias"}, "soak 1 h\npower off\nsoak 1 h\npower on\nsoak 1 h\n");
+  EXPECT_EQ(result.rows.rows(), 720U);
+  EXPECT_EQ(result.rows.time_s[359], 3590);
+  EXPECT_EQ(result.rows.time_s[360], 7200);
+}
+
+TEST(Aging, OnlyGrowsAndIgnoresPowerCycles) {
+  const WholeRun result =
+      run_text({"aging"}, "soak 3 h\npower off\nsoak 3 h\npower on\nsoak 3 h\n");
+  const auto& aging = result.effect("aging");
+  EXPECT_TRUE(std::is_sorted(aging.begin(), aging.end()));
+  EXPECT_GT(aging.back(), 0.005);
+}
+
+TEST(ScaleFactor, IsProportionalToTheInputRateAndReversesWithIt) {
+  const WholeRun result =
+      whole_run(gyro_of({"scale_factor_temperature:wavelength_ppm=100,coil_ppm=0"}),
+                profile_of("rate_table"), {});
+  const auto& error = result.effect("scale_factor_temperature");
+  const auto& input = result.rows.input_rate_dph;
+  std::size_t checked = 0;
+  for (std::size_t i = 1; i + 1 < error.size(); ++i) {
+    if (input[i] == 0) {
+      EXPECT_EQ(error[i], 0);
+    }
+    if (input[i] == 36000 && input[i + 30] == -36000 && input[i + 29] == -36000) {
+      EXPECT_NEAR(error[i], -error[i + 30], 0.1 * std::abs(error[i]));
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 50U);
+  EXPECT_NEAR(largest(error), 36000 * 100e-6 * 60, 0.25 * 36000 * 100e-6 * 60);
+}
+
+TEST(HalfWaveVoltage, IsCorrectedByTheSecondLoopExceptForItsLag) {
+  SimulationOptions options;
+  options.earth.latitude_deg = 90;
+  const WholeRun result =
+      run_text({"half_wave_voltage:half_wave_ppm=500,loop_tau_s=60,left=0"}, kOneRamp, options);
+  const auto& error = result.effect("half_wave_voltage");
+  // Tracking a ramp, a first-order loop is rate times time constant behind: 0.5 K.
+  EXPECT_NEAR(mean(error, kRampEnd - 360, kRampEnd), 15.041 * 500e-6 * 0.5, 1e-4);
+  EXPECT_NEAR(error.back(), 0, 2e-5);
+}
+
+TEST(DeadBand, HoldsZeroInsideAndLetsLargeRatesThrough) {
+  const auto output = [](double rate_dph) {
+    const WholeRun result = run_text({"bias:value_dph=" + std::to_string(rate_dph),
+                                      "dead_band:half_width_dph=0.1,dither_dph=0.01"},
+                                     "soak 10 min\n");
+    return result.rows.rate_dph[10];
+  };
+  EXPECT_NEAR(output(0.05), 0, 0.001);
+  EXPECT_NEAR(output(-0.05), 0, 0.001);
+  EXPECT_NEAR(output(0.2), 0.2, 0.001);
+  EXPECT_NEAR(output(-5), -5, 1e-9);
+}
+
+TEST(BiasStep, StartsWhenToldAndDecays) {
+  const WholeRun result =
+      run_text({"bias_step:size_dph=0.1,first_s=1000,per_hour=0,tau_s=600"}, "soak 1 h\n");
+  const auto& step = result.effect("bias_step");
+  EXPECT_EQ(largest({step.begin(), step.begin() + 99}), 0);
+  EXPECT_GT(std::abs(step[101]), 0.04);
+  EXPECT_NEAR(step[161] / step[101], std::exp(-1), 0.01);
+}
+
+TEST(Surroundings, DriveMagneticVibrationAndLightPower) {
+  const WholeRun field =
+      whole_run(gyro_of({"magnetic:sensitivity=1e-3,temperature_slope=0", "vibration"}),
+                profile_of("field_and_vibration"), {});
+  const auto& magnetic = field.effect("magnetic");
+  EXPECT_NEAR(mean(magnetic, 370, 470), 0.03, 1e-4);   // 30 uT of the Earth
+  EXPECT_NEAR(mean(magnetic, 610, 700), -0.03, 1e-4);  // turned round
+  EXPECT_NEAR(largest(field.effect("vibration")), 0.02 * 4, 0.005);
+  const WholeRun light = whole_run(gyro_of({"light_power"}), profile_of("paper"), {});
+  EXPECT_GT(largest(light.effect("light_power")), 0.001);
+}
+
+TEST(Pyroelectric, NeedsAFastChangeInTheCold) {
+  const auto peak = [](const std::string& text) {
+    return largest(run_text({"pyroelectric"}, text).effect("pyroelectric"));
+  };
+  EXPECT_GT(peak("start -40 degC\nsoak 1 h\nramp to 0 degC at 5 degC/min\nsoak 1 h\n"), 0.05);
+  EXPECT_EQ(peak("start 20 degC\nsoak 1 h\nramp to 60 degC at 0.2 degC/min\nsoak 1 h\n"), 0);
+}
+
+}  // namespace
+}  // namespace fogcomp::simulation

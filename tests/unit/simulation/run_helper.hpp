@@ -1,0 +1,71 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "simulation/embedded_files.hpp"
+#include "simulation/profile_parser.hpp"
+#include "simulation/simulation.hpp"
+
+namespace fogcomp::simulation {
+
+/// A whole run in memory.
+struct WholeRun {
+  std::vector<std::string> effect_names;
+  std::vector<std::string> noise_names;
+  RowChunk rows;
+
+  const std::vector<double>& effect(const std::string& name) const {
+    for (std::size_t i = 0; i < effect_names.size(); ++i) {
+      if (effect_names[i] == name) return rows.effects_dph[i];
+    }
+    throw std::out_of_range(name);
+  }
+};
+
+inline void append(std::vector<double>& all, const std::vector<double>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+inline WholeRun whole_run(const GyroDescription& gyro, const Programme& programme,
+                          const SimulationOptions& options) {
+  Simulation simulation(gyro, programme, options);
+  WholeRun result{simulation.effect_names(), simulation.noise_names(), {}};
+  RowChunk& rows = result.rows;
+  rows.effects_dph.resize(result.effect_names.size());
+  rows.noises_dph.resize(result.noise_names.size());
+  RowChunk chunk;
+  while (simulation.next(chunk)) {
+    append(rows.time_s, chunk.time_s);
+    append(rows.temperature_degc, chunk.temperature_degc);
+    append(rows.temperature2_degc, chunk.temperature2_degc);
+    append(rows.rate_dph, chunk.rate_dph);
+    append(rows.input_rate_dph, chunk.input_rate_dph);
+    append(rows.coil_degc, chunk.coil_degc);
+    for (std::size_t i = 0; i < rows.effects_dph.size(); ++i) {
+      append(rows.effects_dph[i], chunk.effects_dph[i]);
+    }
+    for (std::size_t i = 0; i < rows.noises_dph.size(); ++i) {
+      append(rows.noises_dph[i], chunk.noises_dph[i]);
+    }
+  }
+  return result;
+}
+
+/// Words as on the command line: effects, or parts with their parameters.
+inline GyroDescription gyro_of(const std::vector<std::string>& options,
+                               const std::string& preset = "none") {
+  GyroDescription gyro;
+  if (preset != "none") {
+    apply_preset(gyro, find_text(preset, ready_made_presets(), "preset"), preset);
+  }
+  for (const std::string& option : options) apply_option(gyro, "test", option);
+  return gyro;
+}
+
+inline Programme profile_of(const std::string& name) {
+  return parse_profile(find_text(name, ready_made_profiles(), "profile"), name, 1);
+}
+
+}  // namespace fogcomp::simulation
