@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# build_firmware.sh PLATFORM: brings build/PLATFORM up to date, so that the tests boot what the sources
-# say and not what was built last.
+# build_firmware.sh PLATFORM IMAGES: brings the images of the checked-in model up to date in IMAGES/PLATFORM,
+# so that the tests boot what the sources say. A tree of their own: build/PLATFORM may hold the image
+# of somebody's gyro.
 set -euo pipefail
-platform=$1
+platform=$1 images=$2
 cd "$(dirname "$0")/../.."
-[[ -f build/$platform/build.ninja ]] || cmake --preset "$platform"
-cmake --build --preset "$platform"
+folder=$images/$platform
+[[ -f $folder/build.ninja ]] || cmake --preset "$platform" -B "$folder"
+cmake --build "$folder"
