@@ -9,7 +9,7 @@
 #include "dataset/recording.hpp"
 #include "dataset/recording_writer.hpp"
 #include "evaluation/white_noise.hpp"
-#include "identification/design.hpp"
+#include "identification/effect_list.hpp"
 #include "identification/identify.hpp"
 #include "model/model_file.hpp"
 #include "support/json.hpp"
@@ -33,10 +33,10 @@ std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
   return crc;
 }
 
-double weighted_std(const Design& design) {
-  const double mean = design.drift_dph.dot(design.weights) / design.weights.sum();
-  const Eigen::ArrayXd deviation = design.drift_dph.array() - mean;
-  return std::sqrt((deviation.square() * design.weights.array()).sum() / design.weights.sum());
+double weighted_std(const Rows& rows) {
+  const double mean = rows.drift_dph.dot(rows.weights) / rows.weights.sum();
+  const Eigen::ArrayXd deviation = rows.drift_dph.array() - mean;
+  return std::sqrt((deviation.square() * rows.weights.array()).sum() / rows.weights.sum());
 }
 
 Json terms_json(const Model& model) {
@@ -45,10 +45,29 @@ Json terms_json(const Model& model) {
     terms.push(std::move(Json::object()
                              .set("effect", term.name)
                              .set("parameters", term.parameters)
+                             .set("parameter_sigma", term.parameter_sigma)
                              .set("coefficients_dph", term.coefficients_dph)
                              .set("sigma_dph", term.sigma_dph)));
   }
   return terms;
+}
+
+void print_identification(const Model& model, const Identification& identified) {
+  const NoiseModel& noise = identified.noise;
+  std::printf("  noise of a row %.4f white", noise.white_dph());
+  if (!noise.components.empty()) std::printf(", %.4f slow", noise.wander_dph());
+  std::printf(" deg/h (%s); misfit %.2f",
+              noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak",
+              identified.misfit);
+  if (identified.outliers > 0) std::printf("; %zu outliers weighted down", identified.outliers);
+  std::puts("");
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    std::printf("  %-24s would show from a peak of %.2g deg/h on\n", model.terms[i].name.c_str(),
+                identified.visible_dph[i]);
+  }
+  for (const std::string& warning : identified.warnings)
+    std::printf("  note: %s\n", warning.c_str());
+  std::puts("");
 }
 
 int run_fit(const Arguments& arguments) {
@@ -69,27 +88,27 @@ int run_fit(const Arguments& arguments) {
   ReadOptions reading = read_options(arguments);
   model.scale_factor = reading.scale_factor.value_or(kDefaultScaleFactor);
   std::swap(reading.scale_factor, reading.model_scale_factor);
-  std::vector<Design> designs;
+  SignalSeries series(model);
   std::uint32_t hash = fog::kCrc32Initial;
   double noise_variance = 0;
   for (const std::string& file : arguments.positionals()) {
     const Recording recording = read_recording(file, reading);
     hash = data_hash(recording, hash);
     noise_variance += std::pow(white_noise_dph_rthz(recording), 2);
-    designs.push_back(make_design(model, make_blocks(recording)));
+    series.add(make_blocks(recording));
   }
   model.noise_dph_rthz =
       std::sqrt(noise_variance / static_cast<double>(arguments.positionals().size()));
-  const Design design = join(designs);
-  const double raw_std = weighted_std(design);
-  const Eigen::VectorXd residual = identify(model, design);
+  const Rows& rows = series.rows();
+  const double raw_std = weighted_std(rows);
+  const Identification identified = identify(model, series);
   model.history.push_back(
       {"fit " + arguments.text("effects"), hash, raw_std, model.residual_rms_dph});
 
   double gamma = 0;
   if (training.hidden > 0) {
     const TrainingResult trained =
-        train_levenberg_marquardt(design.signals, residual, design.weights, training);
+        train_levenberg_marquardt(rows.signals, identified.residual_dph, rows.weights, training);
     model.network = trained.network;
     model.residual_rms_dph = trained.rms_after_dph;
     gamma = trained.effective_parameters;
@@ -100,15 +119,22 @@ int run_fit(const Arguments& arguments) {
 
   if (arguments.has("json")) {
     Json result = Json::object();
-    result.set("model", output).set("rows", static_cast<std::size_t>(design.rows()));
+    result.set("model", output).set("rows", static_cast<std::size_t>(rows.size()));
     result.set("raw_std_dph", raw_std).set("residual_rms_dph", model.residual_rms_dph);
+    result.set("misfit", identified.misfit).set("outliers", identified.outliers);
+    result.set("noise_white_dph", identified.noise.white_dph());
+    result.set("noise_slow_dph", identified.noise.wander_dph());
+    Json notes = Json::array();
+    for (const std::string& warning : identified.warnings) notes.push(warning);
+    result.set("notes", std::move(notes));
     result.set("effects", terms_json(model)).set("network_hidden", training.hidden);
     result.set("network_effective_parameters", gamma);
     std::puts(result.text().c_str());
     return 0;
   }
-  std::printf("%td rows of %g s, raw std %.4f deg/h\n\n%s\n", design.rows(), model.average_s,
-              raw_std, describe(model).c_str());
+  std::printf("%td rows of %g s, raw std %.4f deg/h\n\n%s\n", rows.size(), model.average_s, raw_std,
+              describe(model).c_str());
+  print_identification(model, identified);
   for (const HistoryEntry& step : model.history) {
     std::printf("  %-44s %.4f -> %.4f deg/h rms\n", step.action.c_str(), step.rms_before_dph,
                 step.rms_after_dph);

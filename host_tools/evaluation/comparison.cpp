@@ -6,7 +6,7 @@
 #include "dataset/segments.hpp"
 #include "evaluation/noise_floor.hpp"
 #include "identification/block_walk.hpp"
-#include "identification/design.hpp"
+#include "identification/signal_series.hpp"
 #include "model/drift_model.hpp"
 
 namespace fogcomp {
