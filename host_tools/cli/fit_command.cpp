@@ -132,7 +132,7 @@ int run_fit(const Arguments& arguments) {
     std::puts(result.text().c_str());
     return 0;
   }
-  std::printf("%td rows of %g s, raw std %.4f deg/h\n\n%s\n", rows.size(), model.average_s, raw_std,
+  std::printf("%td rows of %g s, raw std %.4f deg/h\n\n%s\n", rows.size(), rows.row_s, raw_std,
               describe(model).c_str());
   print_identification(model, identified);
   for (const HistoryEntry& step : model.history) {

@@ -39,9 +39,9 @@ Eigen::MatrixXd all_regressors(const SignalSeries& series, const std::vector<Eff
   return all;
 }
 
-NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual, double row_s) {
+NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
   const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, residual);
-  return quiet.empty() ? white_noise_of(residual, row_s) : fit_noise(quiet, row_s);
+  return quiet.empty() ? white_noise_of(residual, rows.row_s) : fit_noise(quiet, rows.row_s);
 }
 
 // Rows that stand out from the others count less the further out they are. "Others" by the median,
@@ -100,11 +100,11 @@ std::vector<std::string> confusions(const std::vector<EffectTerm>& terms,
   return warnings;
 }
 
-void check_size(const Model& model, Eigen::Index rows, Eigen::Index unknowns) {
-  if (rows > unknowns) return;
+void check_size(const Rows& rows, Eigen::Index unknowns) {
+  if (rows.size() > unknowns) return;
   throw InputError("fit", format("%td rows of %g s are too few for %td unknowns; use a longer "
                                  "recording, fewer effects or a shorter --average",
-                                 rows, model.average_s, unknowns));
+                                 rows.size(), rows.row_s, unknowns));
 }
 
 void check_rank(const LinearFit& fit, Eigen::Index columns) {
@@ -129,7 +129,7 @@ Identification identify(Model& model, const SignalSeries& series) {
   const std::vector<ShapeParameter> shapes = shape_parameters(model.terms);
   const std::vector<Columns> columns = columns_of(series, model.terms);
   const Eigen::Index linear = columns.empty() ? 0 : columns.back().first + columns.back().count;
-  check_size(model, rows.size(), linear + static_cast<Eigen::Index>(shapes.size()));
+  check_size(rows, linear + static_cast<Eigen::Index>(shapes.size()));
 
   const Eigen::MatrixXd first_matrix = all_regressors(series, model.terms);
   const LinearFit first = solve_linear(first_matrix, rows.drift_dph);
@@ -140,7 +140,7 @@ Identification identify(Model& model, const SignalSeries& series) {
   Eigen::VectorXd robust = Eigen::VectorXd::Ones(rows.size());
   LinearFit fit;
   for (int round = 0; round < kRounds; ++round) {
-    result.noise = noise_of(rows, result.residual_dph, model.average_s);
+    result.noise = noise_of(rows, result.residual_dph);
     const Whitening whitening(result.noise, rows, rows.weights.cwiseProduct(robust));
     WhitenedProblem problem(series, whitening, model.terms);
     search_shapes(problem, shapes);

@@ -21,10 +21,10 @@ double rate_limit(const Rows& rows) {
   return std::max(kLeastLimit, kShareOfRamps * *at);
 }
 
-bool follows(const Rows& rows, std::size_t row, double row_s) {
+bool follows(const Rows& rows, std::size_t row) {
   const bool new_run =
       std::find(rows.run_starts.begin(), rows.run_starts.end(), row) != rows.run_starts.end();
-  return row > 0 && !new_run && rows.time_s[row] - rows.time_s[row - 1] < kGap * row_s;
+  return row > 0 && !new_run && rows.time_s[row] - rows.time_s[row - 1] < kGap * rows.row_s;
 }
 
 }  // namespace
@@ -34,11 +34,6 @@ std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::Vect
   const auto size = static_cast<std::size_t>(rows.size());
   if (size < kLeastRows) return stretches;
   const double limit = rate_limit(rows);
-  double row_s = HUGE_VAL;
-  for (std::size_t row = 1; row < size; ++row) {
-    const double spacing_s = rows.time_s[row] - rows.time_s[row - 1];
-    if (spacing_s > 0) row_s = std::min(row_s, spacing_s);
-  }
   std::size_t begin = 0;
   const auto finish = [&](std::size_t end) {
     if (end - begin < kLeastRows) return;
@@ -47,7 +42,7 @@ std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::Vect
   };
   for (std::size_t row = 0; row < size; ++row) {
     const bool quiet = std::abs(rows.signals[row].temperature_rate) <= limit;
-    if (quiet && (row == begin || follows(rows, row, row_s))) continue;
+    if (quiet && (row == begin || follows(rows, row))) continue;
     finish(row);
     begin = quiet ? row : row + 1;
   }

@@ -67,24 +67,26 @@ void SignalSeries::add(const BlockSeries& series) {
     row.signals.temperature += current.samples * current.signals.temperature;
     row.signals.temperature_rate += current.samples * current.signals.temperature_rate;
   });
-  append_rows(sums, static_cast<double>(per_row) * series.samples_per_block);
+  rows_.row_s = std::max(rows_.row_s, static_cast<double>(per_row) * series.block_s);
+  append_rows(sums, series.block_s / series.samples_per_block);
 }
 
-void SignalSeries::append_rows(const std::vector<RowSums>& sums, double full_row) {
+void SignalSeries::append_rows(const std::vector<RowSums>& sums, double sample_s) {
   const Eigen::Index first = rows_.size();
   const auto size = first + static_cast<Eigen::Index>(sums.size());
   rows_.run_starts.push_back(static_cast<std::size_t>(first));
   rows_.drift_dph.conservativeResize(size);
-  rows_.weights.conservativeResize(size);
+  seconds_.conservativeResize(size);
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const RowSums& row = sums[i];
     const Eigen::Index at = first + static_cast<Eigen::Index>(i);
     rows_.drift_dph[at] = row.drift / row.samples;
-    rows_.weights[at] = row.samples / full_row;
+    seconds_[at] = row.samples * sample_s;
     rows_.time_s.push_back(row.time / row.samples);
     rows_.signals.push_back(
         {row.signals.temperature / row.samples, row.signals.temperature_rate / row.samples});
   }
+  rows_.weights = seconds_ / rows_.row_s;
 }
 
 Eigen::MatrixXd SignalSeries::regressors(const EffectTerm& term) const {

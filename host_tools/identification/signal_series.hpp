@@ -10,10 +10,11 @@
 
 namespace fogcomp {
 
-/// The rows of a fit: means over `average_s` of what was measured.
+/// The rows of a fit: means over `average_s`, or over one row of a recording that has longer ones.
 struct Rows {
   Eigen::VectorXd drift_dph;  ///< measured rate - input rate
-  Eigen::VectorXd weights;    ///< samples behind a row, relative to a full one
+  Eigen::VectorXd weights;    ///< time behind a row, relative to a full one
+  double row_s = 0;           ///< of a full row; the longest where recordings differ
   std::vector<double> time_s;
   std::vector<fog::Signals<RealNumbers>> signals;  ///< means of what the effects see
   std::vector<std::size_t> run_starts;             ///< first row of each recording
@@ -52,10 +53,11 @@ class SignalSeries {
   };
   friend class SignalRecorder;
 
-  void append_rows(const std::vector<struct RowSums>& sums, double full_row);
+  void append_rows(const std::vector<struct RowSums>& sums, double sample_s);
 
   const Model& model_;
   std::vector<Run> runs_;
+  Eigen::VectorXd seconds_;  // behind each row
   Rows rows_;
 };
 
