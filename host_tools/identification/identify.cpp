@@ -100,6 +100,19 @@ std::vector<std::string> confusions(const std::vector<EffectTerm>& terms,
   return warnings;
 }
 
+// A column of ones for every recording but the first.
+Eigen::MatrixXd offset_columns(const Rows& rows, bool wanted) {
+  const std::size_t runs = wanted ? rows.run_starts.size() : 1;
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows.size(), static_cast<Eigen::Index>(runs) - 1);
+  for (std::size_t run = 1; run < runs; ++run) {
+    const auto first = static_cast<Eigen::Index>(rows.run_starts[run]);
+    const auto end =
+        run + 1 < runs ? static_cast<Eigen::Index>(rows.run_starts[run + 1]) : rows.size();
+    columns.col(static_cast<Eigen::Index>(run) - 1).segment(first, end - first).setOnes();
+  }
+  return columns;
+}
+
 void check_size(const Rows& rows, Eigen::Index unknowns) {
   if (rows.size() > unknowns) return;
   throw InputError("fit", format("%td rows of %g s are too few for %td unknowns; use a longer "
@@ -124,15 +137,22 @@ void set_range(Model& model, const Rows& rows) {
 
 }  // namespace
 
-Identification identify(Model& model, const SignalSeries& series) {
+Identification identify(Model& model, const SignalSeries& series,
+                        const IdentifySettings& settings) {
   const Rows& rows = series.rows();
   const std::vector<ShapeParameter> shapes = shape_parameters(model.terms);
   const std::vector<Columns> columns = columns_of(series, model.terms);
-  const Eigen::Index linear = columns.empty() ? 0 : columns.back().first + columns.back().count;
+  const Eigen::MatrixXd offsets = offset_columns(rows, settings.run_offsets);
+  const Eigen::Index coefficients = columns.back().first + columns.back().count;
+  const Eigen::Index linear = coefficients + offsets.cols();
   check_size(rows, linear + static_cast<Eigen::Index>(shapes.size()));
 
-  const Eigen::MatrixXd first_matrix = all_regressors(series, model.terms);
-  const LinearFit first = solve_linear(first_matrix, rows.drift_dph);
+  const auto all_columns = [&] {
+    Eigen::MatrixXd all(rows.size(), linear);
+    all << all_regressors(series, model.terms), offsets;
+    return all;
+  };
+  const LinearFit first = solve_linear(all_columns(), rows.drift_dph);
   check_rank(first, linear);
 
   Identification result;
@@ -142,7 +162,7 @@ Identification identify(Model& model, const SignalSeries& series) {
   for (int round = 0; round < kRounds; ++round) {
     result.noise = noise_of(rows, result.residual_dph);
     const Whitening whitening(result.noise, rows, rows.weights.cwiseProduct(robust));
-    WhitenedProblem problem(series, whitening, model.terms);
+    WhitenedProblem problem(series, whitening, model.terms, offsets);
     search_shapes(problem, shapes);
     model.terms = problem.terms();
     fit = solve_linear(problem.jacobian(shapes), problem.measured());
@@ -150,8 +170,7 @@ Identification identify(Model& model, const SignalSeries& series) {
     check_rank(solved, linear);
     fit.coefficients.head(linear) = solved.coefficients;
     fit.residual = solved.residual;
-    result.residual_dph =
-        rows.drift_dph - all_regressors(series, model.terms) * solved.coefficients;
+    result.residual_dph = rows.drift_dph - all_columns() * solved.coefficients;
     const Whitening plain(result.noise, rows, rows.weights);
     robust = outlier_weights(plain.apply(result.residual_dph));
   }
@@ -161,6 +180,8 @@ Identification identify(Model& model, const SignalSeries& series) {
   result.outliers = static_cast<std::size_t>((robust.array() < 1).count());
   const Eigen::VectorXd sigma =
       fit.covariance.diagonal().cwiseSqrt() * std::max(1.0, result.misfit);
+  const auto offset_values = fit.coefficients.segment(coefficients, offsets.cols());
+  result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());
   const Eigen::MatrixXd matrix = all_regressors(series, model.terms);
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     EffectTerm& term = model.terms[i];

@@ -18,7 +18,14 @@ struct Identification {
   std::size_t outliers = 0;      ///< rows weighted down
   /// Per effect, deg/h: the smallest peak of this effect that these recordings show at 5 sigma.
   std::vector<double> visible_dph;
-  std::vector<std::string> warnings;  ///< whole sentences
+  std::vector<std::string> warnings;    ///< whole sentences
+  std::vector<double> run_offsets_dph;  ///< of the second, third... recording against the first
+};
+
+struct IdentifySettings {
+  /// Every recording has a bias of its own (turn-on repeatability); the model keeps the first
+  /// one's.
+  bool run_offsets = false;
 };
 
 /// Identifies coefficients, and those shape parameters that model.terms marks, from all recordings
@@ -29,6 +36,7 @@ struct Identification {
 /// beyond 4 sigma count with weight (4/x)^2. Standard deviations are those of the whitened problem,
 /// times the misfit where that is above 1. Throws InputError for too few rows, and for effects that
 /// the recordings cannot tell apart at all.
-Identification identify(Model& model, const SignalSeries& series);
+Identification identify(Model& model, const SignalSeries& series,
+                        const IdentifySettings& settings = {});
 
 }  // namespace fogcomp

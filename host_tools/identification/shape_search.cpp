@@ -83,12 +83,13 @@ std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& term
 }
 
 WhitenedProblem::WhitenedProblem(const SignalSeries& series, const Whitening& whitening,
-                                 std::vector<EffectTerm> terms)
+                                 std::vector<EffectTerm> terms, const Eigen::MatrixXd& nuisance)
     : series_(series),
       whitening_(whitening),
       terms_(std::move(terms)),
       measured_(whitening.apply(series.rows().drift_dph)) {
   for (const EffectTerm& term : terms_) columns_.push_back(whitened(term));
+  columns_.push_back(whitening.apply(nuisance));
 }
 
 Eigen::MatrixXd WhitenedProblem::whitened(const EffectTerm& term) const {

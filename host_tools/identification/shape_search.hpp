@@ -30,14 +30,15 @@ std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& term
 /// so that moving one effect's shape recomputes only that effect.
 class WhitenedProblem {
  public:
+  /// `nuisance`: further columns (rows x any) whose coefficients are solved for and forgotten.
   WhitenedProblem(const SignalSeries& series, const Whitening& whitening,
-                  std::vector<EffectTerm> terms);
+                  std::vector<EffectTerm> terms, const Eigen::MatrixXd& nuisance);
 
   const std::vector<EffectTerm>& terms() const { return terms_; }
   double value(const ShapeParameter& parameter) const;
   void set(const ShapeParameter& parameter, double value);
 
-  /// All regressors side by side, in the order of the terms.
+  /// All regressors side by side, in the order of the terms, then the nuisance columns.
   Eigen::MatrixXd matrix() const;
   const Eigen::VectorXd& measured() const { return measured_; }
   /// Sum of squares that the best coefficients leave.
@@ -52,7 +53,7 @@ class WhitenedProblem {
   const SignalSeries& series_;
   const Whitening& whitening_;
   std::vector<EffectTerm> terms_;
-  std::vector<Eigen::MatrixXd> columns_;
+  std::vector<Eigen::MatrixXd> columns_;  // of each term, then the nuisance
   Eigen::VectorXd measured_;
 };
 

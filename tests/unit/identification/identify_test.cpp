@@ -99,6 +99,20 @@ TEST(Identify, TakesSeveralRecordingsTogether) {
   EXPECT_NEAR(both.terms[0].sigma_dph[0] / one.terms[0].sigma_dph[0], std::sqrt(0.5), 0.1);
 }
 
+TEST(Identify, LetsEveryRecordingHaveABiasOfItsOwn) {
+  Model model = unknown();
+  fogcomp::SignalSeries series(model);
+  fogcomp::Recording second = fog::test::recording_of(truth(), {0.024, 0, 300}, 2);
+  for (double& rate : second.rate_dph) rate += 0.1;
+  series.add(fogcomp::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, 1)));
+  series.add(fogcomp::make_blocks(second));
+  const auto result = fogcomp::identify(model, series, {true});
+  ASSERT_EQ(result.run_offsets_dph.size(), 1U);
+  EXPECT_NEAR(result.run_offsets_dph[0], 0.1, 0.003);
+  EXPECT_NEAR(model.terms[0].coefficients_dph[0], 0.7197, 5 * model.terms[0].sigma_dph[0]);
+  EXPECT_NEAR(model.terms[2].coefficients_dph[0], 0.44, 5 * model.terms[2].sigma_dph[0]);
+}
+
 TEST(Identify, SaysInWordsWhichEffectsCannotBeToldApart) {
   Model model = unknown();
   // At one temperature a bias and a slope are one thing: give it almost nothing else.
