@@ -37,8 +37,8 @@ std::vector<Comparison::Row> make_rows(const Model& model, const BlockSeries& se
     Comparison::Row& row = rows.back();
     samples += weight;
     row.time_s += weight * block.time_s;
-    row.temperature_degc += weight * block.temperature_degc;
-    row.measured_dph += weight * (block.rate_dph - block.input_rate_dph);
+    row.temperature_degc += weight * block.means.temperature;
+    row.measured_dph += weight * (block.rate_dph - block.means.input_rate);
     row.drift_dph += weight * drift.drift_dph();
   });
   finish();

@@ -14,13 +14,13 @@ class RegressorModel {
   RegressorModel(const Model& model, double block_s)
       : thermal_(unclamped(thermal_parameters(model, block_s))), bank_(model.terms, block_s) {}
 
-  void start(double temperature_degc) {
-    signals_ = thermal_.reset(temperature_degc);
+  void start(const RealBlock& block) {
+    signals_ = thermal_.reset(block);
     bank_.reset(signals_);
     values_ = &bank_.step(signals_);
   }
-  void step(double temperature_degc) {
-    signals_ = thermal_.step(temperature_degc);
+  void step(const RealBlock& block) {
+    signals_ = thermal_.step(block);
     values_ = &bank_.step(signals_);
   }
 
@@ -71,7 +71,7 @@ Design make_design(const Model& model, const BlockSeries& series) {
     const double samples = block.samples;
     row.samples += samples;
     row.time += samples * block.time_s;
-    row.drift += samples * (block.rate_dph - block.input_rate_dph);
+    row.drift += samples * (block.rate_dph - block.means.input_rate);
     row.signals.temperature += samples * regressors.signals().temperature;
     row.signals.temperature_rate += samples * regressors.signals().temperature_rate;
     for (std::size_t i = 0; i < row.regressors.size(); ++i) {
@@ -91,8 +91,9 @@ Design make_design(const Model& model, const BlockSeries& series) {
     design.weights[i] = row.samples / full;
     design.drift_dph[i] = row.drift / row.samples;
     design.time_s.push_back(row.time / row.samples);
-    design.signals.push_back(
-        {row.signals.temperature / row.samples, row.signals.temperature_rate / row.samples});
+    design.signals.push_back({});
+    design.signals.back().temperature = row.signals.temperature / row.samples;
+    design.signals.back().temperature_rate = row.signals.temperature_rate / row.samples;
     for (Eigen::Index k = 0; k < columns; ++k) {
       design.regressors(i, k) = row.regressors[static_cast<std::size_t>(k)] / row.samples;
     }

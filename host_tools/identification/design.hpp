@@ -16,7 +16,7 @@ struct Design {
   Eigen::VectorXd drift_dph;   ///< measured rate - input rate
   Eigen::VectorXd weights;     ///< samples behind each row, relative to a full one
   std::vector<double> time_s;
-  std::vector<fog::Signals<RealNumbers>> signals;  ///< means
+  std::vector<fog::Signals<RealNumbers>> signals;  ///< means of temperature and its rate
 
   Eigen::Index rows() const { return drift_dph.size(); }
 };

@@ -6,7 +6,7 @@ namespace fogcomp {
 
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
   const double decay = -std::expm1(-block_s / model.derivative_tau_s);
-  return {decay, decay * 60 / block_s, model.least_degc, model.most_degc};
+  return {{decay, decay * 60 / block_s}, model.least_degc, model.most_degc};
 }
 
 RegressorBank::RegressorBank(const std::vector<EffectTerm>& terms, double block_s) {
@@ -38,14 +38,14 @@ RealDriftModel::RealDriftModel(const Model& model, double block_s)
       bank_(model.terms, block_s),
       effects_dph_(model.terms.size()) {}
 
-void RealDriftModel::start(double temperature_degc) {
-  signals_ = thermal_.reset(temperature_degc);
+void RealDriftModel::start(const RealBlock& block) {
+  signals_ = thermal_.reset(block);
   bank_.reset(signals_);
   evaluate();
 }
 
-void RealDriftModel::step(double temperature_degc) {
-  signals_ = thermal_.step(temperature_degc);
+void RealDriftModel::step(const RealBlock& block) {
+  signals_ = thermal_.step(block);
   evaluate();
 }
 

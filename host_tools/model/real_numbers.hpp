@@ -11,6 +11,7 @@ struct RealNumbers {
   using Temperature = double;
   using TemperatureRate = double;
   using Regressor = double;
+  using Elapsed = double;
   template <int kFractionalBits>
   using Number = double;
   template <int kFractionalBits>

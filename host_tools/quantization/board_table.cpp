@@ -61,9 +61,10 @@ void write_calibration(TableWriter& out, const Model& model, const Timing& timin
 void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
   const auto thermal = thermal_parameters(model, timing.block_s);
   out.note(format("decay per block of the two derivative lags (tau %g s)", model.derivative_tau_s));
-  out.real(std::min(thermal.smoothing_decay, 1 - std::ldexp(1, -31)), 31, "the derivative's decay");
+  out.real(std::min(thermal.derivative.decay, 1 - std::ldexp(1, -31)), 31,
+           "the derivative's decay");
   out.note("the same times blocks per minute: from the lags' distance to degC/min");
-  out.real(thermal.rate_gain, 24, "the derivative's gain");
+  out.real(thermal.derivative.rate_gain, 24, "the derivative's gain");
   const double least = std::max(model.least_degc, -70.0);
   const double most = std::min(model.most_degc, 130.0);
   out.note(format("trained range (%.4g to %.4g degC)", least, most));

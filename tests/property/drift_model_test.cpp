@@ -63,11 +63,11 @@ double worst_difference(const fogcomp::Model& model, std::uint64_t seed) {
     const Temperature temperature = history.next();
     const double degc = std::ldexp(temperature.raw(), -16);
     if (block == 0) {
-      board.start(temperature);
-      real.start(degc);
+      board.start({temperature});
+      real.start({degc});
     } else {
-      board.step(temperature);
-      real.step(degc);
+      board.step({temperature});
+      real.step({degc});
     }
     worst = std::max(worst, std::abs(std::ldexp(board.drift().raw(), -10) - real.drift_dph()));
   }

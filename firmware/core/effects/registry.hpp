@@ -29,28 +29,43 @@ constexpr std::size_t most_regressors(EffectList<Effects...> /*list*/) {
   return most;
 }
 
-template <template <class> class... Effects>
-constexpr EffectMask mask_of(EffectList<Effects...> /*list*/) {
-  EffectMask mask = 0;
-  ((mask |= EffectMask{1} << Effects<BoardNumbers>::description.id), ...);
-  return mask;
+constexpr EffectMask bit_of(const EffectDescription& effect) {
+  return EffectMask{1} << effect.id;
 }
 
 template <template <class> class... Effects>
-constexpr std::size_t count_of(EffectList<Effects...> /*list*/) {
-  return sizeof...(Effects);
+constexpr EffectMask board_effects(EffectList<Effects...> /*list*/) {
+  return ((Effects<BoardNumbers>::description.host_only == nullptr
+               ? bit_of(Effects<BoardNumbers>::description)
+               : 0U) |
+          ...);
 }
+
+/// What the effects in `mask` need beside the coil's temperature.
+template <template <class> class... Effects>
+constexpr InputMask needs_of(EffectMask mask, EffectList<Effects...> /*list*/) {
+  return (((mask & bit_of(Effects<BoardNumbers>::description)) != 0U
+               ? Effects<BoardNumbers>::description.needs
+               : 0U) |
+          ...);
+}
+constexpr InputMask needs_of(EffectMask mask) {
+  return needs_of(mask, Registry{});
+}
+
+template <template <class> class... Effects>
+constexpr bool ids_differ(EffectList<Effects...> /*list*/) {
+  EffectMask seen = 0;
+  bool differ = true;
+  ((differ = differ && (seen & bit_of(Effects<BoardNumbers>::description)) == 0U,
+    seen |= bit_of(Effects<BoardNumbers>::description)),
+   ...);
+  return differ;
+}
+static_assert(ids_differ(Registry{}), "two effects share an id");
 
 constexpr std::size_t kMostRegressors = most_regressors(Registry{});
-constexpr EffectMask kAllEffects = mask_of(Registry{});
-
-namespace detail {
-constexpr std::size_t bits_set(EffectMask mask) {
-  std::size_t count = 0;
-  for (; mask != 0U; mask &= mask - 1U) ++count;
-  return count;
-}
-}  // namespace detail
-static_assert(detail::bits_set(kAllEffects) == count_of(Registry{}), "two effects share an id");
+/// All that a board can have.
+constexpr EffectMask kAllEffects = board_effects(Registry{});
 
 }  // namespace fog

@@ -11,6 +11,8 @@ using Rate = Fixed<std::int32_t, 10>;             ///< deg/h, also drift; LSB 0.
 using Temperature = Fixed<std::int32_t, 16>;      ///< degC, LSB 15 udegC
 using TemperatureRate = Fixed<std::int32_t, 25>;  ///< degC/min, LSB 3e-8, +-64
 using Regressor = Fixed<std::int32_t, 28>;        ///< dimensionless, +-8
+using ExtensionValue = Fixed<std::int32_t, 16>;   ///< in the input's unit, +-32768
+using Elapsed = Fixed<std::int32_t, 0>;           ///< blocks since power-on: 68 years of 1 s
 
 /// The number types of the board, for templates that the host also instantiates with its real type
 /// (BoardNumbers here, RealNumbers there): the same source is the model that is fitted and the
@@ -20,6 +22,7 @@ struct BoardNumbers {
   using Temperature = fog::Temperature;
   using TemperatureRate = fog::TemperatureRate;
   using Regressor = fog::Regressor;
+  using Elapsed = fog::Elapsed;
   /// A value with F fractional bits.
   template <int kFractionalBits>
   using Number = Fixed<std::int32_t, kFractionalBits>;
