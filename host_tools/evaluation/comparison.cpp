@@ -7,12 +7,14 @@
 #include "evaluation/noise_floor.hpp"
 #include "identification/block_walk.hpp"
 #include "identification/design.hpp"
+#include "identification/required_inputs.hpp"
 #include "model/drift_model.hpp"
 
 namespace fogcomp {
 namespace {
 
 std::vector<Comparison::Row> make_rows(const Model& model, const BlockSeries& series) {
+  require_inputs(model.terms, series);
   const std::int64_t per_row = blocks_per_row(model.average_s, series.block_s);
   RealDriftModel drift(model, series.block_s);
   std::vector<Comparison::Row> rows;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "identification/block_walk.hpp"
+#include "identification/required_inputs.hpp"
 #include "model/drift_model.hpp"
 
 namespace fogcomp {
@@ -57,6 +58,7 @@ std::int64_t blocks_per_row(double average_s, double block_s) {
 }
 
 Design make_design(const Model& model, const BlockSeries& series) {
+  require_inputs(model.terms, series);
   RegressorModel regressors(model, series.block_s);
   const std::int64_t per_row = blocks_per_row(model.average_s, series.block_s);
   std::vector<Row> rows;

@@ -22,7 +22,8 @@ struct Design {
 };
 
 /// `model` gives the terms' shapes, the derivative's time constant and the averaging; its
-/// coefficients do not matter. Temperature is not clamped: a fit has no trained range yet.
+/// coefficients do not matter. Temperature is not clamped: a fit has no trained range yet. Throws
+/// InputError where the recording lacks what an effect needs.
 Design make_design(const Model& model, const BlockSeries& series);
 
 /// The designs of several recordings, one below the other.

@@ -1,8 +1,17 @@
 #include "model/drift_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/signal/quantities.hpp"
+
 namespace fogcomp {
+namespace {
+
+// Where the board's format ends, so that what is fitted there is what the board does there.
+const double kMostRegressor = std::ldexp(1, 31 - fog::Regressor::fractional_bits);
+
+}  // namespace
 
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
   const double decay = -std::expm1(-block_s / model.derivative_tau_s);
@@ -29,6 +38,7 @@ const std::vector<double>& RegressorBank::step(const fog::Signals<RealNumbers>& 
     effect->step(signals, values);
     values += effect->regressor_count();
   }
+  for (double& value : values_) value = std::clamp(value, -kMostRegressor, kMostRegressor);
   return values_;
 }
 

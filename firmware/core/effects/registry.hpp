@@ -2,10 +2,24 @@
 
 #include <cstddef>
 
+#include "core/effects/aging.hpp"
+#include "core/effects/axial_gradient.hpp"
 #include "core/effects/bias.hpp"
+#include "core/effects/bias_step.hpp"
 #include "core/effects/bias_temperature.hpp"
 #include "core/effects/effect.hpp"
+#include "core/effects/glass_transition.hpp"
+#include "core/effects/light_power.hpp"
+#include "core/effects/magnetic.hpp"
+#include "core/effects/polarization_ripple.hpp"
+#include "core/effects/scale_factor_temperature.hpp"
+#include "core/effects/shupe.hpp"
 #include "core/effects/temperature_rate.hpp"
+#include "core/effects/temperature_rate_product.hpp"
+#include "core/effects/thermal_hysteresis.hpp"
+#include "core/effects/thermal_lag.hpp"
+#include "core/effects/vibration.hpp"
+#include "core/effects/warm_up.hpp"
 #include "core/signal/quantities.hpp"
 
 namespace fog {
@@ -14,9 +28,23 @@ template <template <class> class... Effects>
 struct EffectList {};
 
 /// Every effect there is. One line here makes an effect known to fit, export, replay and the board.
-using Registry = EffectList<effects::Bias,             //
-                            effects::BiasTemperature,  //
-                            effects::TemperatureRate>;
+using Registry = EffectList<effects::Bias,                    //
+                            effects::BiasTemperature,         //
+                            effects::TemperatureRate,         //
+                            effects::Shupe,                   //
+                            effects::ThermalLag,              //
+                            effects::TemperatureRateProduct,  //
+                            effects::AxialGradient,           //
+                            effects::PolarizationRipple,      //
+                            effects::ThermalHysteresis,       //
+                            effects::GlassTransition,         //
+                            effects::ScaleFactorTemperature,  //
+                            effects::WarmUp,                  //
+                            effects::Aging,                   //
+                            effects::Magnetic,                //
+                            effects::Vibration,               //
+                            effects::LightPower,              //
+                            effects::BiasStep>;
 
 /// The longest list of regressors that any effect has.
 template <template <class> class... Effects>

@@ -2,7 +2,11 @@
 
 #include <cstdint>
 
+#include "core/fixed_point/exponential.hpp"
 #include "core/fixed_point/fixed.hpp"
+#include "core/fixed_point/logarithm.hpp"
+#include "core/fixed_point/logistic.hpp"
+#include "core/fixed_point/sine.hpp"
 
 namespace fog {
 
@@ -37,6 +41,18 @@ struct BoardNumbers {
   }
   /// A constant that is a plain integer (an order, a count).
   static constexpr std::int32_t integer(Constant constant) { return constant; }
+
+  // The functions that effects are made of.
+  static Number<30> logistic(Number<27> x) { return fog::logistic(x); }
+  static Number<30> exponential_decay(Number<26> x) { return fog::exponential_decay(x); }
+  template <int kFractionalBits>
+  static Number<26> natural_logarithm(Wide<kFractionalBits> x) {
+    return fog::natural_logarithm(x);
+  }
+  template <int kFractionalBits>
+  static SineCosine sine_cosine_of_turns(Wide<kFractionalBits> turns) {
+    return fog::sine_cosine_of_turns(turns);
+  }
 };
 
 }  // namespace fog
