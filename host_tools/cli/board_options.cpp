@@ -4,7 +4,8 @@ namespace fogcomp::cli {
 
 std::vector<Option> board_options() {
   return {{"sample-rate", "HZ", "of the board's sensor stream", "200"},
-          {"output", "FRAMES", "kvh, compact or both", "kvh"}};
+          {"output", "FRAMES", "kvh, compact or both", "kvh"},
+          {"extension", "", "the demodulator sends extension records (firmware/SPEC.md)", ""}};
 }
 
 BoardSettings board_settings(const Arguments& arguments) {
@@ -14,6 +15,7 @@ BoardSettings board_settings(const Arguments& arguments) {
   settings.output = output == "kvh"       ? fog::OutputSelection::kvh
                     : output == "compact" ? fog::OutputSelection::compact
                                           : fog::OutputSelection::both;
+  settings.extension = arguments.has("extension");
   return settings;
 }
 

@@ -7,7 +7,8 @@
 
 namespace fogcomp::cli {
 
-/// The options of the commands that make a board's table: --sample-rate, --output.
+/// The options of the commands that make a board's table: --sample-rate, --output,
+/// --extension.
 std::vector<Option> board_options();
 
 /// Their values.

@@ -6,6 +6,7 @@
 #include "dataset/segments.hpp"
 #include "evaluation/noise_floor.hpp"
 #include "identification/block_walk.hpp"
+#include "identification/required_inputs.hpp"
 #include "identification/signal_series.hpp"
 #include "model/drift_model.hpp"
 
@@ -13,6 +14,7 @@ namespace fogcomp {
 namespace {
 
 std::vector<Comparison::Row> make_rows(const Model& model, const BlockSeries& series) {
+  require_inputs(model.terms, series);
   const std::int64_t per_row = blocks_per_row(model.average_s, series.block_s);
   RealDriftModel drift(model, series.block_s);
   std::vector<Comparison::Row> rows;
@@ -37,8 +39,8 @@ std::vector<Comparison::Row> make_rows(const Model& model, const BlockSeries& se
     Comparison::Row& row = rows.back();
     samples += weight;
     row.time_s += weight * block.time_s;
-    row.temperature_degc += weight * block.temperature_degc;
-    row.measured_dph += weight * (block.rate_dph - block.input_rate_dph);
+    row.temperature_degc += weight * block.means.temperature;
+    row.measured_dph += weight * (block.rate_dph - block.means.input_rate);
     row.drift_dph += weight * drift.drift_dph();
   });
   finish();

@@ -1,27 +1,31 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "core/thermal/block_means.hpp"
 #include "dataset/recording.hpp"
+#include "model/real_numbers.hpp"
 
 namespace fogcomp {
 
 /// A recording cut into the blocks in which the board would take it, with block means.
 struct BlockSeries {
+  std::string file;
   double period_s = 0;  ///< of a sample
   std::uint32_t samples_per_block = 1;
   double block_s = 0;
   struct Block {
     std::int64_t number = 0;  ///< since the first sample; gaps leave numbers out
     std::uint32_t samples = 0;
-    double time_s = 0;  ///< mean of its samples
-    double temperature_degc = 0;
-    double rate_dph = 0;
-    double input_rate_dph = 0;
+    double time_s = 0;    ///< mean of its samples
+    double rate_dph = 0;  ///< measured
+    fog::BlockMeans<RealNumbers> means;
   };
   std::vector<Block> blocks;
-  double first_temperature_degc = 0;  ///< of the first sample: what the board starts from
+  fog::BlockMeans<RealNumbers> first;  ///< the first sample: what the board starts from
+  fog::InputMask inputs = 0;           ///< that the recording has
 };
 
 /// The number of the sample in a stream without gaps, from its time.

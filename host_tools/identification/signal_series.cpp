@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "identification/block_walk.hpp"
+#include "identification/required_inputs.hpp"
 #include "model/drift_model.hpp"
 
 namespace fogcomp {
@@ -15,8 +16,8 @@ class SignalRecorder {
   SignalRecorder(const Model& model, SignalSeries::Run& run)
       : thermal_(unclamped(thermal_parameters(model, run.block_s))), run_(run) {}
 
-  void start(double temperature_degc) { keep(thermal_.reset(temperature_degc), true); }
-  void step(double temperature_degc) { keep(thermal_.step(temperature_degc), false); }
+  void start(const RealBlock& block) { keep(thermal_.reset(block), true); }
+  void step(const RealBlock& block) { keep(thermal_.step(block), false); }
 
   /// The block that the signals kept last are valid for.
   SignalSeries::Block& current() { return run_.blocks.back(); }
@@ -48,6 +49,7 @@ std::int64_t blocks_per_row(double average_s, double block_s) {
 }
 
 void SignalSeries::add(const BlockSeries& series) {
+  require_inputs(model_.terms, series);
   runs_.push_back({series.block_s, {}});
   SignalRecorder recorder(model_, runs_.back());
   const std::int64_t per_row = blocks_per_row(model_.average_s, series.block_s);
@@ -63,7 +65,7 @@ void SignalSeries::add(const BlockSeries& series) {
     RowSums& row = sums.back();
     row.samples += current.samples;
     row.time += current.samples * block.time_s;
-    row.drift += current.samples * (block.rate_dph - block.input_rate_dph);
+    row.drift += current.samples * (block.rate_dph - block.means.input_rate);
     row.signals.temperature += current.samples * current.signals.temperature;
     row.signals.temperature_rate += current.samples * current.signals.temperature_rate;
   });
@@ -84,7 +86,7 @@ void SignalSeries::append_rows(const std::vector<RowSums>& sums, double sample_s
     seconds_[at] = row.samples * sample_s;
     rows_.time_s.push_back(row.time / row.samples);
     rows_.signals.push_back(
-        {row.signals.temperature / row.samples, row.signals.temperature_rate / row.samples});
+        {row.signals.temperature / row.samples, row.signals.temperature_rate / row.samples, {}});
   }
   rows_.weights = seconds_ / rows_.row_s;
 }

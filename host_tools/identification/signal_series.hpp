@@ -16,7 +16,7 @@ struct Rows {
   Eigen::VectorXd weights;    ///< time behind a row, relative to a full one
   double row_s = 0;           ///< of a full row; the longest where recordings differ
   std::vector<double> time_s;
-  std::vector<fog::Signals<RealNumbers>> signals;  ///< means of what the effects see
+  std::vector<fog::Signals<RealNumbers>> signals;  ///< means of temperature and its rate
   std::vector<std::size_t> run_starts;             ///< first row of each recording
 
   Eigen::Index size() const { return drift_dph.size(); }
@@ -30,7 +30,8 @@ class SignalSeries {
   /// fit has no trained range yet.
   explicit SignalSeries(const Model& model) : model_(model) {}
 
-  /// Adds a recording.
+  /// Adds a recording. Throws InputError where it lacks a column that one of the model's effects
+  /// needs.
   void add(const BlockSeries& series);
 
   const Rows& rows() const { return rows_; }

@@ -1,12 +1,21 @@
 #include "model/drift_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/signal/quantities.hpp"
+
 namespace fogcomp {
+namespace {
+
+// Where the board's format ends, so that what is fitted there is what the board does there.
+const double kMostRegressor = std::ldexp(1, 31 - fog::Regressor::fractional_bits);
+
+}  // namespace
 
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
   const double decay = -std::expm1(-block_s / model.derivative_tau_s);
-  return {decay, decay * 60 / block_s, model.least_degc, model.most_degc};
+  return {{decay, decay * 60 / block_s}, model.least_degc, model.most_degc};
 }
 
 RegressorBank::RegressorBank(const std::vector<EffectTerm>& terms, double block_s) {
@@ -29,6 +38,7 @@ const std::vector<double>& RegressorBank::step(const fog::Signals<RealNumbers>& 
     effect->step(signals, values);
     values += effect->regressor_count();
   }
+  for (double& value : values_) value = std::clamp(value, -kMostRegressor, kMostRegressor);
   return values_;
 }
 
@@ -38,14 +48,14 @@ RealDriftModel::RealDriftModel(const Model& model, double block_s)
       bank_(model.terms, block_s),
       effects_dph_(model.terms.size()) {}
 
-void RealDriftModel::start(double temperature_degc) {
-  signals_ = thermal_.reset(temperature_degc);
+void RealDriftModel::start(const RealBlock& block) {
+  signals_ = thermal_.reset(block);
   bank_.reset(signals_);
   evaluate();
 }
 
-void RealDriftModel::step(double temperature_degc) {
-  signals_ = thermal_.step(temperature_degc);
+void RealDriftModel::step(const RealBlock& block) {
+  signals_ = thermal_.step(block);
   evaluate();
 }
 

@@ -9,11 +9,14 @@
 
 namespace fogcomp {
 
+/// What a model sees of one block.
+using RealBlock = fog::BlockMeans<RealNumbers>;
+
 /// Numbers of the thermal stage for a block period. The board's table is the rounding of these.
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s);
 
-/// Regressors of a set of effects over block means of the temperature: the board's own code in
-/// double. `terms` needs names and parameters only.
+/// Regressors of a set of effects over block means: the board's own code in double. `terms` needs
+/// names and parameters only.
 class RegressorBank {
  public:
   RegressorBank(const std::vector<EffectTerm>& terms, double block_s);
@@ -34,10 +37,10 @@ class RealDriftModel {
  public:
   RealDriftModel(const Model& model, double block_s);
 
-  /// From one temperature, rate 0.
-  void start(double temperature_degc);
-  /// The mean temperature of one more block.
-  void step(double temperature_degc);
+  /// From the values of one sample, temperature rate 0.
+  void start(const RealBlock& block);
+  /// The means of one more block.
+  void step(const RealBlock& block);
 
   double drift_dph() const { return physics_dph_ + network_dph_; }
   double network_dph() const { return network_dph_; }

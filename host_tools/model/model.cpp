@@ -14,9 +14,12 @@ const EffectTerm* Model::find(const std::string& name) const {
   return found == terms.end() ? nullptr : &*found;
 }
 
+double in_natural_unit(double coefficient_dph, const fog::CoefficientDescription& description) {
+  return std::ldexp(coefficient_dph, -description.scale_log2) * description.per_unit;
+}
+
 double natural_coefficient(const EffectTerm& term, std::size_t index) {
-  const CatalogueEntry& entry = find_effect(term.name);
-  return std::ldexp(term.coefficients_dph[index], -entry.coefficients[index].scale_log2);
+  return in_natural_unit(term.coefficients_dph[index], find_effect(term.name).coefficients[index]);
 }
 
 std::string describe(const Model& model) {
@@ -31,7 +34,7 @@ std::string describe(const Model& model) {
     }
     text += '\n';
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-      const double sigma = std::ldexp(term.sigma_dph[i], -entry.coefficients[i].scale_log2);
+      const double sigma = in_natural_unit(term.sigma_dph[i], entry.coefficients[i]);
       text += format("  %24s %-4s = %12.5g +- %-9.2g %s\n", "", entry.coefficients[i].symbol,
                      natural_coefficient(term, i), sigma, entry.coefficients[i].unit);
     }

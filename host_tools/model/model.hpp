@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/effects/effect.hpp"
 #include "model/network.hpp"
 
 namespace fogcomp {
@@ -51,7 +52,8 @@ struct Model {
   const EffectTerm* find(const std::string& name) const;
 };
 
-/// A coefficient in the natural unit that the catalogue states.
+/// A coefficient, or its sigma, in the natural unit that the catalogue states.
+double in_natural_unit(double coefficient_dph, const fog::CoefficientDescription& description);
 double natural_coefficient(const EffectTerm& term, std::size_t index);
 
 /// The drift as an equation that an engineer reads, a line per effect.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -11,6 +12,7 @@ struct RealNumbers {
   using Temperature = double;
   using TemperatureRate = double;
   using Regressor = double;
+  using Elapsed = double;
   template <int kFractionalBits>
   using Number = double;
   template <int kFractionalBits>
@@ -23,6 +25,24 @@ struct RealNumbers {
   static std::int32_t integer(double constant) {
     return static_cast<std::int32_t>(std::lround(constant));
   }
+
+  static double logistic(double x) { return 1 / (1 + std::exp(-x)); }
+  static double exponential_decay(double x) { return std::exp(-std::max(x, 0.0)); }
+  static double natural_logarithm(double x) { return std::log(x); }
+  struct SineCosine {
+    double sine;
+    double cosine;
+  };
+  static SineCosine sine_cosine_of_turns(double turns) {
+    constexpr double kRadiansPerTurn = 6.283185307179586;
+    return {std::sin(kRadiansPerTurn * turns), std::cos(kRadiansPerTurn * turns)};
+  }
+
+  // For board_constants, on the host only. A share of 1 has the largest Number<31> in its place.
+  static constexpr double kMostShare = 1 - 1.0 / 2147483648.0;
+  static double share(double value) { return std::min(value, kMostShare); }
+  /// Decay per block of a lag whose time constant is 1 / blocks_per_tau blocks.
+  static double decay(double blocks_per_tau) { return share(-std::expm1(-blocks_per_tau)); }
 };
 
 }  // namespace fogcomp

@@ -5,12 +5,14 @@
 
 #include "core/protocol/byte_order.hpp"
 #include "core/protocol/crc.hpp"
+#include "dataset/input_columns.hpp"
 #include "identification/block_series.hpp"
 #include "identification/block_walk.hpp"
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
 #include "model/model_file.hpp"
 #include "quantization/table_writer.hpp"
+#include "support/input_error.hpp"
 #include "wavelet/filters.hpp"
 
 namespace fogcomp {
@@ -61,9 +63,10 @@ void write_calibration(TableWriter& out, const Model& model, const Timing& timin
 void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
   const auto thermal = thermal_parameters(model, timing.block_s);
   out.note(format("decay per block of the two derivative lags (tau %g s)", model.derivative_tau_s));
-  out.real(std::min(thermal.smoothing_decay, 1 - std::ldexp(1, -31)), 31, "the derivative's decay");
+  out.real(std::min(thermal.derivative.decay, 1 - std::ldexp(1, -31)), 31,
+           "the derivative's decay");
   out.note("the same times blocks per minute: from the lags' distance to degC/min");
-  out.real(thermal.rate_gain, 24, "the derivative's gain");
+  out.real(thermal.derivative.rate_gain, 24, "the derivative's gain");
   const double least = std::max(model.least_degc, -70.0);
   const double most = std::min(model.most_degc, 130.0);
   out.note(format("trained range (%.4g to %.4g degC)", least, most));
@@ -196,6 +199,25 @@ void write_denoise(TableWriter& out, const Model& model, const Timing& timing) {
   }
 }
 
+// Whether every effect can run on a board that is fed like this one.
+void require_board(const Model& model, const BoardSettings& settings) {
+  for (const EffectTerm& term : model.terms) {
+    const fog::EffectDescription& effect = find_effect(term.name).description;
+    if (effect.host_only != nullptr) {
+      throw InputError("effect '" + term.name + "'", std::string("cannot go to the board: ") +
+                                                         effect.host_only + "; fit without it");
+    }
+    for (std::size_t i = 0; i < fog::kExtensionInputs && !settings.extension; ++i) {
+      const auto input = static_cast<fog::Input>(i);
+      if (!has(effect.needs, input)) continue;
+      throw InputError("effect '" + term.name + "'",
+                       "needs " + std::string(input_column(input).name) +
+                           ", which the sensor stream has in extension records only; give "
+                           "--extension if the demodulator sends them, or fit without it");
+    }
+  }
+}
+
 std::uint32_t crc_of_words(const std::vector<std::int32_t>& words) {
   std::vector<std::uint8_t> bytes(words.size() * 4);
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -211,6 +233,7 @@ std::int32_t as_signed(std::uint32_t word) {
 }  // namespace
 
 BoardTable make_board_table(const Model& model, const BoardSettings& settings) {
+  require_board(model, settings);
   const Timing timing = timing_of(settings);
   if (timing.period_us < 1) {
     throw InputError("--sample-rate", format("%g Hz is beyond 1 MHz", settings.sample_rate_hz));

@@ -13,6 +13,7 @@ namespace fogcomp {
 struct BoardSettings {
   double sample_rate_hz = 200;
   fog::OutputSelection output = fog::OutputSelection::kvh;
+  bool extension = false;  ///< the demodulator sends extension records
 };
 
 /// A model in the integers of the firmware (firmware/SPEC.md, "Model table").
@@ -27,7 +28,8 @@ struct BoardTable {
   fog::Span<const std::int32_t> span() const { return {words.data(), words.size()}; }
 };
 
-/// Rounds a model to the board's formats. Throws InputError where a value does not fit one.
+/// Rounds a model to the board's formats. Throws InputError where a value does not fit one, and for
+/// an effect that this board cannot have: the reason is in the message.
 BoardTable make_board_table(const Model& model, const BoardSettings& settings);
 
 /// Takes a table apart with the firmware's own reader. Throws InputError naming `file` and the

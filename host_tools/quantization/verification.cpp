@@ -57,12 +57,12 @@ QuantizationError verify_quantization(const Model& model, const fog::ModelParame
        programme(parameters.thermal.least, parameters.thermal.most, block_s)) {
     const double temperature_degc = std::ldexp(temperature.raw(), -16);
     if (first) {
-      board.start(temperature);
-      real.start(temperature_degc);
+      board.start({temperature});
+      real.start({temperature_degc});
       first = false;
     } else {
-      board.step(temperature);
-      real.step(temperature_degc);
+      board.step({temperature});
+      real.step({temperature_degc});
     }
     const double difference = std::abs(std::ldexp(board.drift().raw(), -10) - real.drift_dph());
     ++error.blocks;

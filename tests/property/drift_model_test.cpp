@@ -3,71 +3,36 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+#include <string>
+#include <vector>
 
 #include "model/drift_model.hpp"
 #include "support/overflow_guard.hpp"
+#include "support/random_history.hpp"
 #include "support/sample_models.hpp"
+#include "support/typical_effects.hpp"
 
 namespace {
 
-using fog::Temperature;
-
-// A thermal history out of soaks, ramps, steps and noise, each drawn at random.
-class RandomHistory {
- public:
-  RandomHistory(std::uint64_t seed, double least, double most)
-      : random_(seed), least_(least), most_(most), temperature_(uniform(least, most)) {}
-
-  Temperature next() {
-    if (left_-- <= 0) begin_part();
-    temperature_ = std::min(most_, std::max(least_, temperature_ + per_block_));
-    const double noisy = temperature_ + noise_ * normal_(random_);
-    return Temperature::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(noisy, 16))));
-  }
-
- private:
-  void begin_part() {
-    left_ = static_cast<int>(uniform(10, 1200));
-    noise_ = uniform(0, 1) < 0.5 ? 0 : uniform(0, 0.06);
-    const double kind = uniform(0, 1);
-    per_block_ = 0;
-    if (kind < 0.5) per_block_ = uniform(-10, 10) / 60;
-    if (kind > 0.9) temperature_ = uniform(least_, most_);
-  }
-  double uniform(double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random_);
-  }
-
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
-  double least_;
-  double most_;
-  double temperature_;
-  double per_block_ = 0;
-  double noise_ = 0;
-  int left_ = 0;
-};
-
-// Largest |board - double| over 20 h of random history, in deg/h.
-double worst_difference(const fogcomp::Model& model, std::uint64_t seed) {
-  const fogcomp::BoardTable table = fogcomp::make_board_table(model, {});
+// Largest |board - double| over so many hours of random history, in deg/h.
+double worst_difference(const fogcomp::Model& model, std::uint64_t seed, int hours) {
+  const fogcomp::BoardTable table =
+      fogcomp::make_board_table(model, {200, fog::OutputSelection::kvh, true});
   const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
   fog::DriftModel<fog::kAllEffects> board(parameters.thermal, parameters.effects,
                                           parameters.network, parameters.policy);
   fogcomp::RealDriftModel real(model, 1);
   // Beyond the trained range too: both must clamp alike.
-  RandomHistory history(seed, -60, 100);
+  fog::test::RandomHistory history(seed, -60, 100);
   double worst = 0;
-  for (int block = 0; block < 72000; ++block) {
-    const Temperature temperature = history.next();
-    const double degc = std::ldexp(temperature.raw(), -16);
+  for (int block = 0; block < hours * 3600; ++block) {
+    const auto means = history.next();
     if (block == 0) {
-      board.start(temperature);
-      real.start(degc);
+      board.start(means);
+      real.start(fog::test::real_block(means));
     } else {
-      board.step(temperature);
-      real.step(degc);
+      board.step(means);
+      real.step(fog::test::real_block(means));
     }
     worst = std::max(worst, std::abs(std::ldexp(board.drift().raw(), -10) - real.drift_dph()));
   }
@@ -77,7 +42,7 @@ double worst_difference(const fogcomp::Model& model, std::uint64_t seed) {
 TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleOnAnyThermalHistory) {
   fogcomp::Model model = fog::test::paper_like_model();
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    EXPECT_LE(worst_difference(model, seed), 2.0 / 1024) << "seed " << seed;
+    EXPECT_LE(worst_difference(model, seed, 20), 2.0 / 1024) << "seed " << seed;
   }
   EXPECT_EQ(fog::test::overflows(), 0U);
 }
@@ -90,7 +55,7 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryPolynomialOrder) {
       model.terms[0].coefficients_dph.push_back(k % 2 == 0 ? 0.9 : -1.1);
       model.terms[0].sigma_dph.push_back(0);
     }
-    EXPECT_LE(worst_difference(model, 7), 2.0 / 1024) << "order " << order;
+    EXPECT_LE(worst_difference(model, 7, 20), 2.0 / 1024) << "order " << order;
   }
   EXPECT_EQ(fog::test::overflows(), 0U);
 }
@@ -101,7 +66,60 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForAMemsSizedDrift) {
     for (double& coefficient : term.coefficients_dph) coefficient *= 20000;
   }
   model.network.amplitude_dph = 2000;
-  EXPECT_LE(worst_difference(model, 3), 0.02);  // relative: 1e-6 of 14,000 deg/h
+  EXPECT_LE(worst_difference(model, 3, 20), 0.02);  // relative: 1e-6 of 14,000 deg/h
+}
+
+// One effect alone, its shape at the ends and in the middle of its bounds.
+struct EffectCase {
+  const char* name;
+  std::vector<std::vector<double>> shapes;
+};
+
+class EveryEffect : public testing::TestWithParam<EffectCase> {};
+
+TEST_P(EveryEffect, IsWithinTwoLsbOfDoubleOver72HoursOfAnyThermalHistory) {
+  const EffectCase& effect = GetParam();
+  for (const std::vector<double>& shape : effect.shapes) {
+    fogcomp::Model model = fog::test::paper_like_model();
+    model.least_degc = -60;
+    model.most_degc = 100;
+    model.network = {};
+    for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
+      if (term.name == effect.name) model.terms = {term};
+    }
+    ASSERT_EQ(model.terms[0].name, effect.name);
+    model.terms[0].parameters = shape;
+    const double worst = worst_difference(model, 11, 72);
+    EXPECT_LE(worst, 2.0 / 1024) << testing::PrintToString(shape);
+    RecordProperty("worst_lsb" + testing::PrintToString(shape), std::to_string(worst * 1024));
+    std::printf("  %-26s %-14s %.2f LSB\n", effect.name, testing::PrintToString(shape).c_str(),
+                worst * 1024);
+  }
+  EXPECT_EQ(fog::test::overflows(), 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Catalogue, EveryEffect,
+    testing::Values(EffectCase{"bias", {{}}}, EffectCase{"bias_temperature", {{3}}},
+                    EffectCase{"temperature_rate", {{}}},
+                    EffectCase{"shupe", {{10}, {120}, {20000}}},
+                    EffectCase{"thermal_lag", {{10}, {960}, {20000}}},
+                    EffectCase{"temperature_rate_product", {{}}},
+                    EffectCase{"axial_gradient", {{5}, {30}, {600}}},
+                    EffectCase{"polarization_ripple", {{2}, {13}, {60}}},
+                    EffectCase{"thermal_hysteresis", {{0.5, 40}, {3, 10}, {40, 7.3}}},
+                    EffectCase{"glass_transition", {{-60, 0.5}, {-20, 4}, {80, 20}}},
+                    EffectCase{"scale_factor_temperature", {{}}},
+                    EffectCase{"warm_up", {{10}, {1200}, {100000}}},
+                    EffectCase{"aging", {{60}, {3600}, {2000000}}}, EffectCase{"magnetic", {{}}},
+                    EffectCase{"vibration", {{}}}, EffectCase{"light_power", {{}}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(DriftModel, BoardIsWithinFourLsbOfDoubleWithAllEffectsAtOnce) {
+  const fogcomp::Model model = fog::test::all_effects_model();
+  ASSERT_EQ(model.terms.size() + 1, fogcomp::catalogue().size());  // all but bias_step
+  EXPECT_LE(worst_difference(model, 5, 72), 4.0 / 1024);
+  EXPECT_EQ(fog::test::overflows(), 0U);
 }
 
 }  // namespace

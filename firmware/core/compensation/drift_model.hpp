@@ -11,7 +11,7 @@
 
 namespace fog {
 
-/// How long the model may go without a temperature, and how long it takes to settle.
+/// How long the model may go without what it needs, and how long it takes to settle.
 struct DriftPolicy {
   std::uint32_t hold_blocks = 0;    ///< last drift is used for at most this many
   std::uint32_t settle_blocks = 0;  ///< after (re)start the temperature rate is not yet known
@@ -30,23 +30,23 @@ class DriftModel {
         network_(network),
         policy_(policy) {}
 
-  /// Starts from one temperature, so that there is a drift before the first block is full.
-  void start(Temperature temperature) {
-    const Signals<BoardNumbers> signals = thermal_.reset(temperature);
+  /// Starts from the values of one sample, so that there is a drift before the first block is full.
+  void start(const BlockMeans<BoardNumbers>& block) {
+    const Signals<BoardNumbers> signals = thermal_.reset(block);
     effects_.reset(signals);
     started_ = true;
     settled_blocks_ = 0;
-    evaluate(temperature, signals);
+    evaluate(signals);
   }
 
-  /// The mean temperature of one more block.
-  void step(Temperature temperature) {
-    if (!started_ || held_blocks_ > policy_.hold_blocks) return start(temperature);
+  /// The means of one more block.
+  void step(const BlockMeans<BoardNumbers>& block) {
+    if (!started_ || held_blocks_ > policy_.hold_blocks) return start(block);
     if (settled_blocks_ < policy_.settle_blocks) ++settled_blocks_;
-    evaluate(temperature, thermal_.step(temperature));
+    evaluate(thermal_.step(block));
   }
 
-  /// So many blocks without a trustworthy temperature: the drift stays.
+  /// So many blocks without a trustworthy temperature or input: the drift stays.
   void hold(std::uint32_t blocks) {
     const std::uint32_t given_up = policy_.hold_blocks + 1;
     held_blocks_ = blocks < given_up - held_blocks_ ? held_blocks_ + blocks : given_up;
@@ -64,7 +64,8 @@ class DriftModel {
   bool started() const { return started_; }
 
  private:
-  void evaluate(Temperature temperature, const Signals<BoardNumbers>& signals) {
+  void evaluate(const Signals<BoardNumbers>& signals) {
+    const Temperature temperature = signals.block.temperature;
     held_blocks_ = 0;
     clamped_ = status_if(temperature < limits_.least || temperature > limits_.most,
                          Status::temperature_clamped);

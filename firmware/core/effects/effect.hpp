@@ -5,24 +5,27 @@
 #include <cstdint>
 
 #include "core/fixed_point/fixed.hpp"
+#include "core/signal/inputs.hpp"
 #include "core/thermal/signals.hpp"
 
-// What an effect is made of. An effect is one header with a class template on the number types N
-// (BoardNumbers in the firmware, RealNumbers on the host) that has
-//
-//   static constexpr EffectDescription description;               who it is, for people
-//   static constexpr std::array<CoefficientDescription, R> coefficients;   one per regressor
-//   static constexpr std::array<ParameterDescription, P> parameters;       of its shape
-//   static constexpr std::array<int, C> constant_fractions;       formats of its board constants
-//   template <class Real> static void board_constants(...);       parameters -> constants
-//   static bool constants_valid(const typename N::Constant*);     whether the constructor takes
-//   them explicit Effect(const typename N::Constant* constants); std::size_t regressor_count()
-//   const;                          at most R void reset(const Signals<N>&); state at power-on void
-//   step(const Signals<N>&, typename N::Regressor* regressors);   once per block
-//
-// (an effect without shape parameters inherits the middle four from NoParameters).
-// Drift = sum of coefficient * regressor over all effects, plus the network. Regressors are
-// dimensionless and within +-8; the coefficients are identified on the host.
+/* What an effect is made of. An effect is one header with a class template on the number types N
+   (BoardNumbers in the firmware, RealNumbers on the host) that has
+
+     static constexpr EffectDescription description;                who it is, for people
+     static constexpr std::array<CoefficientDescription, R> coefficients;   one per regressor
+     static constexpr std::array<ParameterDescription, P> parameters;       of its shape
+     static constexpr std::array<int, C> constant_fractions;        formats of its board constants
+     template <class Real> static void board_constants(...);        parameters -> constants
+     static bool constants_valid(const typename N::Constant*);      may the constructor have them?
+     explicit Effect(const typename N::Constant* constants);
+     std::size_t regressor_count() const;                           at most R
+     void reset(const Signals<N>&);                                 state at power-on
+     void step(const Signals<N>&, typename N::Regressor*);          once per block
+
+   (an effect without shape parameters inherits the middle four from NoParameters).
+   board_constants runs on the host only and may use N's mathematics there (RealNumbers::decay).
+   Drift = sum of coefficient * regressor over all effects, plus the network. Regressors are
+   dimensionless and within +-8; the coefficients are identified on the host. */
 
 namespace fog {
 
@@ -35,6 +38,9 @@ struct EffectDescription {
   const char* typical;    ///< magnitude in a tactical or navigation gyro
   const char* signature;  ///< how it shows in a residual
   const char* source;
+  InputMask needs = 0;  ///< beside the coil's temperature
+  /// Why the board cannot have it; nullptr where it can.
+  const char* host_only = nullptr;
 };
 
 /// A shape parameter (order, time constant, period...). Bounds in thousandths of the unit, so that
@@ -49,11 +55,12 @@ struct ParameterDescription {
 };
 
 /// The coefficient in front of one regressor. regressor = signal in `unit`'s denominator /
-/// 2^scale_log2, so the coefficient in natural units is coefficient / 2^scale_log2.
+/// 2^scale_log2, so the coefficient in natural units is coefficient / 2^scale_log2 * per_unit.
 struct CoefficientDescription {
   const char* symbol;
   const char* unit;
   int scale_log2;
+  std::int32_t per_unit = 1;  ///< natural units in one deg/h of the coefficient: 10^6 for ppm
 };
 
 /// Base of an effect whose shape has no parameters.

@@ -2,10 +2,24 @@
 
 #include <cstddef>
 
+#include "core/effects/aging.hpp"
+#include "core/effects/axial_gradient.hpp"
 #include "core/effects/bias.hpp"
+#include "core/effects/bias_step.hpp"
 #include "core/effects/bias_temperature.hpp"
 #include "core/effects/effect.hpp"
+#include "core/effects/glass_transition.hpp"
+#include "core/effects/light_power.hpp"
+#include "core/effects/magnetic.hpp"
+#include "core/effects/polarization_ripple.hpp"
+#include "core/effects/scale_factor_temperature.hpp"
+#include "core/effects/shupe.hpp"
 #include "core/effects/temperature_rate.hpp"
+#include "core/effects/temperature_rate_product.hpp"
+#include "core/effects/thermal_hysteresis.hpp"
+#include "core/effects/thermal_lag.hpp"
+#include "core/effects/vibration.hpp"
+#include "core/effects/warm_up.hpp"
 #include "core/signal/quantities.hpp"
 
 namespace fog {
@@ -14,9 +28,23 @@ template <template <class> class... Effects>
 struct EffectList {};
 
 /// Every effect there is. One line here makes an effect known to fit, export, replay and the board.
-using Registry = EffectList<effects::Bias,             //
-                            effects::BiasTemperature,  //
-                            effects::TemperatureRate>;
+using Registry = EffectList<effects::Bias,                    //
+                            effects::BiasTemperature,         //
+                            effects::TemperatureRate,         //
+                            effects::Shupe,                   //
+                            effects::ThermalLag,              //
+                            effects::TemperatureRateProduct,  //
+                            effects::AxialGradient,           //
+                            effects::PolarizationRipple,      //
+                            effects::ThermalHysteresis,       //
+                            effects::GlassTransition,         //
+                            effects::ScaleFactorTemperature,  //
+                            effects::WarmUp,                  //
+                            effects::Aging,                   //
+                            effects::Magnetic,                //
+                            effects::Vibration,               //
+                            effects::LightPower,              //
+                            effects::BiasStep>;
 
 /// The longest list of regressors that any effect has.
 template <template <class> class... Effects>
@@ -29,28 +57,43 @@ constexpr std::size_t most_regressors(EffectList<Effects...> /*list*/) {
   return most;
 }
 
-template <template <class> class... Effects>
-constexpr EffectMask mask_of(EffectList<Effects...> /*list*/) {
-  EffectMask mask = 0;
-  ((mask |= EffectMask{1} << Effects<BoardNumbers>::description.id), ...);
-  return mask;
+constexpr EffectMask bit_of(const EffectDescription& effect) {
+  return EffectMask{1} << effect.id;
 }
 
 template <template <class> class... Effects>
-constexpr std::size_t count_of(EffectList<Effects...> /*list*/) {
-  return sizeof...(Effects);
+constexpr EffectMask board_effects(EffectList<Effects...> /*list*/) {
+  return ((Effects<BoardNumbers>::description.host_only == nullptr
+               ? bit_of(Effects<BoardNumbers>::description)
+               : 0U) |
+          ...);
 }
+
+/// What the effects in `mask` need beside the coil's temperature.
+template <template <class> class... Effects>
+constexpr InputMask needs_of(EffectMask mask, EffectList<Effects...> /*list*/) {
+  return (((mask & bit_of(Effects<BoardNumbers>::description)) != 0U
+               ? Effects<BoardNumbers>::description.needs
+               : 0U) |
+          ...);
+}
+constexpr InputMask needs_of(EffectMask mask) {
+  return needs_of(mask, Registry{});
+}
+
+template <template <class> class... Effects>
+constexpr bool ids_differ(EffectList<Effects...> /*list*/) {
+  EffectMask seen = 0;
+  bool differ = true;
+  ((differ = differ && (seen & bit_of(Effects<BoardNumbers>::description)) == 0U,
+    seen |= bit_of(Effects<BoardNumbers>::description)),
+   ...);
+  return differ;
+}
+static_assert(ids_differ(Registry{}), "two effects share an id");
 
 constexpr std::size_t kMostRegressors = most_regressors(Registry{});
-constexpr EffectMask kAllEffects = mask_of(Registry{});
-
-namespace detail {
-constexpr std::size_t bits_set(EffectMask mask) {
-  std::size_t count = 0;
-  for (; mask != 0U; mask &= mask - 1U) ++count;
-  return count;
-}
-}  // namespace detail
-static_assert(detail::bits_set(kAllEffects) == count_of(Registry{}), "two effects share an id");
+/// All that a board can have.
+constexpr EffectMask kAllEffects = board_effects(Registry{});
 
 }  // namespace fog

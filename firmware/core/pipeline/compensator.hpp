@@ -14,7 +14,7 @@
 #include "core/protocol/compact_frame.hpp"
 #include "core/protocol/kvh_frame.hpp"
 #include "core/signal/output_sample.hpp"
-#include "core/thermal/block_average.hpp"
+#include "core/thermal/block_collector.hpp"
 
 namespace fog {
 
@@ -56,14 +56,14 @@ class Compensator {
     const SampleMonitor::Verdict verdict = monitor_.judge(sample);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = !any(verdict.status, Status::temperature_invalid);
-    if (temperature_good && !drift_model_.started()) drift_model_.start(temperature);
+    const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
+    if (temperature_good && !drift_model_.started()) start_with(temperature, measured);
 
     OutputSample result;
     result.sequence = sample.sequence;
     result.drift = drift_model_.drift();
     result.status = fault_ | verdict.status | drift_model_.status();
 
-    const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
     const bool in_range = measured < calibration_.range && measured > -calibration_.range;
     result.status |= status_if(!in_range, Status::rate_out_of_range);
     result.compensated = saturate_to<Rate>(difference(measured, result.drift));
@@ -75,7 +75,10 @@ class Compensator {
 
     if (temperature_good) last_temperature_ = temperature;
     result.temperature = last_temperature_;
-    advance_blocks(verdict.missing, temperature_good, temperature);
+    finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are time that passes
+    if (temperature_good) collector_.add_temperature(temperature);
+    if (result.compensated_valid()) collector_.add_rate(result.compensated);
+    finish_blocks(block_clock_.advance(1));
     return result;
   }
 
@@ -85,18 +88,23 @@ class Compensator {
     return Wide::from_raw(a.raw()) - Wide::from_raw(b.raw());
   }
 
-  // Lost samples are part of the time that passes. A block's drift holds from the next sample on.
-  void advance_blocks(std::uint32_t missing, bool temperature_good, Temperature temperature) {
-    finish_blocks(block_clock_.advance(missing));
-    if (temperature_good) block_average_.add(temperature);
-    finish_blocks(block_clock_.advance(1));
+  // Before the first block is full: the sample's own values stand for its means.
+  void start_with(Temperature temperature, Rate measured) {
+    BlockMeans<BoardNumbers> block;
+    block.temperature = temperature;
+    block.input_rate = measured;
+    block.elapsed = block_clock_.elapsed();
+    drift_model_.start(block);
   }
 
+  // What was collected belongs to the first of these blocks, at whose end the clock stood at
+  // elapsed - (blocks - 1). Its drift holds from the next sample on.
   void finish_blocks(std::uint32_t blocks) {
     if (blocks == 0) return;
-    if (!block_average_.empty()) {
-      drift_model_.step(block_average_.mean());
-      block_average_.clear();
+    if (collector_.has_temperature()) {
+      const auto later = Elapsed::from_raw(static_cast<std::int32_t>(blocks - 1));
+      drift_model_.step(collector_.means(block_clock_.elapsed() - later));
+      collector_.clear();
       --blocks;
     }
     if (blocks > 0) drift_model_.hold(blocks);
@@ -121,7 +129,7 @@ class Compensator {
   StreamParser parser_;
   SampleMonitor monitor_;
   BlockClock block_clock_;
-  BlockAverage block_average_;
+  BlockCollector<needs_of(kEffects)> collector_;
   DriftModel<kEffects> drift_model_;
   Denoiser<kTaps, kLevels> denoiser_;
   Temperature last_temperature_{};

@@ -37,8 +37,8 @@ void read_calibration(TableReader& table, ModelParameters& parameters) {
 
 void read_thermal(TableReader& table, ModelParameters& parameters) {
   auto& thermal = parameters.thermal;
-  thermal.smoothing_decay = next_positive<FirstOrderLag<BoardNumbers>::Decay>(table);
-  thermal.rate_gain = next_positive<BoardNumbers::Number<24>>(table);
+  thermal.derivative.decay = next_positive<FirstOrderLag<BoardNumbers>::Decay>(table);
+  thermal.derivative.rate_gain = next_positive<BoardNumbers::Number<24>>(table);
   thermal.least = next_fixed<Temperature>(table);
   thermal.most = next_fixed<Temperature>(table);
   table.require(kLeastTemperature <= thermal.least && thermal.least <= thermal.most &&

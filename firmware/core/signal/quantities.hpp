@@ -2,7 +2,11 @@
 
 #include <cstdint>
 
+#include "core/fixed_point/exponential.hpp"
 #include "core/fixed_point/fixed.hpp"
+#include "core/fixed_point/logarithm.hpp"
+#include "core/fixed_point/logistic.hpp"
+#include "core/fixed_point/sine.hpp"
 
 namespace fog {
 
@@ -11,6 +15,8 @@ using Rate = Fixed<std::int32_t, 10>;             ///< deg/h, also drift; LSB 0.
 using Temperature = Fixed<std::int32_t, 16>;      ///< degC, LSB 15 udegC
 using TemperatureRate = Fixed<std::int32_t, 25>;  ///< degC/min, LSB 3e-8, +-64
 using Regressor = Fixed<std::int32_t, 28>;        ///< dimensionless, +-8
+using ExtensionValue = Fixed<std::int32_t, 16>;   ///< in the input's unit, +-32768
+using Elapsed = Fixed<std::int32_t, 0>;           ///< blocks since power-on: 68 years of 1 s
 
 /// The number types of the board, for templates that the host also instantiates with its real type
 /// (BoardNumbers here, RealNumbers there): the same source is the model that is fitted and the
@@ -20,6 +26,7 @@ struct BoardNumbers {
   using Temperature = fog::Temperature;
   using TemperatureRate = fog::TemperatureRate;
   using Regressor = fog::Regressor;
+  using Elapsed = fog::Elapsed;
   /// A value with F fractional bits.
   template <int kFractionalBits>
   using Number = Fixed<std::int32_t, kFractionalBits>;
@@ -34,6 +41,18 @@ struct BoardNumbers {
   }
   /// A constant that is a plain integer (an order, a count).
   static constexpr std::int32_t integer(Constant constant) { return constant; }
+
+  // The functions that effects are made of.
+  static Number<30> logistic(Number<27> x) { return fog::logistic(x); }
+  static Number<30> exponential_decay(Number<26> x) { return fog::exponential_decay(x); }
+  template <int kFractionalBits>
+  static Number<26> natural_logarithm(Wide<kFractionalBits> x) {
+    return fog::natural_logarithm(x);
+  }
+  template <int kFractionalBits>
+  static SineCosine sine_cosine_of_turns(Wide<kFractionalBits> turns) {
+    return fog::sine_cosine_of_turns(turns);
+  }
 };
 
 }  // namespace fog

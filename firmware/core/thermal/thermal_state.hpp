@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstdint>
-
 #include "core/fixed_point/fixed.hpp"
-#include "core/thermal/first_order_lag.hpp"
+#include "core/thermal/filtered_derivative.hpp"
 #include "core/thermal/signals.hpp"
 
 namespace fog {
@@ -11,62 +9,35 @@ namespace fog {
 /// Numbers that the thermal stage takes from the model table.
 template <class N>
 struct ThermalParameters {
-  typename FirstOrderLag<N>::Decay smoothing_decay{};  ///< per block, of both derivative stages
-  typename N::template Number<24> rate_gain{};         ///< smoothing_decay * blocks per minute
-  typename N::Temperature least{};                     ///< trained range
+  DerivativeParameters<N> derivative;
+  typename N::Temperature least{};  ///< trained range
   typename N::Temperature most{};
 };
 
-/// Faster than any chamber heats a coil: what is beyond comes from a sensor, not from the coil.
-constexpr std::int32_t kMostRateDegcPerMin = 32;
-
-/// Block means of the temperature -> Signals.
-///
-/// The derivative is that of the temperature after two equal first-order lags: a sensor resolution
-/// of 0.0625 degC differenced at 10 s would be 0.4 degC/min of noise. Two stages, because one alone
-/// still jumps by step/tau at every step of the sensor. In a steady ramp the derivative is exact;
-/// it is late by two time constants. Before the derivative, temperature is not clamped: the rate
-/// stays right outside the trained range.
+/// Block means -> Signals. Before the derivative, temperature is not clamped: the rate stays right
+/// outside the trained range.
 template <class N>
 class ThermalState {
  public:
-  using Temperature = typename N::Temperature;
-
   explicit ThermalState(const ThermalParameters<N>& parameters)
-      : parameters_(parameters),
-        first_(parameters.smoothing_decay),
-        second_(parameters.smoothing_decay) {}
+      : least_(parameters.least), most_(parameters.most), derivative_(parameters.derivative) {}
 
   /// Starts as if the temperature had been this one for ever: rate 0.
-  Signals<N> reset(Temperature temperature) {
-    first_.reset(round_to<State>(temperature));
-    second_.reset(round_to<State>(temperature));
-    return signals(temperature, typename N::TemperatureRate{});
+  Signals<N> reset(const BlockMeans<N>& block) {
+    derivative_.reset(block.temperature);
+    return {clamp(block.temperature, least_, most_), {}, block};
   }
 
-  /// Advances by one block whose mean temperature is given.
-  Signals<N> step(Temperature temperature) {
-    first_.step(round_to<State>(temperature));
-    // The second lag is about to move by this times its decay: the change per block. Rounded to
-    // 2^-27 degC (1.5e-8 degC/min at 30 s), clipped at +-32 degC, which clips no rate up to 60 s.
-    const auto ahead =
-        saturate_to<typename N::template Number<26>>(first_.value() - second_.value());
-    second_.step(first_.value());
-    const auto rate = saturate_to<typename N::TemperatureRate>(ahead * parameters_.rate_gain);
-    constexpr auto kMost = from_integer<typename N::TemperatureRate>(kMostRateDegcPerMin);
-    return signals(temperature, clamp(rate, -kMost, kMost));
+  /// Advances by one block.
+  Signals<N> step(const BlockMeans<N>& block) {
+    const auto rate = derivative_.step(block.temperature);
+    return {clamp(block.temperature, least_, most_), rate, block};
   }
 
  private:
-  using State = typename FirstOrderLag<N>::State;
-
-  Signals<N> signals(Temperature temperature, typename N::TemperatureRate rate) const {
-    return {clamp(temperature, parameters_.least, parameters_.most), rate};
-  }
-
-  ThermalParameters<N> parameters_;
-  FirstOrderLag<N> first_;
-  FirstOrderLag<N> second_;
+  typename N::Temperature least_;
+  typename N::Temperature most_;
+  FilteredDerivative<N> derivative_;
 };
 
 }  // namespace fog

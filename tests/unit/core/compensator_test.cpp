@@ -52,7 +52,7 @@ class CompensatorTest : public testing::Test {
 
 TEST_F(CompensatorTest, SubtractsTheModelledDriftFromTheFirstSampleOn) {
   fogcomp::RealDriftModel real(model_, 1);
-  real.start(25);
+  real.start({25});
   for (int i = 0; i < 1000; ++i) {
     const SensorSample in = sample();
     const OutputSample out = send(in);

@@ -62,17 +62,17 @@ TEST(FirstOrderLag, StandsStillAtItsInput) {
 TEST(ThermalState, HasTheRampsRateTwoTimeConstantsAfterItsStart) {
   constexpr double kTau = 30;
   fog::ThermalParameters<fog::BoardNumbers> parameters;
-  parameters.smoothing_decay = decay(kTau);
-  parameters.rate_gain = rate_gain(kTau);
+  parameters.derivative.decay = decay(kTau);
+  parameters.derivative.rate_gain = rate_gain(kTau);
   parameters.least = fog::from_integer<fog::Temperature>(-50);
   parameters.most = fog::from_integer<fog::Temperature>(70);
   fog::ThermalState<fog::BoardNumbers> thermal(parameters);
   const auto at = [](double degc) {
     return fog::Temperature::from_raw(static_cast<std::int32_t>(std::lround(degc * 65536)));
   };
-  thermal.reset(at(20));
+  thermal.reset({at(20)});
   for (int second = 1; second <= 600; ++second) {
-    const auto signals = thermal.step(at(20 + 0.5 / 60 * second));
+    const auto signals = thermal.step({at(20 + 0.5 / 60 * second)});
     const double rate = std::ldexp(signals.temperature_rate.raw(), -25);
     const double exact = 0.5 * (1 - (1 + second / kTau) * std::exp(-second / kTau));
     ASSERT_NEAR(rate, exact, 0.01) << second;
@@ -84,15 +84,15 @@ TEST(ThermalState, HasTheRampsRateTwoTimeConstantsAfterItsStart) {
 
 TEST(ThermalState, ClampsTemperatureToTheTrainedRangeButNotItsRate) {
   fog::ThermalParameters<fog::BoardNumbers> parameters;
-  parameters.smoothing_decay = decay(2);
-  parameters.rate_gain = rate_gain(2);
+  parameters.derivative.decay = decay(2);
+  parameters.derivative.rate_gain = rate_gain(2);
   parameters.least = fog::from_integer<fog::Temperature>(-40);
   parameters.most = fog::from_integer<fog::Temperature>(60);
   fog::ThermalState<fog::BoardNumbers> thermal(parameters);
-  thermal.reset(fog::from_integer<fog::Temperature>(60));
+  thermal.reset({fog::from_integer<fog::Temperature>(60)});
   fog::Signals<fog::BoardNumbers> signals;
   for (int i = 1; i < 60; ++i) {
-    signals = thermal.step(fog::Temperature::from_raw((60 << 16) + i * 65536 / 60));
+    signals = thermal.step({fog::Temperature::from_raw((60 << 16) + i * 65536 / 60)});
   }
   EXPECT_EQ(signals.temperature, parameters.most);
   EXPECT_NEAR(std::ldexp(signals.temperature_rate.raw(), -25), 1, 0.01);

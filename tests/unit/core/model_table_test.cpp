@@ -83,9 +83,9 @@ TEST(ModelTable, WithAGoodCrcAndAnyNumbersIsReadSafely) {
     ++accepted;
     fog::DriftModel<fog::kAllEffects> model(parameters.thermal, parameters.effects,
                                             parameters.network, parameters.policy);
-    model.start(fog::Temperature::from_raw(static_cast<std::int32_t>(random())));
+    model.start({fog::Temperature::from_raw(static_cast<std::int32_t>(random()))});
     for (int block = 0; block < 5; ++block) {
-      model.step(fog::Temperature::from_raw(static_cast<std::int32_t>(random())));
+      model.step({fog::Temperature::from_raw(static_cast<std::int32_t>(random()))});
     }
   }
   EXPECT_GT(accepted, 100);

@@ -49,13 +49,20 @@ inline fogcomp::Recording recording_of(const fogcomp::Model& truth, const RowNoi
   std::normal_distribution<double> normal;
   const double decay = std::exp(-kRow / noise.slow_tau_s);
   double slow = noise.slow_dph * normal(random);
-  drift.start(temperature[0]);
+  // The board's order: a row's own means count from the next row on.
+  const auto means = [&](std::size_t row, double blocks_since_power_on) {
+    fogcomp::RealBlock block;
+    block.temperature = temperature[row];
+    block.elapsed = blocks_since_power_on;
+    return block;
+  };
+  drift.start(means(0, 0));
   for (std::size_t i = 0; i < temperature.size(); ++i) {
     recording.time_s.push_back(kRow * static_cast<double>(i));
     recording.temperature_degc.push_back(temperature[i]);
     recording.rate_dph.push_back(drift.drift_dph() + slow + noise.white_dph * normal(random));
     slow = decay * slow + noise.slow_dph * std::sqrt(1 - decay * decay) * normal(random);
-    drift.step(temperature[i]);
+    drift.step(means(i, static_cast<double>(i) + 1));
   }
   return recording;
 }

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+
+#include "core/effects/effect.hpp"
+
+namespace fog::effects {
+
+/// Creep of glue and moisture: logarithmic in time, and linear as long as t is much less than t0,
+/// so that one shape covers both laws and what was fitted in hours does not run away over years.
+/// The regressor is ln(1 + t/t0) / 4: 4.4 after 68 years with t0 = 60 s.
+///
+/// Time counts in blocks: ln(n + n0) - ln(n0) needs no division. n0 has 9 fractional bits; at 60
+/// blocks that is 1.6e-5 of it, which moves the logarithm by as much; the two logarithms add 2e-8.
+/// A t0 shorter than a block counts as one block.
+template <class N>
+class Aging {
+  static constexpr int kOnsetFraction = 9;
+
+ public:
+  static constexpr EffectDescription description{
+      "aging",
+      12,
+      "ageing, creep, moisture",
+      "b = a ln(1 + t / t0), t since power-on; for t << t0 the line (a / t0) t",
+      "0.001 to 0.05 deg/h per run or month",
+      "difference between two soaks at one temperature, on the same branch; no power cycle undoes "
+      "it",
+      "moisture-induced strain in gyroscope coils; effects.md, effect 15",
+      bit_of(Input::elapsed)};
+  static constexpr std::array<ParameterDescription, 1> parameters{
+      {{"t0", "s", 60000, 2000000000, 3600000, false}}};
+  static constexpr std::array<CoefficientDescription, 1> coefficients{{{"a", "deg/h", 2}}};
+
+  static constexpr std::array<int, 1> constant_fractions{kOnsetFraction};
+  template <class Real>
+  static void board_constants(const Real* given, Real block_s, Real* constants) {
+    constants[0] = given[0] > block_s ? given[0] / block_s : Real{1};
+  }
+  static bool constants_valid(const typename N::Constant* constants) { return constants[0] > 0; }
+
+  explicit Aging(const typename N::Constant* constants)
+      : onset_(wide(N::template number<kOnsetFraction>(constants[0]))) {}
+
+  std::size_t regressor_count() const { return 1; }
+  void reset(const Signals<N>& /*signals*/) {}
+  // n + n0 < 2^32, so the logarithms stay below 22.2 of the format's 32.
+  void step(const Signals<N>& signals, typename N::Regressor* regressors) {
+    const auto logarithm =
+        N::natural_logarithm(onset_ + wide(signals.block.elapsed)) - N::natural_logarithm(onset_);
+    regressors[0] = saturate_to<typename N::Regressor>(divide_by_power_of_two<2>(logarithm));
+  }
+
+ private:
+  using Blocks = typename N::template Wide<kOnsetFraction>;
+  template <class T>
+  static Blocks wide(T value) {
+    return round_to<Blocks>(value);
+  }
+
+  Blocks onset_;
+};
+
+}  // namespace fog::effects

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+
+#include "core/effects/effect.hpp"
+
+namespace fog::effects {
+
+/// Glass transition of adhesive, potting or coating: below Tg it is stiff, which shifts the bias
+/// and adds to the rate term. The share s((Tg - T) / w) that is glassy is the logistic function,
+/// within 1e-8; 1/w has 29 fractional bits and Tg 22, which moves it by less than 1e-7.
+template <class N>
+class GlassTransition {
+ public:
+  static constexpr EffectDescription description{
+      "glass_transition",
+      9,
+      "glass transition of adhesive, potting or coating",
+      "b = (A + G dT/dt) s((Tg - T) / w), s(x) = 1 / (1 + exp(-x))",
+      "A 0.01 to 0.3 deg/h, G 0.3 to 3 times the rate term's K, Tg -60 to 60 degC, w 2 to 8 degC",
+      "step of the bias at one temperature in both directions; another ratio of bias to rate below",
+      "US5546482 Cordova & Surabian (1996); Acta Armamentarii 42(6) 1223 (2021)"};
+  static constexpr std::array<ParameterDescription, 2> parameters{
+      {{"tg", "degC", -60000, 80000, -20000, false}, {"width", "degC", 500, 20000, 4000, false}}};
+  static constexpr std::array<CoefficientDescription, 2> coefficients{
+      {{"A", "deg/h", 0}, {"G", "deg/h per (degC/min)", 2}}};
+
+  static constexpr std::array<int, 2> constant_fractions{22, 29};
+  template <class Real>
+  static void board_constants(const Real* given, Real /*block_s*/, Real* constants) {
+    constants[0] = given[0];
+    constants[1] = Real{1} / given[1];
+  }
+  // |Tg| < 256 degC and |T| <= 130 degC: the difference stays within +-512.
+  static bool constants_valid(const typename N::Constant* constants) {
+    constexpr typename N::Constant kMost = 256 << 22;
+    return constants[0] > -kMost && constants[0] < kMost && constants[1] > 0;
+  }
+
+  explicit GlassTransition(const typename N::Constant* constants)
+      : tg_(N::template number<22>(constants[0])),
+        per_width_(N::template number<29>(constants[1])) {}
+
+  std::size_t regressor_count() const { return 2; }
+  void reset(const Signals<N>& /*signals*/) {}
+  void step(const Signals<N>& signals, typename N::Regressor* regressors) {
+    using Regressor = typename N::Regressor;
+    using Argument = typename N::template Number<27>;
+    const auto below = tg_ - round_to<typename N::template Number<22>>(signals.temperature);
+    const auto glassy = N::logistic(saturate_to<Argument>(below * per_width_));
+    regressors[0] = round_to<Regressor>(glassy);
+    regressors[1] =
+        saturate_to<Regressor>(divide_by_power_of_two<2>(glassy * signals.temperature_rate));
+  }
+
+ private:
+  typename N::template Number<22> tg_;
+  typename N::template Number<29> per_width_;
+};
+
+}  // namespace fog::effects

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <array>
+
+#include "core/effects/effect.hpp"
+
+namespace fog::effects {
+
+/// Play operator: follows x only when x has moved it by more than the radius. Rate-independent:
+/// holds for ever at constant x, so it cannot drift; clamping is exact, so it cannot round away.
+template <class N>
+class Play {
+ public:
+  using Value = typename N::template Number<22>;  ///< +-512 degC
+
+  explicit Play(Value radius) : radius_(radius) {}
+
+  void centre(Value x) { y_ = x; }
+  /// x - y after x: between - and + radius, the whole radius on the branches of a loop.
+  Value step(Value x) {
+    y_ = clamp(y_, x - radius_, x + radius_);
+    return x - y_;
+  }
+
+ private:
+  Value radius_;
+  Value y_{};
+};
+
+/// Thermal hysteresis after Prandtl and Ishlinskii: one or two play operators on the temperature.
+/// The regressor is (T - play) / radius: +1 on the warming branch, -1 on the cooling one, so that
+/// the coefficient is half the loop's width and all that is single-valued in T stays with
+/// bias_temperature.
+///
+/// After power-on nobody knows on which branch the coil is: the operators start centred, and the
+/// first excursion of twice the radius puts that right. Until then the error is up to |h|.
+template <class N>
+class ThermalHysteresis {
+ public:
+  static constexpr EffectDescription description{
+      "thermal_hysteresis",
+      8,
+      "thermal hysteresis (Prandtl-Ishlinskii)",
+      "b = sum over j of hj (T - play_rj[T]) / rj, j = 1 and, where radius2 > 0, 2",
+      "loop width 2h 0.005 to 0.1 deg/h, r 2 to 20 degC",
+      "loop in b over T that stays at constant T, whatever the ramp rate; the branch depends on "
+      "the "
+      "last turning point",
+      "play operators: Prandtl-Ishlinskii; loops measured in FOG scale factors (GSA-LSTM, 2024)"};
+  static constexpr std::array<ParameterDescription, 2> parameters{
+      {{"radius", "degC", 500, 40000, 5000, false}, {"radius2", "degC", 0, 40000, 0, false}}};
+  static constexpr std::array<CoefficientDescription, 2> coefficients{
+      {{"h1", "deg/h", 0}, {"h2", "deg/h", 0}}};
+
+  // Radius and its reciprocal, of each. Below half a degree sensors, not coils, have hysteresis: a
+  // smaller radius counts as that.
+  static constexpr std::array<int, 4> constant_fractions{22, 29, 22, 29};
+  template <class Real>
+  static void board_constants(const Real* given, Real /*block_s*/, Real* constants) {
+    constexpr Real kLeastRadius = Real{1} / 2;
+    for (int i = 0; i < 2; ++i) {
+      const bool used = given[i] > Real{};
+      const Real radius = given[i] < kLeastRadius ? kLeastRadius : given[i];
+      constants[2 * i] = used ? radius : Real{};
+      constants[2 * i + 1] = used ? Real{1} / radius : Real{};
+    }
+  }
+  // |T| <= 130 degC and radii below 256 degC stay within the operator's +-512.
+  static bool constants_valid(const typename N::Constant* constants) {
+    constexpr typename N::Constant kMostRadius = 256 << 22;
+    return constants[0] > 0 && constants[0] < kMostRadius && constants[2] >= 0 &&
+           constants[2] < kMostRadius;
+  }
+
+  explicit ThermalHysteresis(const typename N::Constant* constants)
+      : first_(N::template number<22>(constants[0])),
+        second_(N::template number<22>(constants[2])),
+        per_radius_{N::template number<29>(constants[1]), N::template number<29>(constants[3])},
+        two_(constants[2] > typename N::Constant{}) {}
+
+  std::size_t regressor_count() const { return two_ ? 2 : 1; }
+  void reset(const Signals<N>& signals) {
+    first_.centre(operand(signals));
+    second_.centre(operand(signals));
+  }
+  void step(const Signals<N>& signals, typename N::Regressor* regressors) {
+    using Regressor = typename N::Regressor;
+    const auto x = operand(signals);
+    regressors[0] = saturate_to<Regressor>(first_.step(x) * per_radius_[0]);
+    if (two_) regressors[1] = saturate_to<Regressor>(second_.step(x) * per_radius_[1]);
+  }
+
+ private:
+  using Value = typename Play<N>::Value;
+  static Value operand(const Signals<N>& signals) { return round_to<Value>(signals.temperature); }
+
+  Play<N> first_;
+  Play<N> second_;
+  std::array<typename N::template Number<29>, 2> per_radius_;
+  bool two_;
+};
+
+}  // namespace fog::effects

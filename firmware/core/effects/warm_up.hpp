@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+
+#include "core/effects/effect.hpp"
+
+namespace fog::effects {
+
+/// What decays after power-on: self-heating of source and electronics. Computed from the time since
+/// power-on rather than carried as a state: nothing accumulates, and a restart of the thermal state
+/// does not warm the gyro up again.
+///
+/// blocks / tau: the ratio has 31 fractional bits, 3.5e-5 of it at tau = 10^5 s, which changes the
+/// exponential by at most 1.3e-5. A tau shorter than a block counts as one block.
+template <class N>
+class WarmUp {
+ public:
+  static constexpr EffectDescription description{
+      "warm_up",
+      11,
+      "warm-up after power-on",
+      "b = A exp(-t / tau), t since power-on",
+      "A 0.01 to 0.5 deg/h, tau 5 to 30 min",
+      "locked to power-on, not to temperature; the same after every restart",
+      "IEEE Std 952, warm-up time; effects.md, effect 14",
+      bit_of(Input::elapsed)};
+  static constexpr std::array<ParameterDescription, 1> parameters{
+      {{"tau", "s", 10000, 100000000, 1200000, false}}};
+  static constexpr std::array<CoefficientDescription, 1> coefficients{{{"A", "deg/h", 0}}};
+
+  static constexpr std::array<int, 1> constant_fractions{31};
+  template <class Real>
+  static void board_constants(const Real* given, Real block_s, Real* constants) {
+    constants[0] = N::share(block_s / given[0]);
+  }
+  static bool constants_valid(const typename N::Constant* constants) { return constants[0] > 0; }
+
+  explicit WarmUp(const typename N::Constant* constants)
+      : per_tau_(N::template number<31>(constants[0])) {}
+
+  std::size_t regressor_count() const { return 1; }
+  void reset(const Signals<N>& /*signals*/) {}
+  void step(const Signals<N>& signals, typename N::Regressor* regressors) {
+    using Exponent = typename N::template Number<26>;  // clips at 32: exp(-32) is nothing
+    const auto exponent = saturate_to<Exponent>(signals.block.elapsed * per_tau_);
+    regressors[0] = round_to<typename N::Regressor>(N::exponential_decay(exponent));
+  }
+
+ private:
+  typename N::template Number<31> per_tau_;
+};
+
+}  // namespace fog::effects

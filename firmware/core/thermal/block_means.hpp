@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+
+#include "core/signal/inputs.hpp"
+
+namespace fog {
+
+/// What was measured during one block, as means over its good samples; unclamped, unfiltered.
+/// Inputs that the model does not need stay 0.
+template <class N>
+struct BlockMeans {
+  typename N::Temperature temperature{};  ///< coil sensor
+  typename N::Rate input_rate{};          ///< about the axis
+  typename N::Elapsed elapsed{};          ///< blocks from power-on to the end of this one
+  std::array<typename N::template Number<16>, kExtensionInputs> extension{};
+
+  /// One of the inputs that come in extension records, in its unit.
+  typename N::template Number<16> operator[](Input input) const {
+    return extension[static_cast<std::size_t>(input)];
+  }
+};
+
+}  // namespace fog

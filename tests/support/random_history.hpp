@@ -1,0 +1,86 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "core/signal/quantities.hpp"
+#include "core/thermal/block_means.hpp"
+#include "model/drift_model.hpp"
+
+namespace fog::test {
+
+/// The block as the host has it: the same values, exactly.
+inline fogcomp::RealBlock real_block(const BlockMeans<BoardNumbers>& block) {
+  fogcomp::RealBlock real;
+  real.temperature = std::ldexp(block.temperature.raw(), -16);
+  real.input_rate = std::ldexp(block.input_rate.raw(), -10);
+  real.elapsed = block.elapsed.raw();
+  for (std::size_t i = 0; i < kExtensionInputs; ++i) {
+    real.extension[i] = std::ldexp(block.extension[i].raw(), -16);
+  }
+  return real;
+}
+
+/// Block means of a gyro's life out of soaks, ramps, steps and sensor noise, each drawn at random;
+/// the other inputs change with each part.
+class RandomHistory {
+ public:
+  RandomHistory(std::uint64_t seed, double least, double most)
+      : random_(seed), least_(least), most_(most), temperature_(uniform(least, most)) {}
+
+  BlockMeans<BoardNumbers> next() {
+    if (left_-- <= 0) begin_part();
+    temperature_ = std::clamp(temperature_ + per_block_, least_, most_);
+    block_.temperature = fixed<Temperature>(temperature_ + noise_ * normal_(random_));
+    gradient_ += (gradient_target_ - gradient_) / 200;
+    set(Input::temperature2, temperature_ + gradient_);
+    block_.elapsed = Elapsed::from_raw(elapsed_++);
+    return block_;
+  }
+
+ private:
+  void begin_part() {
+    left_ = static_cast<int>(uniform(10, 1200));
+    noise_ = uniform(0, 1) < 0.5 ? 0 : uniform(0, 0.06);
+    const double kind = uniform(0, 1);
+    per_block_ = 0;
+    if (kind < 0.5) per_block_ = uniform(-10, 10) / 60;
+    if (kind > 0.9) temperature_ = uniform(least_, most_);
+    gradient_target_ = uniform(-5, 5);
+    // A rate table now and then, the Earth's rate otherwise.
+    const double most_rate_dph = uniform(0, 1) < 0.2 ? 2e6 : 15;
+    block_.input_rate = fixed<Rate>(uniform(-most_rate_dph, most_rate_dph));
+    set(Input::magnetic, uniform(-500, 500));
+    set(Input::light_power, uniform(0, 1) < 0.05 ? 0 : std::exp(uniform(-2, 9)));
+    set(Input::supply, uniform(4, 6));
+    set(Input::vibration, uniform(0, 1) < 0.5 ? 0 : uniform(0, 20));
+  }
+  double uniform(double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random_);
+  }
+  template <class Value>
+  static Value fixed(double value) {
+    return Value::from_raw(
+        static_cast<std::int32_t>(std::lround(std::ldexp(value, Value::fractional_bits))));
+  }
+  void set(Input input, double value) {
+    block_.extension[static_cast<std::size_t>(input)] = fixed<ExtensionValue>(value);
+  }
+
+  std::mt19937_64 random_;
+  std::normal_distribution<double> normal_;
+  double least_;
+  double most_;
+  double temperature_;
+  double per_block_ = 0;
+  double noise_ = 0;
+  double gradient_ = 0;
+  double gradient_target_ = 0;
+  int left_ = 0;
+  std::int32_t elapsed_ = 0;
+  BlockMeans<BoardNumbers> block_;
+};
+
+}  // namespace fog::test

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "model/catalogue.hpp"
+#include "model/model.hpp"
+#include "support/sample_models.hpp"
+
+// Every effect of the board at the size that effects have in tactical and navigation gyros.
+namespace fog::test {
+
+/// A term from coefficients in the natural units of the catalogue.
+inline fogcomp::EffectTerm natural_term(const std::string& name,
+                                        const std::vector<double>& parameters,
+                                        const std::vector<double>& coefficients) {
+  const fogcomp::CatalogueEntry& entry = fogcomp::find_effect(name);
+  fogcomp::EffectTerm term;
+  term.name = name;
+  term.parameters = parameters;
+  term.identified.assign(parameters.size(), false);
+  term.parameter_sigma.assign(parameters.size(), 0);
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    const CoefficientDescription& description = entry.coefficients[i];
+    term.coefficients_dph.push_back(std::ldexp(coefficients[i], description.scale_log2) /
+                                    description.per_unit);
+    term.sigma_dph.push_back(0.01 * std::abs(term.coefficients_dph.back()));
+  }
+  return term;
+}
+
+inline std::vector<fogcomp::EffectTerm> typical_terms() {
+  return {natural_term("bias", {}, {0.72}),
+          natural_term("bias_temperature", {3}, {-3.5e-4, -3.2e-5, 1e-7}),
+          natural_term("temperature_rate", {}, {0.136}),
+          natural_term("shupe", {120}, {1.0}),
+          natural_term("thermal_lag", {960}, {0.14}),
+          natural_term("temperature_rate_product", {}, {1e-3}),
+          natural_term("axial_gradient", {30}, {0.9, 0.1}),
+          natural_term("polarization_ripple", {13}, {0.02, -0.03}),
+          natural_term("thermal_hysteresis", {3, 10}, {0.03, 0.02}),
+          natural_term("glass_transition", {-20, 4}, {0.1, 0.14}),
+          natural_term("scale_factor_temperature", {}, {300}),
+          natural_term("warm_up", {1200}, {0.3}),
+          natural_term("aging", {3600}, {0.02}),
+          natural_term("magnetic", {}, {0.005, 5e-6}),
+          natural_term("vibration", {}, {0.00125}),
+          natural_term("light_power", {}, {0.1})};
+}
+
+/// All of them, and the sample model's network.
+inline fogcomp::Model all_effects_model() {
+  fogcomp::Model model = paper_like_model();
+  model.terms = typical_terms();
+  return model;
+}
+
+}  // namespace fog::test
