@@ -35,7 +35,7 @@ struct Session {
       : run(arguments.positionals()[1]), board(arguments.positionals()[0]) {
     ReadOptions options = read_options(arguments);
     options.model_scale_factor = board.scale_factor();
-    source = std::make_unique<StreamSource>(run, options, board.scale_factor());
+    source = std::make_unique<StreamSource>(run, options, board.scale_factor(), board.needs());
   }
 
   std::string run;

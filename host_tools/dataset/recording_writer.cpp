@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "core/acquisition/sensor_frame.hpp"
-#include "dataset/columns.hpp"
 #include "dataset/fixed_decimal.hpp"
+#include "dataset/input_columns.hpp"
 
 namespace fogcomp {
 namespace {
@@ -38,7 +38,16 @@ std::size_t index_of(const std::vector<Column>& columns, Column wanted) {
   return static_cast<std::size_t>(found - columns.begin());
 }
 
+constexpr auto kExtensionEnd = kInputColumns.begin() + fog::kExtensionInputs;
+
 }  // namespace
+
+std::optional<fog::ExtensionFrame> extension_frame(fog::Input input, double value) {
+  bool fits = false;
+  const std::int32_t raw = to_raw(std::ldexp(value, fog::ExtensionValue::fractional_bits), fits);
+  if (!fits) return std::nullopt;
+  return fog::encode_extension_frame({input, fog::ExtensionValue::from_raw(raw)});
+}
 
 RecordingWriter::RecordingWriter(const std::string& path, RecordingFormat format,
                                  std::vector<Column> columns, double scale_factor, double rate_hz)
@@ -83,6 +92,13 @@ void RecordingWriter::append_stream(const std::vector<const double*>& values, st
   const double* temperature_degc = values[index_of(columns_, Column::temperature_degc)];
   const double counts_per_dph = scale_factor_ / kDphPerDegreePerSecond;
   for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      const auto input = std::find(kInputColumns.begin(), kExtensionEnd, columns_[c]);
+      if (input == kExtensionEnd) continue;
+      const auto frame =
+          extension_frame(static_cast<fog::Input>(input - kInputColumns.begin()), values[c][row]);
+      if (frame) file_.write(frame->data(), frame->size());
+    }
     fog::SensorSample sample;
     // The number follows from the time, so that a gap in time is a gap in the sequence. The frame
     // keeps the low 16 bits: a gap of 65536 samples or more shows only its remainder.

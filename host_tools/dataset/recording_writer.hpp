@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/acquisition/extension_frame.hpp"
 #include "support/output_file.hpp"
 
 namespace fogcomp {
@@ -26,12 +28,17 @@ enum class Column : std::uint8_t {
   vibration_grms,
 };
 
+/// The extension record of a value; none for one that the format does not hold, as a demodulator
+/// sends none beyond the end of its range.
+std::optional<fog::ExtensionFrame> extension_frame(fog::Input input, double value);
+
 /// Writes a recording in chunks, so that its length is not bounded by memory.
 class RecordingWriter {
  public:
-  /// `columns` are written in the order given; a sensor stream needs rate and temperature and
-  /// leaves out the rest. `scale_factor` is counts per deg/s and `rate_hz` numbers the samples by
-  /// their time; both concern the stream only.
+  /// `columns` are written in the order given; a sensor stream needs time, rate and temperature,
+  /// has extension records for the inputs among the others, and leaves out the input rate.
+  /// `scale_factor` is counts per deg/s and `rate_hz` numbers the samples by their time; both
+  /// concern the stream only.
   RecordingWriter(const std::string& path, RecordingFormat format, std::vector<Column> columns,
                   double scale_factor, double rate_hz);
 

@@ -1,13 +1,16 @@
 #include "dataset/stream_reader.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "core/acquisition/stream_parser.hpp"
-#include "dataset/columns.hpp"
+#include "dataset/input_columns.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -37,6 +40,13 @@ class SampleCollector {
     }
   }
 
+  /// A value that belongs to the next sample and holds until another one comes.
+  void add(const fog::ExtensionRecord& record) {
+    const double value = std::ldexp(record.value.raw(), -fog::ExtensionValue::fractional_bits);
+    if (!input_column(record.input).can_be(value)) return;
+    extension_[static_cast<std::size_t>(record.input)] = value;
+  }
+
   void add(const fog::SensorSample& sample) {
     if (any_ && sample.sequence == static_cast<std::uint16_t>(number_)) {
       ++counts_.repeated_samples;
@@ -62,6 +72,12 @@ class SampleCollector {
     recording_.time_s.push_back(static_cast<double>(number_) / rate_hz_);
     recording_.temperature_degc.push_back(temperature_degc_);
     recording_.rate_dph.push_back(sample.rate_counts * dph_per_count_);
+    for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+      if (!extension_[i]) continue;
+      // Rows before the first value have that one too.
+      extension_column(i).resize(recording_.rows() - 1, *extension_[i]);
+      extension_column(i).push_back(*extension_[i]);
+    }
   }
 
   Recording finish(std::size_t discarded_bytes) {
@@ -84,6 +100,10 @@ class SampleCollector {
   }
 
  private:
+  std::vector<double>& extension_column(std::size_t i) {
+    return recording_.*input_column(static_cast<fog::Input>(i)).values;
+  }
+
   void advance_to(std::uint16_t sequence) {
     if (!any_) {
       number_ = sequence;
@@ -116,6 +136,7 @@ class SampleCollector {
   std::uint64_t number_ = 0;  // of the sample, counted from sequence number 0 before the first
   bool has_temperature_ = false;
   double temperature_degc_ = 0;
+  std::array<std::optional<double>, fog::kExtensionInputs> extension_;
 };
 
 }  // namespace
@@ -123,7 +144,9 @@ class SampleCollector {
 bool is_sensor_stream(std::string_view head) {
   fog::StreamParser parser;
   for (const char character : head) {
-    if (parser.feed(static_cast<std::uint8_t>(character))) return true;
+    if (parser.feed(static_cast<std::uint8_t>(character)) != fog::StreamParser::Found::nothing) {
+      return true;
+    }
   }
   // A capture has zeros in every frame, UTF-16 in every character; a CSV with a stray one is still
   // a CSV, whose reader can name the line.
@@ -136,16 +159,25 @@ Recording read_sensor_stream(InputFile& file, const ReadOptions& options) {
   SampleCollector collector(file, options);
   fog::StreamParser parser;
   std::size_t bytes = 0;
-  std::size_t frames = 0;
+  std::size_t good_bytes = 0;
   for (std::string_view block = file.next_block(); !block.empty(); block = file.next_block()) {
     bytes += block.size();
     for (const char character : block) {
-      if (!parser.feed(static_cast<std::uint8_t>(character))) continue;
-      ++frames;
-      collector.add(parser.sample());
+      switch (parser.feed(static_cast<std::uint8_t>(character))) {
+        case fog::StreamParser::Found::nothing:
+          break;
+        case fog::StreamParser::Found::extension:
+          good_bytes += fog::kExtensionFrameBytes;
+          collector.add(parser.extension());
+          break;
+        case fog::StreamParser::Found::sample:
+          good_bytes += fog::kSensorFrameBytes;
+          collector.add(parser.sample());
+          break;
+      }
     }
   }
-  return collector.finish(bytes - frames * fog::kSensorFrameBytes);
+  return collector.finish(bytes - good_bytes);
 }
 
 }  // namespace fogcomp

@@ -11,14 +11,6 @@ namespace {
 
 constexpr const char* kTableStart = "fog_model[FOG_MODEL_WORDS] = {";
 
-fog::EffectMask enabled_effects(const fog::ModelParameters& parameters) {
-  fog::EffectMask mask = 0;
-  for (std::size_t id = 0; id < fog::kMostEffects; ++id) {
-    if (parameters.effects.by_id[id].enabled()) mask |= fog::EffectMask{1} << id;
-  }
-  return mask;
-}
-
 std::string table_lines(const BoardTable& table) {
   std::string text;
   for (std::size_t i = 0; i < table.notes.size(); ++i) {
@@ -53,7 +45,7 @@ std::string header_text(const BoardTable& table, const std::string& model_name) 
   text += "#ifndef FOG_MODEL_H\n#define FOG_MODEL_H\n\n#include <stdint.h>\n\n";
   text += format("#define FOG_MODEL_LAYOUT %d\n", fog::kModelLayout);
   text += format("#define FOG_MODEL_EFFECTS 0x%xu /* bit = effect id */\n",
-                 static_cast<unsigned>(enabled_effects(parameters)));
+                 static_cast<unsigned>(parameters.effects.enabled()));
   text += format("#define FOG_MODEL_TAPS %zu\n", parameters.denoise.lowpass.size);
   text += format("#define FOG_MODEL_LEVELS %zu\n", parameters.denoise.levels());
   text += format("#define FOG_MODEL_WORDS %zu\n\n", table.words.size());

@@ -66,6 +66,12 @@ const CatalogueEntry& find_effect(const std::string& name) {
                                                 "; fogcomp effects lists all");
 }
 
+fog::InputMask needs_of(const std::vector<EffectTerm>& terms) {
+  fog::InputMask needs = 0;
+  for (const EffectTerm& term : terms) needs |= find_effect(term.name).description.needs;
+  return needs;
+}
+
 std::vector<std::string> effect_names() {
   std::vector<std::string> names;
   for (const CatalogueEntry& candidate : catalogue()) names.push_back(candidate.description.name);

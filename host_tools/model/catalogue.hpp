@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/effects/effect.hpp"
+#include "model/model.hpp"
 #include "model/real_numbers.hpp"
 
 namespace fogcomp {
@@ -35,6 +36,9 @@ const std::vector<CatalogueEntry>& catalogue();
 
 /// Throws InputError for an unknown name, suggesting the nearest.
 const CatalogueEntry& find_effect(const std::string& name);
+
+/// What these effects need beside the coil's temperature.
+fog::InputMask needs_of(const std::vector<EffectTerm>& terms);
 
 /// Names of all effects.
 std::vector<std::string> effect_names();

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "core/effects/registry.hpp"
 #include "export/header.hpp"
+#include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "support/output_file.hpp"
 
@@ -22,6 +24,11 @@ double BoardSource::scale_factor() const {
   if (is_model_) return model_.scale_factor;
   const fog::CalibrationParameters calibration = read_board_table(table_, path_).calibration;
   return 3600 * 1024 / std::ldexp(calibration.multiplier, -calibration.shift);
+}
+
+fog::InputMask BoardSource::needs() const {
+  return is_model_ ? needs_of(model_.terms)
+                   : fog::needs_of(read_board_table(table_, path_).effects.enabled());
 }
 
 const BoardTable& BoardSource::table(const BoardSettings& settings) {

@@ -15,6 +15,8 @@ class BoardSource {
   bool is_model() const { return is_model_; }
   /// Counts per deg/s of its sensor stream.
   double scale_factor() const;
+  /// What its effects need beside the coil's temperature.
+  fog::InputMask needs() const;
   /// The board's table. A header has settings of its own: there `settings` does not matter.
   const BoardTable& table(const BoardSettings& settings);
 

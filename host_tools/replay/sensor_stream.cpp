@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/acquisition/sensor_frame.hpp"
+#include "dataset/input_columns.hpp"
+#include "dataset/recording_writer.hpp"
 #include "identification/block_series.hpp"
 
 namespace fogcomp {
@@ -19,9 +21,16 @@ std::int32_t rounded(double value) {
 
 }  // namespace
 
-void make_sensor_stream(const Recording& recording, double scale_factor, const ByteSink& sink) {
+void make_sensor_stream(const Recording& recording, double scale_factor, fog::InputMask extension,
+                        const ByteSink& sink) {
   std::vector<std::uint8_t> piece;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
+    for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+      const auto input = static_cast<fog::Input>(i);
+      if (!has(extension, input)) continue;
+      const auto frame = extension_frame(input, extension_column(recording, i)[row]);
+      if (frame) piece.insert(piece.end(), frame->begin(), frame->end());
+    }
     fog::SensorSample sample;
     sample.sequence = static_cast<std::uint16_t>(sample_number(recording, row));
     sample.rate_counts = rounded(recording.rate_dph[row] * scale_factor / 3600);

@@ -1,20 +1,47 @@
 #include "replay/stream_source.hpp"
 
+#include <cstdio>
+
+#include "dataset/input_columns.hpp"
 #include "dataset/input_file.hpp"
 #include "dataset/stream_reader.hpp"
+#include "support/input_error.hpp"
 
 namespace fogcomp {
 
-StreamSource::StreamSource(const std::string& path, const ReadOptions& options, double scale_factor)
-    : path_(path), scale_factor_(scale_factor) {
+namespace {
+
+// The board counts from its first sample: it cannot know of the time before a recording.
+void warn_of_late_start(const Recording& recording) {
+  if (recording.time_s[0] <= recording.period_s) return;
+  std::fprintf(stderr,
+               "%s: begins at %g s after power-on; the board's time begins with its first sample\n",
+               recording.file.c_str(), recording.time_s[0]);
+}
+
+}  // namespace
+
+StreamSource::StreamSource(const std::string& path, const ReadOptions& options, double scale_factor,
+                           fog::InputMask needs)
+    : path_(path), scale_factor_(scale_factor), extension_(needs & fog::kAllExtensionInputs) {
   InputFile file(path);
   capture_ = is_sensor_stream(file.peek());
-  if (!capture_) recording_ = read_recording(path, options);
+  if (capture_) return;
+  recording_ = read_recording(path, options);
+  if (has(needs, fog::Input::elapsed)) warn_of_late_start(recording_);
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    if (!has(extension_, static_cast<fog::Input>(i)) || !extension_column(recording_, i).empty()) {
+      continue;
+    }
+    throw InputError(path, "has no column " +
+                               std::string(input_column(static_cast<fog::Input>(i)).name) +
+                               ", which the model needs; replay a recording that has it");
+  }
 }
 
 void StreamSource::send(const ByteSink& sink) const {
   if (!capture_) {
-    make_sensor_stream(recording_, scale_factor_, sink);
+    make_sensor_stream(recording_, scale_factor_, extension_, sink);
     return;
   }
   InputFile file(path_);

@@ -11,8 +11,10 @@ namespace fogcomp {
 /// board would have seen it.
 class StreamSource {
  public:
-  /// Reads a CSV whole (its errors come from here); only opens a capture.
-  StreamSource(const std::string& path, const ReadOptions& options, double scale_factor);
+  /// Reads a CSV whole (its errors come from here, also for a column that `needs` names and it
+  /// lacks); only opens a capture, which has what it has.
+  StreamSource(const std::string& path, const ReadOptions& options, double scale_factor,
+               fog::InputMask needs);
 
   bool is_capture() const { return capture_; }
   /// Of a CSV.
@@ -24,6 +26,7 @@ class StreamSource {
  private:
   std::string path_;
   double scale_factor_;
+  fog::InputMask extension_;
   bool capture_;
   Recording recording_;
 };

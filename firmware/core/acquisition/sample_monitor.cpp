@@ -22,8 +22,7 @@ SampleMonitor::Verdict SampleMonitor::judge(const SensorSample& sample) {
   if (equal_counts_ == 0) --equal_counts_;
   const bool stuck = parameters_.stuck_samples != 0 && equal_counts_ >= parameters_.stuck_samples;
   const auto temperature = Temperature::from_raw(sample.temperature_q16);
-  const bool temperature_good = sample.temperature_valid && temperature >= kLeastTemperature &&
-                                temperature <= kMostTemperature;
+  const bool temperature_good = sample.temperature_valid && is_possible(temperature);
   verdict.status |= status_if(!sample.gyro_valid, Status::gyro_invalid);
   verdict.status |= status_if(stuck, Status::gyro_stuck);
   verdict.status |= status_if(!temperature_good, Status::temperature_invalid);

@@ -16,6 +16,9 @@ struct AcquisitionParameters {
 /// A coil between -70 and +130 degC; anything else is a broken sensor.
 constexpr Temperature kLeastTemperature = from_integer<Temperature>(-70);
 constexpr Temperature kMostTemperature = from_integer<Temperature>(130);
+constexpr bool is_possible(Temperature temperature) {
+  return temperature >= kLeastTemperature && temperature <= kMostTemperature;
+}
 
 /// Judges each sample by itself and by those before it.
 class SampleMonitor {

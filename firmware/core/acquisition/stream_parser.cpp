@@ -2,36 +2,48 @@
 
 namespace fog {
 
-bool StreamParser::feed(std::uint8_t byte) {
+static_assert(2 * kExtensionFrameBytes > kSensorFrameBytes);
+
+// The window begins with a candidate, or holds nothing. A candidate that fails gives up its first
+// byte only: a record may lie whole within the 15 bytes that are left, but not two, so a byte
+// completes at most one frame.
+StreamParser::Found StreamParser::feed(std::uint8_t byte) {
   window_[filled_++] = byte;
-  if (filled_ <= 2) {
-    const std::uint8_t expected = filled_ == 1 ? kSensorSync0 : kSensorSync1;
-    if (byte != expected) drop_to_next_candidate();
-    return false;
+  for (;;) {
+    while (filled_ > 0 && !starts_like_a_frame()) {
+      drop(1);
+      ++discarded_;
+    }
+    if (filled_ < 2 || filled_ < candidate_bytes()) return Found::nothing;
+    const std::size_t size = candidate_bytes();
+    const Found found = decode();
+    if (found != Found::nothing) {
+      drop(size);
+      return found;
+    }
+    drop(1);
+    ++discarded_;
   }
-  if (filled_ < kSensorFrameBytes) return false;
-  if (decode_sensor_frame(window_.data(), sample_)) {
-    filled_ = 0;
-    return true;
-  }
-  drop_to_next_candidate();
-  return false;
 }
 
-// Drops the first byte and all that follow it up to the next place where a frame could start. What
-// is left is shorter than a frame, so nothing in it can be complete yet: one call per byte is
-// enough.
-void StreamParser::drop_to_next_candidate() {
-  std::size_t start = 1;
-  while (start < filled_) {
-    const bool sync0 = window_[start] == kSensorSync0;
-    const bool sync1 = start + 1 == filled_ || window_[start + 1] == kSensorSync1;
-    if (sync0 && sync1) break;
-    ++start;
-  }
-  for (std::size_t i = start; i < filled_; ++i) window_[i - start] = window_[i];
-  discarded_ += static_cast<std::uint32_t>(start);
-  filled_ -= start;
+bool StreamParser::starts_like_a_frame() const {
+  if (window_[0] != kSensorSync0) return false;
+  return filled_ == 1 || window_[1] == kSensorSync1 || window_[1] == kExtensionSync1;
+}
+
+std::size_t StreamParser::candidate_bytes() const {
+  return window_[1] == kSensorSync1 ? kSensorFrameBytes : kExtensionFrameBytes;
+}
+
+StreamParser::Found StreamParser::decode() {
+  if (decode_sensor_frame(window_.data(), sample_)) return Found::sample;
+  if (decode_extension_frame(window_.data(), extension_)) return Found::extension;
+  return Found::nothing;
+}
+
+void StreamParser::drop(std::size_t count) {
+  filled_ -= count;
+  for (std::size_t i = 0; i < filled_; ++i) window_[i] = window_[i + count];
 }
 
 }  // namespace fog

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/acquisition/extension_frame.hpp"
 #include "core/acquisition/sensor_frame.hpp"
 
 namespace fog {
@@ -13,21 +14,29 @@ namespace fog {
 /// than thrown away; and it accepts no frame whose CRC is wrong.
 class StreamParser {
  public:
-  /// Takes one byte. Returns true when it completes a good frame, then found in sample().
-  bool feed(std::uint8_t byte);
+  enum class Found : std::uint8_t { nothing, sample, extension };
+
+  /// Takes one byte. Says what it completes: a sample, then in sample(), or an extension record,
+  /// then in extension().
+  Found feed(std::uint8_t byte);
 
   const SensorSample& sample() const { return sample_; }
+  const ExtensionRecord& extension() const { return extension_; }
 
   /// Bytes that were part of no good frame, modulo 2^32.
   std::uint32_t discarded_bytes() const { return discarded_; }
 
  private:
-  void drop_to_next_candidate();
+  bool starts_like_a_frame() const;
+  std::size_t candidate_bytes() const;
+  Found decode();
+  void drop(std::size_t count);
 
   std::array<std::uint8_t, kSensorFrameBytes> window_{};
   std::size_t filled_ = 0;
   std::uint32_t discarded_ = 0;
   SensorSample sample_;
+  ExtensionRecord extension_;
 };
 
 }  // namespace fog

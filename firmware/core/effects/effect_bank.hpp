@@ -34,6 +34,14 @@ constexpr int kMostCoefficientFraction = 40;
 struct EffectsParameters {
   std::array<EffectParameters, kMostEffects> by_id{};
   int coefficient_fraction = 0;  ///< fractional bits of every coefficient, deg/h
+
+  EffectMask enabled() const {
+    EffectMask mask = 0;
+    for (std::size_t id = 0; id < kMostEffects; ++id) {
+      if (by_id[id].enabled()) mask |= EffectMask{1} << id;
+    }
+    return mask;
+  }
 };
 
 /// The effects of a model and their sum. Only effects in kCompiled exist in the image; a model

@@ -37,15 +37,32 @@ class Compensator {
         output_(parameters.output),
         monitor_(parameters.acquisition),
         block_clock_(parameters.samples_per_block),
+        collector_(needs_of(parameters.effects.enabled())),
+        pending_(needs_of(parameters.effects.enabled())),
         drift_model_(parameters.thermal, parameters.effects, parameters.network, parameters.policy),
         denoiser_(parameters.denoise) {}
 
   /// Takes one byte of the sensor stream. Where it completes a sample, writes the frames that
   /// answer it to `out` (room for kMostOutputBytes) and returns their size; else returns 0.
   std::size_t feed(std::uint8_t byte, std::uint8_t* out) {
-    if (!parser_.feed(byte)) return 0;
+    switch (parser_.feed(byte)) {
+      case StreamParser::Found::nothing:
+        return 0;
+      case StreamParser::Found::extension:
+        take(parser_.extension());
+        return 0;
+      case StreamParser::Found::sample:
+        break;
+    }
     last_ = process(parser_.sample());
     return encode(last_, out);
+  }
+
+  /// A value that belongs to the next sample. One that no sensor can mean is as good as none.
+  void take(const ExtensionRecord& record) {
+    const bool is_temperature = record.input == Input::temperature2;
+    if (is_temperature && !is_possible(record.value)) return;
+    pending_.add(record.input, record.value);
   }
 
   /// The values behind the frames last written.
@@ -57,12 +74,14 @@ class Compensator {
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = !any(verdict.status, Status::temperature_invalid);
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
-    if (temperature_good && !drift_model_.started()) start_with(temperature, measured);
+    if (temperature_good && !drift_model_.started() && pending_.has_all()) {
+      start_with(temperature, measured);
+    }
 
     OutputSample result;
     result.sequence = sample.sequence;
     result.drift = drift_model_.drift();
-    result.status = fault_ | verdict.status | drift_model_.status();
+    result.status = fault_ | verdict.status | drift_model_.status() | input_missing_;
 
     const bool in_range = measured < calibration_.range && measured > -calibration_.range;
     result.status |= status_if(!in_range, Status::rate_out_of_range);
@@ -78,11 +97,15 @@ class Compensator {
     finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are time that passes
     if (temperature_good) collector_.add_temperature(temperature);
     if (result.compensated_valid()) collector_.add_rate(result.compensated);
+    collector_.add_extension(pending_);
+    pending_.clear();
     finish_blocks(block_clock_.advance(1));
     return result;
   }
 
  private:
+  using Collector = BlockCollector<needs_of(kEffects)>;
+
   static Fixed<std::int64_t, Rate::fractional_bits> difference(Rate a, Rate b) {
     using Wide = Fixed<std::int64_t, Rate::fractional_bits>;
     return Wide::from_raw(a.raw()) - Wide::from_raw(b.raw());
@@ -90,23 +113,20 @@ class Compensator {
 
   // Before the first block is full: the sample's own values stand for its means.
   void start_with(Temperature temperature, Rate measured) {
-    BlockMeans<BoardNumbers> block;
-    block.temperature = temperature;
-    block.input_rate = measured;
-    block.elapsed = block_clock_.elapsed();
-    drift_model_.start(block);
+    drift_model_.start({temperature, measured, block_clock_.elapsed(), pending_.means()});
   }
 
   // What was collected belongs to the first of these blocks, at whose end the clock stood at
   // elapsed - (blocks - 1). Its drift holds from the next sample on.
   void finish_blocks(std::uint32_t blocks) {
     if (blocks == 0) return;
-    if (collector_.has_temperature()) {
+    input_missing_ = status_if(!collector_.has_inputs(), Status::input_missing);
+    if (collector_.has_temperature() && collector_.has_inputs()) {
       const auto later = Elapsed::from_raw(static_cast<std::int32_t>(blocks - 1));
       drift_model_.step(collector_.means(block_clock_.elapsed() - later));
-      collector_.clear();
       --blocks;
     }
+    collector_.clear();
     if (blocks > 0) drift_model_.hold(blocks);
   }
 
@@ -129,7 +149,9 @@ class Compensator {
   StreamParser parser_;
   SampleMonitor monitor_;
   BlockClock block_clock_;
-  BlockCollector<needs_of(kEffects)> collector_;
+  Collector collector_;
+  typename Collector::Extension pending_;  // what came since the last sample
+  Status input_missing_ = Status::none;
   DriftModel<kEffects> drift_model_;
   Denoiser<kTaps, kLevels> denoiser_;
   Temperature last_temperature_{};

@@ -14,12 +14,13 @@ enum class Status : std::uint32_t {
   sequence_gap = 1U << 3U,         ///< samples before this one were lost or repeated
   temperature_invalid = 1U << 4U,  ///< this sample's temperature is missing or impossible
   temperature_clamped = 1U << 5U,  ///< outside the trained range; the model saw its limit
-  drift_held = 1U << 6U,           ///< no temperature in the last block; drift is the last good one
-  drift_given_up = 1U << 7U,       ///< held too long: the compensation cannot be trusted
-  thermal_settling = 1U << 8U,     ///< the temperature rate is not yet known well after start-up
-  denoiser_filling = 1U << 9U,     ///< the denoised rate still holds samples from before start-up
-  model_refused = 1U << 10U,       ///< the weight table is damaged or not for this firmware
-  denoised_invalid = 1U << 11U,    ///< the denoised rate stands for a sample that was not valid
+  drift_held = 1U << 6U,         ///< last block lacked what the model needs; its drift is the last
+  drift_given_up = 1U << 7U,     ///< held too long: the compensation cannot be trusted
+  thermal_settling = 1U << 8U,   ///< the temperature rate is not yet known well after start-up
+  denoiser_filling = 1U << 9U,   ///< the denoised rate still holds samples from before start-up
+  model_refused = 1U << 10U,     ///< the weight table is damaged or not for this firmware
+  denoised_invalid = 1U << 11U,  ///< the denoised rate stands for a sample that was not valid
+  input_missing = 1U << 12U,     ///< the last block lacked an input that the model needs
 };
 
 constexpr Status operator|(Status a, Status b) {

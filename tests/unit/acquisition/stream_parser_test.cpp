@@ -21,7 +21,8 @@ SensorSample sample_of(std::uint16_t sequence) {
 std::vector<std::uint16_t> accepted(StreamParser& parser, const std::vector<std::uint8_t>& bytes) {
   std::vector<std::uint16_t> sequences;
   for (const std::uint8_t byte : bytes) {
-    if (parser.feed(byte)) sequences.push_back(parser.sample().sequence);
+    if (parser.feed(byte) == StreamParser::Found::sample)
+      sequences.push_back(parser.sample().sequence);
   }
   return sequences;
 }
@@ -96,6 +97,137 @@ TEST(StreamParser, FindsEveryFrameBetweenRandomBytes) {
     }
   }
   EXPECT_GE(found, 2000);
+}
+
+// ---- extension records ----
+
+using fog::encode_extension_frame;
+using fog::ExtensionFrame;
+using fog::ExtensionRecord;
+using Found = StreamParser::Found;
+
+ExtensionRecord record_of(std::uint16_t i) {
+  return {static_cast<fog::Input>(i % fog::kExtensionInputs),
+          fog::ExtensionValue::from_raw(-123456789 + i)};
+}
+
+void append(std::vector<std::uint8_t>& bytes, const ExtensionFrame& frame) {
+  bytes.insert(bytes.end(), frame.begin(), frame.end());
+}
+
+// What a parser makes of a stream: values of records, then sequences of samples.
+struct Accepted {
+  std::vector<std::int32_t> records;
+  std::vector<std::uint16_t> samples;
+};
+
+Accepted all_accepted(const std::vector<std::uint8_t>& bytes) {
+  StreamParser parser;
+  Accepted accepted;
+  for (const std::uint8_t byte : bytes) {
+    const Found found = parser.feed(byte);
+    if (found == Found::extension) accepted.records.push_back(parser.extension().value.raw());
+    if (found == Found::sample) accepted.samples.push_back(parser.sample().sequence);
+  }
+  return accepted;
+}
+
+TEST(ExtensionRecord, IsReturnedAsSentForEveryInput) {
+  for (std::uint16_t i = 0; i < fog::kExtensionInputs; ++i) {
+    StreamParser parser;
+    Found found = Found::nothing;
+    for (const std::uint8_t byte : encode_extension_frame(record_of(i))) {
+      ASSERT_EQ(found, Found::nothing);
+      found = parser.feed(byte);
+    }
+    ASSERT_EQ(found, Found::extension);
+    EXPECT_EQ(parser.extension().input, record_of(i).input);
+    EXPECT_EQ(parser.extension().value, record_of(i).value);
+  }
+}
+
+TEST(ExtensionRecord, LeavesTheSamplesAroundItAlone) {
+  std::vector<std::uint8_t> bytes;
+  for (std::uint16_t i = 0; i < 100; ++i) {
+    for (std::uint16_t n = 0; n < i % 7; ++n) append(bytes, encode_extension_frame(record_of(i)));
+    append(bytes, encode_sensor_frame(sample_of(i)));
+  }
+  const Accepted accepted = all_accepted(bytes);
+  EXPECT_EQ(accepted.samples.size(), 100U);
+  EXPECT_EQ(accepted.records.size() * fog::kExtensionFrameBytes +
+                accepted.samples.size() * fog::kSensorFrameBytes,
+            bytes.size());
+}
+
+TEST(ExtensionRecord, IsRefusedWithOneOrTwoFlippedBits) {
+  const ExtensionFrame good = encode_extension_frame(record_of(3));
+  constexpr std::size_t kBits = fog::kExtensionFrameBytes * 8;
+  for (std::size_t first = 0; first < kBits; ++first) {
+    for (std::size_t second = first; second < kBits; ++second) {
+      ExtensionFrame damaged = good;
+      damaged[first / 8] = static_cast<std::uint8_t>(damaged[first / 8] ^ (1U << (first % 8)));
+      if (second != first) {
+        damaged[second / 8] = static_cast<std::uint8_t>(damaged[second / 8] ^ (1U << (second % 8)));
+      }
+      ExtensionRecord record;
+      ASSERT_FALSE(fog::decode_extension_frame(damaged.data(), record)) << first << ", " << second;
+    }
+  }
+}
+
+TEST(ExtensionRecord, IsRefusedForAnInputThatDoesNotExist) {
+  for (unsigned input = fog::kExtensionInputs; input < 256; ++input) {
+    const ExtensionFrame frame = encode_extension_frame({static_cast<fog::Input>(input), {}});
+    ExtensionRecord record;
+    EXPECT_FALSE(fog::decode_extension_frame(frame.data(), record)) << input;
+  }
+}
+
+// Wherever bytes are lost, every frame that is whole is found: records that lie within the bytes of
+// a broken sample, and samples behind broken records.
+TEST(ExtensionRecord, AndSampleAreAllFoundWhereverBytesAreLost) {
+  std::vector<std::uint8_t> good;
+  for (std::uint16_t i = 0; i < 4; ++i) {
+    append(good, encode_extension_frame(record_of(i)));
+    append(good, encode_sensor_frame(sample_of(i)));
+  }
+  constexpr std::size_t kPair = fog::kExtensionFrameBytes + fog::kSensorFrameBytes;
+  for (std::size_t lost = 1; lost <= kPair; ++lost) {
+    for (std::size_t at = 0; at + lost <= 2 * kPair; ++at) {
+      std::vector<std::uint8_t> bytes = good;
+      const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at);
+      bytes.erase(first, first + static_cast<std::ptrdiff_t>(lost));
+      const Accepted accepted = all_accepted(bytes);
+      ASSERT_GE(accepted.samples.size(), 2U) << lost << " lost at " << at;
+      ASSERT_GE(accepted.records.size(), 2U) << lost << " lost at " << at;
+      EXPECT_EQ(accepted.samples[accepted.samples.size() - 2], 2);
+      EXPECT_EQ(accepted.samples.back(), 3);
+      EXPECT_EQ(accepted.records[accepted.records.size() - 2], record_of(2).value.raw());
+      EXPECT_EQ(accepted.records.back(), record_of(3).value.raw());
+    }
+  }
+}
+
+TEST(ExtensionRecord, IsFoundBetweenRandomBytesAndNothingElseIs) {
+  std::mt19937 random(2);
+  std::vector<std::uint8_t> bytes;
+  const auto append_noise = [&] {
+    for (std::size_t n = random() % 20; n > 0; --n) {
+      const std::uint8_t syncs[] = {fog::kSensorSync0, fog::kSensorSync1, fog::kExtensionSync1};
+      bytes.push_back(random() % 2 == 0 ? syncs[random() % 3]
+                                        : static_cast<std::uint8_t>(random()));
+    }
+  };
+  for (std::uint16_t i = 0; i < 2000; ++i) {
+    append_noise();
+    append(bytes, encode_extension_frame(record_of(i)));
+    append_noise();
+    append(bytes, encode_sensor_frame(sample_of(i)));
+  }
+  for (int i = 0; i < 16; ++i) bytes.push_back(0);  // so that no candidate is left open
+  const Accepted accepted = all_accepted(bytes);
+  EXPECT_EQ(accepted.samples.size(), 2000U);
+  EXPECT_EQ(accepted.records.size(), 2000U);
 }
 
 }  // namespace

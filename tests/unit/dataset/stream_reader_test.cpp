@@ -55,6 +55,45 @@ TEST(StreamReader, GivesBackWhatTheWriterWrote) {
   EXPECT_EQ(recording.capture->missing_samples, 2000U);
 }
 
+TEST(StreamReader, GivesBackTheInputsOfExtensionRecords) {
+  const std::string path = temporary_path("extension.bin");
+  std::vector<std::vector<double>> columns(8);
+  for (int i = 0; i < 1000; ++i) {
+    columns[0].push_back(i / 200.0);
+    for (std::size_t c = 1; c < columns.size(); ++c) {
+      columns[c].push_back(20 + static_cast<double>(c) * i / 65536.0);
+    }
+  }
+  RecordingWriter writer(
+      path, RecordingFormat::sensor_stream,
+      {Column::time_s, Column::temperature_degc, Column::rate_dph, Column::vibration_grms,
+       Column::temperature2_degc, Column::magnetic_ut, Column::light_power_uw, Column::supply_v},
+      kDefaultScaleFactor, 200);
+  std::vector<const double*> values;
+  for (const auto& column : columns) values.push_back(column.data());
+  writer.append(values, columns[0].size());
+  writer.commit();
+
+  const Recording recording = read_recording(path, {});
+  EXPECT_EQ(recording.vibration_grms, columns[3]);
+  EXPECT_EQ(recording.temperature2_degc, columns[4]);
+  EXPECT_EQ(recording.magnetic_ut, columns[5]);
+  EXPECT_EQ(recording.light_power_uw, columns[6]);
+  EXPECT_EQ(recording.supply_v, columns[7]);
+  EXPECT_EQ(recording.capture->discarded_bytes, 0U);
+}
+
+TEST(StreamReader, HoldsAnInputUntilItsNextRecord) {
+  const auto record = [](std::int32_t degc) {
+    const auto frame = fog::encode_extension_frame(
+        {fog::Input::temperature2, fog::ExtensionValue::from_raw(degc * 65536)});
+    return std::string(reinterpret_cast<const char*>(frame.data()), frame.size());
+  };
+  const Recording recording = read_stream(frame(1) + record(30) + frame(2) + frame(3) +
+                                          record(-300) + frame(4) + record(31) + frame(5));
+  EXPECT_EQ(recording.temperature2_degc, (std::vector<double>{30, 30, 30, 30, 31}));
+}
+
 TEST(StreamReader, UsesScaleFactorAndSampleRate) {
   ReadOptions options;
   options.scale_factor = 3600;  // one count per deg/h
