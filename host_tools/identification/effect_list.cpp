@@ -65,7 +65,7 @@ std::vector<EffectTerm> parse_effects(const std::string& list) {
     term.name = words[0];
     for (const auto& parameter : entry.parameters) {
       term.parameters.push_back(parameter.default_milli / 1000.0);
-      term.identified.push_back(!parameter.whole);
+      term.identified.push_back(!parameter.whole && parameter.default_milli != 0);
       term.parameter_sigma.push_back(0);
     }
     for (std::size_t i = 1; i < words.size(); ++i) set_parameter(term, entry, words[i]);
