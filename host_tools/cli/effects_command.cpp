@@ -1,11 +1,11 @@
-// fogcomp effects: the catalogue.
+// fogcomp effects: the catalogue, as text, JSON, or the document host_tools/EFFECTS.md.
 
 #include <cstdio>
 
 #include "cli/arguments.hpp"
+#include "cli/effects_text.hpp"
 #include "model/catalogue.hpp"
 #include "support/json.hpp"
-#include "support/text.hpp"
 
 namespace fogcomp::cli {
 namespace {
@@ -25,50 +25,39 @@ Json entry_json(const CatalogueEntry& entry) {
     coefficients.push(
         std::move(Json::object().set("symbol", coefficient.symbol).set("unit", coefficient.unit)));
   }
+  Json needs = Json::array();
+  for (const std::string& column : needed_columns(entry)) needs.push(column);
   return std::move(Json::object()
                        .set("effect", entry.description.name)
+                       .set("id", static_cast<int>(entry.description.id))
                        .set("title", entry.description.title)
                        .set("equation", entry.description.equation)
                        .set("typical", entry.description.typical)
                        .set("signature", entry.description.signature)
                        .set("source", entry.description.source)
+                       .set("needs", std::move(needs))
+                       .set("on_board", entry.description.host_only == nullptr)
                        .set("parameters", std::move(parameters))
                        .set("coefficients", std::move(coefficients)));
 }
 
-void print_entry(const CatalogueEntry& entry) {
-  const fog::EffectDescription& effect = entry.description;
-  std::printf("%s - %s\n", effect.name, effect.title);
-  std::printf("  equation   %s\n", effect.equation);
-  std::printf("  typical    %s\n", effect.typical);
-  std::printf("  signature  %s\n", effect.signature);
-  std::printf("  source     %s\n", effect.source);
-  for (const auto& parameter : entry.parameters) {
-    std::printf("  parameter  %s: %g to %g %s, default %g\n", parameter.name,
-                parameter.least_milli / 1000.0, parameter.most_milli / 1000.0, parameter.unit,
-                parameter.default_milli / 1000.0);
-  }
-  for (const auto& coefficient : entry.coefficients) {
-    std::printf("  identified %s, %s\n", coefficient.symbol, coefficient.unit);
-  }
+std::vector<const CatalogueEntry*> chosen_entries(const Arguments& arguments) {
+  if (!arguments.positionals().empty()) return {&find_effect(arguments.positionals()[0])};
+  std::vector<const CatalogueEntry*> entries;
+  for (const CatalogueEntry& entry : catalogue()) entries.push_back(&entry);
+  return entries;
 }
 
 int run_effects(const Arguments& arguments) {
-  std::vector<const CatalogueEntry*> entries;
-  if (arguments.positionals().empty()) {
-    for (const CatalogueEntry& entry : catalogue()) entries.push_back(&entry);
-  } else {
-    entries.push_back(&find_effect(arguments.positionals()[0]));
-  }
-  if (arguments.has("json")) {
+  const std::vector<const CatalogueEntry*> entries = chosen_entries(arguments);
+  if (arguments.has("markdown")) {
+    std::fputs(effects_markdown(entries).c_str(), stdout);
+  } else if (arguments.has("json")) {
     Json list = Json::array();
     for (const CatalogueEntry* entry : entries) list.push(entry_json(*entry));
     std::puts(std::move(Json::object().set("effects", std::move(list))).text().c_str());
-    return 0;
-  }
-  for (const CatalogueEntry* entry : entries) {
-    if (entry != entries.front()) std::puts("");
-    print_entry(*entry);
+  } else {
+    std::fputs(effects_text(entries).c_str(), stdout);
   }
   return 0;
 }
@@ -82,7 +71,8 @@ Command effects_command() {
   command.most_positionals = 1;
   command.summary = "the catalogue: equation, units, parameters, signature, source";
   command.example = "fogcomp effects temperature_rate";
-  command.options = {{"json", "", "one JSON object on stdout", ""}};
+  command.options = {{"json", "", "one JSON object on stdout", ""},
+                     {"markdown", "", "the document host_tools/EFFECTS.md", ""}};
   command.run = run_effects;
   return command;
 }

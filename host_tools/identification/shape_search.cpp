@@ -148,7 +148,6 @@ void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& 
   if (parameters.empty()) return;
   for (int round = 0; round < kGridRounds; ++round) {
     for (const ShapeParameter& parameter : parameters) search_grid(problem, parameter);
-
   }
   for (int step = 0; step < kGaussNewtonSteps; ++step) {
     if (!gauss_newton_step(problem, parameters)) break;

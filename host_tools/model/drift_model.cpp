@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/signal/quantities.hpp"
-
 namespace fogcomp {
 namespace {
 
@@ -12,6 +10,17 @@ namespace {
 const double kMostRegressor = std::ldexp(1, 31 - fog::Regressor::fractional_bits);
 
 }  // namespace
+
+RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block) {
+  const auto real = [](auto value) {
+    return std::ldexp(value.raw(), -decltype(value)::fractional_bits);
+  };
+  RealBlock result{real(block.temperature), real(block.input_rate), real(block.elapsed), {}};
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    result.extension[i] = real(block.extension[i]);
+  }
+  return result;
+}
 
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
   const double decay = -std::expm1(-block_s / model.derivative_tau_s);

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/signal/quantities.hpp"
 #include "core/thermal/thermal_state.hpp"
 #include "model/catalogue.hpp"
 #include "model/model.hpp"
@@ -11,6 +12,9 @@ namespace fogcomp {
 
 /// What a model sees of one block.
 using RealBlock = fog::BlockMeans<RealNumbers>;
+
+/// The same values, exactly.
+RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block);
 
 /// Numbers of the thermal stage for a block period. The board's table is the rounding of these.
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s);

@@ -5,8 +5,8 @@
 
 namespace fogcomp {
 
-/// How far the board's integers are from the model in double, over temperature programmes that
-/// cover the trained range: slow and fast ramps, steps, soaks.
+/// How far the board's integers are from the model in double, over verification_programme() in the
+/// trained range.
 struct QuantizationError {
   double worst_dph = 0;
   double at_temperature_degc = 0;

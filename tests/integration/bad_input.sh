@@ -78,6 +78,23 @@ refuses '^version\.model:1: is a model of another version' export version.model 
 head -c 200 good.model >cut.model
 refuses '^cut\.model: is damaged' replay cut.model good.csv -o kept
 
+# Effects whose inputs are missing, and effects that no board can have.
+fit_effect() { refuses "$1" fit good.csv -o kept --effects "bias,$2"; }
+fit_effect '^good\.csv: magnetic needs the column magnetic_ut; add it, or leave the effect out' magnetic
+fit_effect '^good\.csv: axial_gradient needs the column temperature2_degc' axial_gradient
+fit_effect '^good\.csv: scale_factor_temperature needs the column input_rate_dph; add it, give --latitude' \
+  scale_factor_temperature
+sed 's/^0,/-10,/' good.csv >early.csv
+refuses '^early\.csv: warm_up needs the column time_s; .*since power-on' fit early.csv -o kept --effects bias,warm_up
+"$fogcomp" simulate -o field.csv --profile field_and_vibration --columns all >/dev/null
+"$fogcomp" fit field.csv -o field.model --effects bias,magnetic >/dev/null
+refuses '^good\.csv: magnetic needs the column magnetic_ut' compare field.model good.csv
+refuses "^effect 'magnetic': needs magnetic_ut, which .* give --extension" export field.model -o kept
+"$fogcomp" export field.model -o field.h --extension --sample-rate 0.1 >/dev/null
+refuses '^good\.csv: has no column magnetic_ut, which the model needs' replay field.h good.csv -o kept
+"$fogcomp" fit good.csv -o step.model --effects bias,bias_step:at=15 >/dev/null
+refuses "^effect 'bias_step': cannot go to the board: it is an event" export step.model -o kept
+
 # Headers.
 sed 's/2101248000/2101248001/' good.h >damaged.h
 refuses '^damaged\.h: .*damaged' replay damaged.h good.csv -o kept

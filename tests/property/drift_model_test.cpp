@@ -29,10 +29,10 @@ double worst_difference(const fogcomp::Model& model, std::uint64_t seed, int hou
     const auto means = history.next();
     if (block == 0) {
       board.start(means);
-      real.start(fog::test::real_block(means));
+      real.start(fogcomp::to_real(means));
     } else {
       board.step(means);
-      real.step(fog::test::real_block(means));
+      real.step(fogcomp::to_real(means));
     }
     worst = std::max(worst, std::abs(std::ldexp(board.drift().raw(), -10) - real.drift_dph()));
   }

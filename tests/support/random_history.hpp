@@ -7,21 +7,8 @@
 
 #include "core/signal/quantities.hpp"
 #include "core/thermal/block_means.hpp"
-#include "model/drift_model.hpp"
 
 namespace fog::test {
-
-/// The block as the host has it: the same values, exactly.
-inline fogcomp::RealBlock real_block(const BlockMeans<BoardNumbers>& block) {
-  fogcomp::RealBlock real;
-  real.temperature = std::ldexp(block.temperature.raw(), -16);
-  real.input_rate = std::ldexp(block.input_rate.raw(), -10);
-  real.elapsed = block.elapsed.raw();
-  for (std::size_t i = 0; i < kExtensionInputs; ++i) {
-    real.extension[i] = std::ldexp(block.extension[i].raw(), -16);
-  }
-  return real;
-}
 
 /// Block means of a gyro's life out of soaks, ramps, steps and sensor noise, each drawn at random;
 /// the other inputs change with each part.

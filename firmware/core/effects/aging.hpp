@@ -26,7 +26,7 @@ class Aging {
       "0.001 to 0.05 deg/h per run or month",
       "difference between two soaks at one temperature, on the same branch; no power cycle undoes "
       "it",
-      "moisture-induced strain in gyroscope coils; effects.md, effect 15",
+      "Moisture induced mechanical strain in gyroscope optical fiber coil",
       bit_of(Input::elapsed)};
   static constexpr std::array<ParameterDescription, 1> parameters{
       {{"t0", "s", 60000, 2000000000, 3600000, false}}};

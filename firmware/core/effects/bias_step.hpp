@@ -19,7 +19,7 @@ class BiasStep {
       "0.02 to 0.5 deg/h",
       "change point that repeats neither in time nor in temperature; with a drop of light power it "
       "is light_power",
-      "effects.md, effect 19",
+      "general knowledge of the field; a jump at 20 to -40 degC in the reference paper",
       bit_of(Input::elapsed),
       "it is an event of one recording, and no board can know when the next one comes"};
   static constexpr std::array<ParameterDescription, 1> parameters{

@@ -21,7 +21,7 @@ class LightPower : public NoParameters {
       "b = k ln(P / 100 uW), for small changes k (P - P0) / P0",
       "k 0.01 to 0.5 deg/h",
       "follows the light power monitor: ageing source, bent fibre, shut-down of the waveguide",
-      "Ponomarev et al., Appl. Sci. 9, 4585 (2019); effects.md, effects 13 and 14",
+      "Ponomarev et al., Appl. Sci. 9, 4585 (2019); 11, 9853 (2021)",
       bit_of(Input::light_power)};
   static constexpr std::array<CoefficientDescription, 1> coefficients{{{"k", "deg/h", 1}}};
 

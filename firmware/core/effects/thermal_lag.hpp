@@ -23,7 +23,7 @@ class ThermalLag {
       "K 0.05 to 0.3 deg/h per (degC/min); tau 45 s for a bare coil, 5 min with spool, 16 min with "
       "housing, 1.5 h on a stone base",
       "exponential tail of the rate term after a ramp ends, slow growth after it starts",
-      "effects.md, effect 4; computed from coil and housing"};
+      "time constants computed with a finite-volume model of coil, spool and housing"};
   static constexpr std::array<ParameterDescription, 1> parameters{
       {{"tau", "s", 5000, 20000000, 300000, false}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{

@@ -22,7 +22,7 @@ class WarmUp {
       "b = A exp(-t / tau), t since power-on",
       "A 0.01 to 0.5 deg/h, tau 5 to 30 min",
       "locked to power-on, not to temperature; the same after every restart",
-      "IEEE Std 952, warm-up time; effects.md, effect 14",
+      "IEEE Std 952, warm-up time; sizes are general knowledge of the field",
       bit_of(Input::elapsed)};
   static constexpr std::array<ParameterDescription, 1> parameters{
       {{"tau", "s", 10000, 100000000, 1200000, false}}};

@@ -1,0 +1,105 @@
+#include "cli/effects_text.hpp"
+
+#include "dataset/input_columns.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+std::string range(const fog::ParameterDescription& parameter) {
+  const std::string unit =
+      std::string(parameter.unit) == "1" ? "" : std::string(" ") + parameter.unit;
+  return format("%g to %g%s, default %g", parameter.least_milli / 1000.0,
+                parameter.most_milli / 1000.0, unit.c_str(), parameter.default_milli / 1000.0);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string entry_text(const CatalogueEntry& entry) {
+  const fog::EffectDescription& effect = entry.description;
+  std::string text = format("%s - %s\n", effect.name, effect.title);
+  text += format("  equation   %s\n", effect.equation);
+  text += format("  typical    %s\n", effect.typical);
+  text += format("  signature  %s\n", effect.signature);
+  text += format("  source     %s\n", effect.source);
+  const std::vector<std::string> needs = needed_columns(entry);
+  if (!needs.empty()) text += "  needs      " + joined(needs) + "\n";
+  if (effect.host_only != nullptr) text += format("  host only  %s\n", effect.host_only);
+  for (const auto& parameter : entry.parameters) {
+    text += format("  parameter  %s: %s\n", parameter.name, range(parameter).c_str());
+  }
+  for (const auto& coefficient : entry.coefficients) {
+    text += format("  identified %s, %s\n", coefficient.symbol, coefficient.unit);
+  }
+  return text;
+}
+
+std::string entry_markdown(const CatalogueEntry& entry) {
+  const fog::EffectDescription& effect = entry.description;
+  std::string text =
+      format("## `%s`\n\n%s.\n\n    %s\n\n", effect.name, effect.title, effect.equation);
+  text += "| | |\n|---|---|\n";
+  const auto row = [&text](const std::string& left, const std::string& right) {
+    text += "| " + left + " | " + right + " |\n";
+  };
+  row("typical size", effect.typical);
+  row("signature", effect.signature);
+  for (const auto& parameter : entry.parameters) {
+    row(format("parameter `%s`", parameter.name), range(parameter));
+  }
+  for (const auto& coefficient : entry.coefficients) {
+    row(format("identified `%s`", coefficient.symbol), coefficient.unit);
+  }
+  const std::vector<std::string> needs = needed_columns(entry);
+  if (!needs.empty()) row("needs", "`" + joined(needs) + "`");
+  row("on the board", effect.host_only == nullptr ? format("yes, id %d", effect.id)
+                                                  : std::string("no: ") + effect.host_only);
+  row("source", effect.source);
+  return text + "\n";
+}
+
+}  // namespace
+
+std::vector<std::string> needed_columns(const CatalogueEntry& entry) {
+  std::vector<std::string> columns;
+  for (std::size_t i = 0; i < fog::kInputs; ++i) {
+    const auto input = static_cast<fog::Input>(i);
+    if (has(entry.description.needs, input)) columns.emplace_back(input_column(input).name);
+  }
+  return columns;
+}
+
+std::string effects_text(const std::vector<const CatalogueEntry*>& entries) {
+  std::string text;
+  for (const CatalogueEntry* entry : entries) {
+    text += (text.empty() ? "" : "\n") + entry_text(*entry);
+  }
+  return text;
+}
+
+std::string effects_markdown(const std::vector<const CatalogueEntry*>& entries) {
+  std::string text =
+      "# Physical effects\n\n"
+      "Written by `fogcomp effects --markdown` from the headers in `firmware/core/effects`; a test "
+      "compares the two.\n\n"
+      "Drift = Σ coefficient · regressor over the effects of a model, plus the network. T is the "
+      "coil sensor's temperature (a block's mean), dT/dt its derivative behind two lags "
+      "(`fit --derivative-tau`), t the time since power-on. `time_s` is needed as time since "
+      "power-on; `input_rate_dph` on the board is what the gyro itself measures; the other columns "
+      "reach the board in extension records (`export --extension`).\n\n"
+      "| effect | equation | needs |\n|---|---|---|\n";
+  for (const CatalogueEntry* entry : entries) {
+    text += format("| [`%s`](#%s) | %s | %s |\n", entry->description.name, entry->description.name,
+                   entry->description.equation, joined(needed_columns(*entry)).c_str());
+  }
+  text += "\n";
+  for (const CatalogueEntry* entry : entries) text += entry_markdown(*entry);
+  text.pop_back();
+  return text;
+}
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/catalogue.hpp"
+
+namespace fogcomp::cli {
+
+/// Columns of a recording that an effect needs beside the three that every recording has.
+std::vector<std::string> needed_columns(const CatalogueEntry& entry);
+
+/// The catalogue for a terminal, and as the document host_tools/EFFECTS.md.
+std::string effects_text(const std::vector<const CatalogueEntry*>& entries);
+std::string effects_markdown(const std::vector<const CatalogueEntry*>& entries);
+
+}  // namespace fogcomp::cli
