@@ -2,7 +2,9 @@
 // can have and a network of 10 neurons. For the images of the target tests and of tests/bench.
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "model/model_file.hpp"
 #include "support/typical_effects.hpp"
@@ -22,34 +24,35 @@ void widen_network(fogcomp::RealNetwork& network) {
   }
 }
 
-int run(const std::string& output, const std::string& effect) {
+fogcomp::EffectTerm typical_term(const std::string& name) {
+  for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
+    if (term.name == name) return term;
+  }
+  throw std::invalid_argument("no effect '" + name + "' that a board can have");
+}
+
+void run(const std::string& output, const std::vector<std::string>& effects) {
   fogcomp::Model model = fog::test::all_effects_model();
-  if (effect.empty()) {
+  if (effects.empty()) {
     widen_network(model.network);
   } else {
     model.network = {};
     model.terms.clear();
-    for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
-      if (term.name == effect) model.terms.push_back(term);
-    }
-    if (model.terms.empty()) {
-      std::fprintf(stderr, "make_model: no effect '%s'\n", effect.c_str());
-      return 2;
-    }
+    for (const std::string& effect : effects) model.terms.push_back(typical_term(effect));
   }
   fogcomp::save_model(model, output);
-  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2 && argc != 3) {
-    std::fputs("usage: make_model OUT.model [EFFECT]\n", stderr);
+  if (argc < 2) {
+    std::fputs("usage: make_model OUT.model [EFFECT...]\n", stderr);
     return 2;
   }
   try {
-    return run(argv[1], argc == 3 ? argv[2] : "");
+    run(argv[1], {argv + 2, argv + argc});
+    return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "make_model: %s\n", error.what());
     return 1;
