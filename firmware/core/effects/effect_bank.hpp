@@ -4,17 +4,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
+#include <type_traits>
 
 #include "core/effects/effect.hpp"
 #include "core/effects/registry.hpp"
+#include "core/effects/weighted_sum.hpp"
 #include "core/fixed_point/fixed.hpp"
 #include "core/signal/quantities.hpp"
 #include "core/signal/span.hpp"
 
 namespace fog {
-
-/// Drift while it is being summed: 10 bits finer than the Rate it is rounded to, once, at the end.
-using DriftSum = Fixed<std::int64_t, 20>;
 
 /// What an effect that the model leaves out is built from: every constructor accepts zeros.
 inline constexpr std::array<std::int32_t, 16> kZeroConstants{};
@@ -58,22 +57,14 @@ class EffectBank {
     for_each([&](auto& slot) { slot.effect.reset(signals); });
   }
 
-  /// Advances all states by one block and returns their drift.
-  ///
-  /// Overflow: |coefficient * regressor| <= 2^62. With at least kLeastCoefficientFraction bits each
-  /// product loses 18 or more when it is rounded to 2^-20 deg/h, before it is added: the sum of 32
-  /// * 9 of them stays below 2^53.
+  /// Advances all states by one block and returns their drift: 32 sums, each below 2^48.
   DriftSum step(const BoardSignals& signals) {
     DriftSum drift{};
     for_each([&](auto& slot) {
-      std::array<Regressor, kMostRegressors> regressors;
+      constexpr std::size_t kMost = std::decay_t<decltype(slot.effect)>::coefficients.size();
+      std::array<Regressor, kMost> regressors;
       slot.effect.step(signals, regressors.data());
-      for (std::size_t k = 0; k < slot.coefficients.size; ++k) {
-        const std::int64_t product = std::int64_t{slot.coefficients[k]} * regressors[k].raw();
-        drift += DriftSum::from_raw(round_shift(
-            product,
-            coefficient_fraction_ + Regressor::fractional_bits - DriftSum::fractional_bits));
-      }
+      drift += weighted_sum(slot.coefficients, regressors.data(), coefficient_fraction_);
     });
     return drift;
   }

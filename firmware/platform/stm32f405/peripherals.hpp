@@ -51,6 +51,7 @@ struct Rcc {
   // ahb1_enable, apb1_enable, apb2_enable
   static constexpr std::uint32_t kGpioA = 1U << 0U;
   static constexpr std::uint32_t kGpioB = 1U << 1U;
+  static constexpr std::uint32_t kTimer2 = 1U << 0U;
   static constexpr std::uint32_t kUsart2 = 1U << 17U;
   static constexpr std::uint32_t kUsart3 = 1U << 18U;
   static constexpr std::uint32_t kUsart1 = 1U << 4U;
@@ -99,6 +100,17 @@ struct Usart {
   static constexpr std::uint32_t kEnable = 1U << 13U;
 };
 
+struct Timer {
+  Register control1;
+  std::array<Register, 8> unused_04;
+  Register count;
+  Register prescaler;
+  Register reload;
+
+  static constexpr std::uint32_t kEnable = 1U << 0U;
+};
+static_assert(offsetof(Timer, count) == 0x24 && offsetof(Timer, reload) == 0x2C);
+
 struct IndependentWatchdog {
   Register key;
   Register prescaler;
@@ -128,6 +140,9 @@ inline Usart& usart2() {
 }
 inline Usart& usart3() {
   return peripheral_at<Usart>(0x40004800U);
+}
+inline Timer& timer2() {
+  return peripheral_at<Timer>(0x40000000U);
 }
 inline IndependentWatchdog& watchdog() {
   return peripheral_at<IndependentWatchdog>(0x40003000U);

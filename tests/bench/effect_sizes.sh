@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# effect_sizes.sh [FOGCOMP MAKE_MODEL]: what each effect costs on the STM32F405: bytes of flash of the product
+# image and instructions per block (of a second) in the drift model, over those of an image with `bias` alone;
+# then the same for all effects and a network of 10 neurons. Instructions are counted by QEMU's -icount with
+# TIM2, one tick each; they are not cycles. Prints a table of Markdown.
+set -euo pipefail
+source=$(realpath "$(dirname "$0")/../..")
+fogcomp=${1:-$source/build/host/fogcomp} make_model=${2:-$source/build/host/tests/target/make_model}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+# measure [EFFECT]: "flash mean most" of the images with this model.
+measure() {
+  "$make_model" one.model "$@"
+  "$fogcomp" export one.model -o fog_model.h --extension >/dev/null
+  { cmake -S "$source" -B image --preset stm32f405 -DFOG_MODEL_HEADER="$scratch/fog_model.h"
+    cmake --build image --target fogcomp block_cost; } >build.log 2>&1 || { cat build.log >&2; exit 1; }
+  local flash ticks
+  flash=$(arm-none-eabi-size -A image/fogcomp.elf | awk '$1 == ".text" || $1 == ".data" { sum += $2 } END { print sum }')
+  ticks=$(timeout 60 qemu-system-arm -M netduinoplus2 -display none -monitor none -icount shift=0,sleep=off \
+    -semihosting-config enable=on,target=native -serial null -serial null -serial stdio \
+    -kernel image/block_cost.elf </dev/null | awk '/^block:/ { print $3, $5 }')
+  [[ $ticks ]] || { echo "no count from block_cost.elf" >&2; exit 1; }
+  echo "$flash $ticks"
+}
+
+row() { printf '| %-26s | %6s | %6s | %6s |\n' "$@"; }
+row effect "flash" "mean" "most"
+echo "|---|---|---|---|"
+read -r base_flash base_mean base_most < <(measure bias)
+row "thermal state and bias" "$base_flash" "$base_mean" "$base_most"
+for effect in $("$fogcomp" effects | awk '/^[a-z_]+ - / { print $1 }'); do
+  [[ $effect == bias ]] && continue
+  "$fogcomp" effects "$effect" | grep -q '^  host only' && continue
+  read -r flash mean most < <(measure "$effect")
+  row "$effect" "+$((flash - base_flash))" "$((mean - base_mean))" "$((most - base_most))"
+done
+read -r flash mean most < <(measure)
+row "all and a 2-10-1 network" "$flash" "$mean" "$most"

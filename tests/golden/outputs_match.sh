@@ -1,0 +1,5 @@
+#!/usr/bin/env bash
+# outputs_match.sh PROGRAM GOLDEN: the program prints what the golden file holds.
+set -euo pipefail
+diff "$2" <("$1")
+echo "$(wc -l <"$2") lines of golden vectors, $(wc -w <"$2") words"
