@@ -1,30 +1,22 @@
-// The bytes that a board sends, kept: any change of behaviour shows in review as a changed line of
-// board_output.txt. On purpose it is changed by one command:
-//   FOG_UPDATE_GOLDEN=1 build/host/tests/test_golden --gtest_filter='BoardOutput.*'
+// Prints what the whole pipeline sends for a stream that gives every stage something to do: a
+// warming gyro under noise, with lost samples, invalid samples, a temperature that goes missing and
+// a rotation.
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <fstream>
+#include <cstdio>
 #include <random>
-#include <sstream>
 #include <string>
 
 #include "core/acquisition/sensor_frame.hpp"
 #include "core/protocol/crc.hpp"
 #include "replay/replay.hpp"
-#include "support/output_file.hpp"
 #include "support/sample_models.hpp"
 #include "support/text.hpp"
 
 namespace {
 
-constexpr const char* kFile = FOG_SOURCE_DIR "/tests/golden/board_output.txt";
 constexpr std::uint32_t kSamples = 20000;  // 100 s
 constexpr std::uint32_t kPerLine = 1000;
 
-// A warming gyro under noise, with lost samples, invalid samples, a temperature that goes missing
-// and a rotation in between: every stage has something to do.
 fog::SensorSample sample_at(std::uint32_t i, std::mt19937& random) {
   fog::SensorSample sample;
   sample.sequence = static_cast<std::uint16_t>(i);
@@ -62,10 +54,9 @@ std::string describe_output() {
   return text;
 }
 
-TEST(BoardOutput, IsWhatItWas) {
-  const std::string output = describe_output();
-  if (std::getenv("FOG_UPDATE_GOLDEN") != nullptr) fogcomp::write_file(kFile, output);
-  EXPECT_EQ(output, fogcomp::read_file(kFile));
-}
-
 }  // namespace
+
+int main() {
+  std::fputs(describe_output().c_str(), stdout);
+  return 0;
+}
