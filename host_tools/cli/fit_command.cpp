@@ -84,6 +84,9 @@ int run_fit(const Arguments& arguments) {
   model.derivative_tau_s = arguments.number("derivative-tau", 1e-3, 1e5);
   model.denoise.wavelet = arguments.choice("wavelet", wavelet_names());
   model.denoise.levels = static_cast<int>(arguments.integer("levels", 0, 10));
+  const std::string rule = arguments.choice("threshold", kBoardRules);
+  model.denoise.rule = static_cast<fog::ThresholdRule>(
+      std::find(kBoardRules.begin(), kBoardRules.end(), rule) - kBoardRules.begin());
   model.denoise.hard = arguments.choice("mode", {"soft", "hard"}) == "hard";
   arguments.choice("trainer", {"lm"});
   TrainingSettings training;
@@ -171,6 +174,8 @@ Command fit_command() {
       {"derivative-tau", "S", "time constant of the two lags behind dT/dt", "30"},
       {"wavelet", "NAME", "of the board's denoiser", "sym8"},
       {"levels", "N", "of the board's denoiser, 0 for none", "5"},
+      {"threshold", "RULE", "of the board: heursure and sqtwolog follow the noise; or fixed",
+       "heursure"},
       {"mode", "NAME", "soft or hard thresholds", "soft"},
       {"denoise-rows", "RULE", "denoise the rows first, by heursure, sqtwolog, ...", "none"},
       {"json", "", "one JSON object on stdout", ""},

@@ -51,6 +51,7 @@ struct Rcc {
   // ahb1_enable, apb1_enable, apb2_enable
   static constexpr std::uint32_t kGpioA = 1U << 0U;
   static constexpr std::uint32_t kGpioB = 1U << 1U;
+  static constexpr std::uint32_t kTimer2 = 1U << 0U;
   static constexpr std::uint32_t kUsart2 = 1U << 17U;
   static constexpr std::uint32_t kUsart3 = 1U << 18U;
   static constexpr std::uint32_t kUsart1 = 1U << 4U;
@@ -111,6 +112,21 @@ struct IndependentWatchdog {
   static constexpr std::uint32_t kUpdating = 3U << 0U;
 };
 
+/// TIM2: 32 bits wide.
+struct Timer {
+  Register control1;
+  std::array<Register, 4> unused_04;
+  Register event;
+  std::array<Register, 3> unused_18;
+  Register count;
+  Register prescaler;
+  Register auto_reload;
+
+  static constexpr std::uint32_t kEnable = 1U << 0U;
+  static constexpr std::uint32_t kUpdate = 1U << 0U;
+};
+static_assert(offsetof(Timer, count) == 0x24);
+
 inline Rcc& rcc() {
   return peripheral_at<Rcc>(0x40023800U);
 }
@@ -128,6 +144,9 @@ inline Usart& usart2() {
 }
 inline Usart& usart3() {
   return peripheral_at<Usart>(0x40004800U);
+}
+inline Timer& timer2() {
+  return peripheral_at<Timer>(0x40000000U);
 }
 inline IndependentWatchdog& watchdog() {
   return peripheral_at<IndependentWatchdog>(0x40003000U);
