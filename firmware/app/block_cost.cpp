@@ -4,7 +4,7 @@
 #include "hal/rate_sink.hpp"
 #include "platform/board.hpp"
 #include "platform/cortex_m/semihosting.hpp"
-#include "platform/stm32f405/timer.hpp"
+#include "platform/instruction_counter.hpp"
 #include "platform/text_line.hpp"
 
 // What the drift model costs: ticks of the timer (in QEMU: instructions) for one block, over a
@@ -29,21 +29,21 @@ Means block_at(std::uint32_t index, const ThermalParameters<BoardNumbers>& therm
 }
 
 std::uint32_t ticks_of(Drift& drift, const Means& means) {
-  const std::uint32_t start = platform::timer_ticks();
+  const std::uint32_t start = platform::instruction_count();
   drift.step(means);
-  return platform::timer_ticks() - start;
+  return platform::instruction_count() - start;
 }
 
 std::uint32_t ticks_of_nothing() {
-  const std::uint32_t start = platform::timer_ticks();
-  return platform::timer_ticks() - start;
+  const std::uint32_t start = platform::instruction_count();
+  return platform::instruction_count() - start;
 }
 
 }  // namespace
 
 void run() {
   platform::start_board();
-  platform::start_timer();
+  platform::start_instruction_counter();
   asm volatile("cpsid i");  // the millisecond tick is not part of a block
   const ModelParameters& parameters = model().parameters;
   static Drift drift(parameters.thermal, parameters.effects, parameters.network, parameters.policy);

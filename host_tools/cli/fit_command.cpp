@@ -1,7 +1,9 @@
 // fogcomp fit: recordings -> model file.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "cli/arguments.hpp"
 #include "cli/recording_options.hpp"
@@ -15,6 +17,7 @@
 #include "support/json.hpp"
 #include "support/text.hpp"
 #include "training/levenberg_marquardt.hpp"
+#include "wavelet/denoise_parts.hpp"
 #include "wavelet/filters.hpp"
 
 namespace fogcomp::cli {
@@ -37,6 +40,36 @@ double weighted_std(const Rows& rows) {
   const double mean = rows.drift_dph.dot(rows.weights) / rows.weights.sum();
   const Eigen::ArrayXd deviation = rows.drift_dph.array() - mean;
   return std::sqrt((deviation.square() * rows.weights.array()).sum() / rows.weights.sum());
+}
+
+// What the network is trained on, without its noise, as the reference paper does it. Rows further
+// apart than one and a half times their length are not neighbours.
+void denoise_rows(const Rows& rows, const DenoiseMethod& method, Eigen::VectorXd& values) {
+  std::vector<fog::Span<double>> parts;
+  std::size_t next_run = 0;
+  for (std::size_t row = 0; row < rows.time_s.size(); ++row) {
+    const bool new_run = next_run < rows.run_starts.size() && rows.run_starts[next_run] == row;
+    if (new_run) ++next_run;
+    if (new_run || rows.time_s[row] - rows.time_s[row - 1] > 1.5 * rows.row_s) {
+      parts.push_back({values.data() + row, 0});
+    }
+    ++parts.back().size;
+  }
+  denoise_parts(parts, method, "--denoise-rows");
+}
+
+// Nothing where the rows are to stay as they are.
+std::optional<DenoiseMethod> row_denoising(const Arguments& arguments) {
+  std::vector<std::string> rules = threshold_rule_names();
+  rules.emplace_back("none");
+  const std::string rule = arguments.choice("denoise-rows", rules);
+  if (rule == "none") return std::nullopt;
+  DenoiseMethod method;
+  method.wavelet = arguments.choice("wavelet", wavelet_names());
+  method.levels = static_cast<int>(arguments.integer("levels", 1, 10));
+  method.rule = threshold_rule(rule);
+  method.hard = arguments.choice("mode", {"soft", "hard"}) == "hard";
+  return method;
 }
 
 Json terms_json(const Model& model) {
@@ -83,6 +116,9 @@ Model model_settings(const Arguments& arguments) {
   model.derivative_tau_s = arguments.number("derivative-tau", 1e-3, 1e5);
   model.denoise.wavelet = arguments.choice("wavelet", wavelet_names());
   model.denoise.levels = static_cast<int>(arguments.integer("levels", 0, 10));
+  const std::string rule = arguments.choice("threshold", kBoardRules);
+  model.denoise.rule = static_cast<fog::ThresholdRule>(
+      std::find(kBoardRules.begin(), kBoardRules.end(), rule) - kBoardRules.begin());
   model.denoise.hard = arguments.choice("mode", {"soft", "hard"}) == "hard";
   return model;
 }
@@ -117,6 +153,7 @@ struct Fit {
 
 Fit fit(const Arguments& arguments) {
   arguments.choice("trainer", {"lm"});
+  const std::optional<DenoiseMethod> denoising = row_denoising(arguments);
   TrainingSettings training;
   training.hidden = static_cast<int>(arguments.integer("network", 0, 32));
   training.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
@@ -135,8 +172,10 @@ Fit fit(const Arguments& arguments) {
       {"fit " + arguments.text("effects"), hash, fit.raw_std_dph, model.residual_rms_dph});
   if (training.hidden == 0) return fit;
 
+  Eigen::VectorXd target = fit.identified.residual_dph;
+  if (denoising) denoise_rows(rows, *denoising, target);
   const TrainingResult trained =
-      train_levenberg_marquardt(rows.signals, fit.identified.residual_dph, rows.weights, training);
+      train_levenberg_marquardt(rows.signals, target, rows.weights, training);
   model.network = trained.network;
   model.residual_rms_dph = trained.rms_after_dph;
   model.history.push_back(
@@ -211,7 +250,10 @@ Command fit_command() {
       {"derivative-tau", "S", "time constant of the two lags behind dT/dt", "30"},
       {"wavelet", "NAME", "of the board's denoiser", "sym8"},
       {"levels", "N", "of the board's denoiser, 0 for none", "5"},
+      {"threshold", "RULE", "of the board: heursure and sqtwolog follow the noise; or fixed",
+       "heursure"},
       {"mode", "NAME", "soft or hard thresholds", "soft"},
+      {"denoise-rows", "RULE", "denoise what the network is trained on, by heursure, ...", "none"},
       {"json", "", "one JSON object on stdout", ""},
   };
   for (Option& option : recording_options()) command.options.push_back(std::move(option));

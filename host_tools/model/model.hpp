@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/denoise/denoise_parameters.hpp"
 #include "core/effects/effect.hpp"
 #include "model/network.hpp"
 
@@ -19,10 +20,14 @@ struct EffectTerm {
   std::vector<double> sigma_dph;         ///< one standard deviation of each coefficient
 };
 
+/// Names of fog::ThresholdRule, in its order.
+inline const std::vector<std::string> kBoardRules{"fixed", "sqtwolog", "heursure"};
+
 /// What the streaming denoiser is to do.
 struct DenoiseSettings {
   std::string wavelet = "sym8";
   int levels = 5;  ///< 0: off
+  fog::ThresholdRule rule = fog::ThresholdRule::heursure;
   bool hard = false;
 };
 

@@ -166,6 +166,12 @@ RealInput read_input(Reader& in) {
   return input;
 }
 
+fog::ThresholdRule read_rule(Reader& in) {
+  const auto found = std::find(kBoardRules.begin(), kBoardRules.end(), in.word());
+  if (found == kBoardRules.end()) in.fail("the threshold rule is unknown");
+  return static_cast<fog::ThresholdRule>(found - kBoardRules.begin());
+}
+
 void read_line(Reader& in, Model& model) {
   const std::string key = in.word();
   if (key == "scale_factor") {
@@ -184,6 +190,7 @@ void read_line(Reader& in, Model& model) {
   } else if (key == "denoise") {
     model.denoise.wavelet = in.word();
     model.denoise.levels = static_cast<int>(in.count(fog::kMostLevels));
+    model.denoise.rule = read_rule(in);
     model.denoise.hard = in.word() == "hard";
   } else if (key == "effect") {
     model.terms.push_back(read_effect(in));
@@ -220,6 +227,7 @@ std::string model_text(const Model& model) {
   out.word("residual_rms_dph").number(model.residual_rms_dph).end_line();
   out.word("average_s").number(model.average_s).end_line();
   out.word("denoise").word(model.denoise.wavelet).number(model.denoise.levels);
+  out.word(kBoardRules[static_cast<std::size_t>(model.denoise.rule)]);
   out.word(model.denoise.hard ? "hard" : "soft").end_line();
   for (const EffectTerm& term : model.terms) {
     out.word("effect").word(term.name).number(static_cast<double>(term.parameters.size()));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/denoise/adaptive_thresholds.hpp"
 #include "core/protocol/byte_order.hpp"
 #include "core/protocol/crc.hpp"
 #include "dataset/input_columns.hpp"
@@ -22,6 +23,7 @@ constexpr double kRangeDegPerS = 570;       // of the rate format's 582
 constexpr double kStuckSeconds = 0.5;       // equal counts for longer than this ...
 constexpr double kLeastStuckSamples = 100;  // ... and for at least this many samples
 constexpr double kSettleTimeConstants = 5;
+constexpr double kMostThresholdDph = 500;  // four times this, through all levels, fits its format
 
 struct Timing {
   std::int64_t period_us = 0;
@@ -156,13 +158,14 @@ void write_network(TableWriter& out, const RealNetwork& network, int coefficient
   out.real(network.amplitude_dph, coefficient_fraction, "the network's amplitude");
 }
 
-// Taps rounded so that even and odd taps sum to one half each: a constant then passes exactly.
-std::vector<std::int64_t> rounded_taps(const std::vector<double>& filter) {
+// Taps of the low-pass filter divided by sqrt 2, times 2^fraction, rounded so that even and odd
+// taps sum to one half each: a constant then passes exactly.
+std::vector<std::int64_t> rounded_taps(const std::vector<double>& filter, int fraction) {
   std::vector<std::int64_t> taps;
-  std::int64_t missing[2] = {1LL << (fog::kTapFraction - 1), 1LL << (fog::kTapFraction - 1)};
+  std::int64_t missing[2] = {1LL << (fraction - 1), 1LL << (fraction - 1)};
   std::size_t largest[2] = {0, 1};
   for (std::size_t i = 0; i < filter.size(); ++i) {
-    taps.push_back(std::llround(std::ldexp(filter[i] / std::sqrt(2), fog::kTapFraction)));
+    taps.push_back(std::llround(std::ldexp(filter[i] / std::sqrt(2), fraction)));
     missing[i % 2] -= taps.back();
     if (std::abs(filter[i]) > std::abs(filter[largest[i % 2]])) largest[i % 2] = i;
   }
@@ -172,30 +175,52 @@ std::vector<std::int64_t> rounded_taps(const std::vector<double>& filter) {
   return taps;
 }
 
-// The universal threshold for blocks of this many samples: sigma sqrt(2 ln n).
-constexpr double kThresholdSamples = 1024;
+// The low-pass filter backwards, with alternating signs.
+std::vector<std::int64_t> mirrored(const std::vector<std::int64_t>& low) {
+  std::vector<std::int64_t> high(low.rbegin(), low.rend());
+  for (std::size_t i = 1; i < high.size(); i += 2) high[i] = -high[i];
+  return high;
+}
+
+void write_filters(TableWriter& out, const std::vector<double>& filter) {
+  const std::vector<std::int64_t> low = rounded_taps(filter, fog::kTapFraction);
+  out.note("low-pass taps / sqrt 2, times 2^31");
+  for (const std::int64_t tap : low) out.integer(tap, "a tap");
+  out.note("high-pass taps: the same backwards, every second one negative");
+  for (const std::int64_t tap : mirrored(low)) out.integer(tap, "a tap");
+  out.note("synthesis taps, times 2^15, two to a word: low-pass + 65536 * high-pass, backwards");
+  const std::vector<std::int64_t> coarse = rounded_taps(filter, fog::kSynthesisTapFraction);
+  const std::vector<std::int64_t> coarse_high = mirrored(coarse);
+  for (std::size_t i = filter.size(); i-- > 0;) {
+    out.integer(coarse_high[i] * 65536 + (coarse[i] & 0xFFFF), "a synthesis tap");
+  }
+}
 
 void write_denoise(TableWriter& out, const Model& model, const Timing& timing) {
-  const int levels = model.denoise.levels;
-  std::vector<std::int64_t> taps;
-  if (levels > 0) taps = rounded_taps(lowpass_filter(model.denoise.wavelet));
-  out.note(format("denoiser (%s): levels, taps, mode (%s)", model.denoise.wavelet.c_str(),
-                  model.denoise.hard ? "hard" : "soft"));
-  out.integer(levels, "levels");
-  out.integer(static_cast<std::int64_t>(taps.size()), "taps");
-  out.integer(model.denoise.hard ? 1 : 0, "threshold mode");
-  if (levels == 0) return;
-  out.note("low-pass taps / sqrt 2");
-  for (const std::int64_t tap : taps) out.integer(tap, "a tap");
+  const DenoiseSettings& denoise = model.denoise;
+  const std::size_t taps = denoise.levels > 0 ? lowpass_filter(denoise.wavelet).size() : 0;
+  out.note(format("denoiser (%s): levels, taps, rule (%s), mode (%s)", denoise.wavelet.c_str(),
+                  kBoardRules[static_cast<std::size_t>(denoise.rule)].c_str(),
+                  denoise.hard ? "hard" : "soft"));
+  out.integer(denoise.levels, "levels");
+  out.integer(static_cast<std::int64_t>(taps), "taps");
+  out.integer(static_cast<std::int64_t>(denoise.rule), "threshold rule");
+  out.integer(denoise.hard ? 1 : 0, "threshold mode");
+  if (denoise.levels == 0) return;
+  write_filters(out, lowpass_filter(denoise.wavelet));
   const double period_s = static_cast<double>(timing.period_us) * 1e-6;
   const double sigma = model.noise_dph_rthz / std::sqrt(period_s);
-  const double universal = std::sqrt(2 * std::log(kThresholdSamples));
+  const double universal = std::sqrt(2 * std::log(fog::kThresholdBlock));
   out.note(format("thresholds, level 1 first (white noise %.4g deg/h per sample)", sigma));
-  constexpr double kMostThreshold = 30000;
-  for (int level = 1; level <= levels; ++level) {
+  for (int level = 1; level <= denoise.levels; ++level) {
     // Taps are divided by sqrt 2 at every level, and so is the noise in the details.
     const double threshold = universal * sigma * std::exp2(-0.5 * level);
-    out.real(std::min(threshold, kMostThreshold), fog::kDetailFraction, "a threshold");
+    if (threshold > kMostThresholdDph) {
+      throw InputError("export", format("noise of %.4g deg/h per sample is more than the board's "
+                                        "denoiser takes; fit with --levels 0",
+                                        sigma));
+    }
+    out.real(threshold, fog::kDetailFraction, "a threshold");
   }
 }
 

@@ -5,11 +5,15 @@
 
 namespace fogcomp {
 
-/// Decomposition low-pass filter of an orthogonal wavelet: taps sum to sqrt 2, sum of squares 1,
-/// order as PyWavelets' dec_lo. Throws InputError for an unknown name.
+/// Decomposition low-pass filter of an orthogonal wavelet: haar, db2 to db10, sym2 to sym10, coif1
+/// to coif5. Taps sum to sqrt 2, their squares to 1; order as PyWavelets' dec_lo. Throws InputError
+/// for an unknown name.
 const std::vector<double>& lowpass_filter(const std::string& wavelet);
 
-/// Names of all filters.
-std::vector<std::string> wavelet_names();
+/// The high-pass filter that goes with it: PyWavelets' dec_hi.
+std::vector<double> highpass_filter(const std::vector<double>& lowpass);
+
+/// Names of all filters, family by family, shortest first.
+const std::vector<std::string>& wavelet_names();
 
 }  // namespace fogcomp

@@ -67,6 +67,17 @@ refuses 'too few' "${fit[@]}" one.csv
 { echo "time_s,temperature_degc,counts"; echo "0,20,1"; echo "10,20,2"; } >counts.csv
 refuses '^counts\.csv.*scale-factor' "${fit[@]}" counts.csv
 
+# Denoising.
+denoise=(denoise good.csv -o kept)
+refuses '^missing\.csv: ' denoise missing.csv -o kept
+refuses '^one\.csv: 1 rows without a gap allow 0 levels of sym8' denoise one.csv -o kept
+refuses 'allow 8 levels of sym8, not 12; use fewer --levels' "${denoise[@]}" --levels 12
+refuses "--wavelet 'sym88' is not one of" "${denoise[@]}" --wavelet sym88
+refuses "--threshold 'sure' is not one of" "${denoise[@]}" --threshold sure
+refuses "--mode 'firm' is not one of" "${denoise[@]}" --mode firm
+refuses "--levels '0' is not a number from 1" "${denoise[@]}" --levels 0
+refuses "--denoise-rows 'sure' is not one of" "${fit[@]}" good.csv --denoise-rows sure
+
 # Models.
 refuses '^missing\.model: ' compare missing.model good.csv
 refuses '^good\.csv: is not a fogcomp model' compare good.csv good.csv

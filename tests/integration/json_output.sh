@@ -26,6 +26,9 @@ has_keys info.json rows period_s mean_dph std_dph noise_floor_dph "segments 0 na
   "segments 0 temperature_min_degc" "segments 0 temperature_max_degc" "allan tau_s" \
   "allan sigma_dph" "allan one_sigma_dph" angle_random_walk_dprh bias_instability_dph \
   rate_random_walk_dphrh rate_ramp_dphh quantization_deg
+"$fogcomp" denoise run.csv -o denoised.csv --json >denoise.json
+has_keys denoise.json output rows outliers "levels 4 noise_dph" "levels 4 threshold_dph" \
+  "segments 0 raw_std_dph" "segments 0 denoised_std_dph"
 "$fogcomp" fit run.csv -o gyro.model --effects bias,bias_temperature,temperature_rate --network 4 \
   --json >fit.json
 has_keys fit.json residual_rms_dph "effects 2 effect"

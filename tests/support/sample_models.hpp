@@ -5,14 +5,9 @@
 
 #include "model/model.hpp"
 #include "quantization/board_table.hpp"
-#include "wavelet/filters.hpp"
 
 // Models for tests: small, complete, and the same in every test.
 namespace fog::test {
-
-inline const std::vector<double>& sym8_filter() {
-  return fogcomp::lowpass_filter("sym8");
-}
 
 /// Effects of the size of the reference paper's gyro, and a network of 3 neurons.
 inline fogcomp::Model paper_like_model() {
@@ -45,11 +40,11 @@ inline fogcomp::Model paper_like_model() {
   return model;
 }
 
-/// sym8 as the board has it.
-inline std::vector<std::int32_t> sym8_taps() {
-  const fogcomp::BoardTable table = fogcomp::make_board_table(paper_like_model(), {});
-  const auto parameters = fogcomp::read_board_table(table, "test");
-  return {parameters.denoise.lowpass.begin(), parameters.denoise.lowpass.end()};
+/// The table of a board whose denoiser is this.
+inline fogcomp::BoardTable denoiser_table(const fogcomp::DenoiseSettings& settings) {
+  fogcomp::Model model = paper_like_model();
+  model.denoise = settings;
+  return fogcomp::make_board_table(model, {});
 }
 
 }  // namespace fog::test

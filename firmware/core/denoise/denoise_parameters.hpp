@@ -9,25 +9,51 @@ namespace fog {
 
 enum class ThresholdMode : std::int32_t { soft = 0, hard = 1 };
 
-constexpr std::size_t kMostTaps = 30;  ///< coif5
+/// Where the thresholds come from while the board runs (adaptive_thresholds.hpp).
+enum class ThresholdRule : std::int32_t {
+  fixed = 0,     ///< the table's
+  sqtwolog = 1,  ///< the table's times the noise found / the noise expected
+  heursure = 2,  ///< likewise, and lower where a level's latest details hold a strong signal
+};
+
+constexpr std::size_t kMostTaps = 30;            ///< coif5
+constexpr std::size_t kAnyTaps = kMostTaps + 1;  ///< as a template argument: chosen at run time
 constexpr std::size_t kMostLevels = 10;
-constexpr int kTapFraction = 30;
-constexpr int kDetailFraction = 16;  ///< details and thresholds, deg/h
+constexpr int kTapFraction = 31;           ///< of analysis taps
+constexpr int kSynthesisTapFraction = 15;  ///< of synthesis taps
+constexpr int kDetailFraction = 16;        ///< details and thresholds, deg/h
 
 /// A wavelet filter and its thresholds. Level 1 is the finest. No levels: no denoising, no delay.
+/// All taps are divided by sqrt 2, so that the low-pass filter sums to 1; `taps` is even.
 struct DenoiseParameters {
-  /// Decomposition low-pass filter divided by sqrt 2, so that its taps sum to 1: 2^30 * tap. The
-  /// number of taps is even, and even and odd taps sum to 2^29 each, so a constant passes exactly.
-  Span<const std::int32_t> lowpass;
+  /// Decomposition filters, 2^31 * tap: low[i] meets the sample i before the newest, and
+  /// high[i] = (-1)^i low[taps - 1 - i]. Even and odd taps of `low` sum to 2^30 each, so that a
+  /// constant passes exactly.
+  Span<const std::int32_t> low;
+  Span<const std::int32_t> high;
+  /// Both again with 2^15 * tap, backwards, two to a word: low[taps - 1 - i] in the lower half of
+  /// word i, high[taps - 1 - i] in the upper.
+  Span<const std::int32_t> synthesis;
   Span<const std::int32_t> thresholds;  ///< one per level, LSB 2^-16 deg/h, not negative
+  ThresholdRule rule = ThresholdRule::fixed;
   ThresholdMode mode = ThresholdMode::soft;
 
+  std::size_t taps() const { return low.size; }
   std::size_t levels() const { return thresholds.size; }
 };
 
-/// Delay of one level's filters and everything below it, in samples at that level's input.
+/// Delay of a filter bank of so many levels, in samples at the input of its finest level.
 constexpr std::size_t denoise_delay(std::size_t taps, std::size_t levels) {
   return levels == 0 ? 0 : (taps - 1) * ((std::size_t{1} << levels) - 1);
 }
+
+/// Adaptive thresholds go up to this times the table's.
+constexpr std::int32_t kMostThresholdGain = 4;
+
+/// Noise within the bank is held in 16 bits, LSB 2^(shift - 16) deg/h: the smallest shift with
+/// which no sum of removed details can overflow, whatever the input; -1 where even kMostNoiseShift
+/// is not enough (thresholds of thousands of deg/h).
+constexpr int kMostNoiseShift = 15;
+int noise_shift(const DenoiseParameters& parameters);
 
 }  // namespace fog

@@ -20,6 +20,19 @@ constexpr Int round_shift(Int value, int bits) {
   return static_cast<Int>((value >> bits) + ((value >> (bits - 1)) & 1));
 }
 
+/// value / 2^bits, rounded down: round_shift for a sum that began with the half, rounding_half().
+template <typename Int>
+constexpr Int floor_shift(Int value, int bits) {
+  static_assert(std::is_signed_v<Int>);
+  return static_cast<Int>(value >> bits);
+}
+
+/// What a sum begins with that floor_shift is to round. 1 <= bits.
+template <typename Int>
+constexpr Int rounding_half(int bits) {
+  return static_cast<Int>(Int{1} << (bits - 1));
+}
+
 /// value * 2^bits. Wraps; a checked build reports what does not fit.
 template <typename Int>
 constexpr Int shift_left(Int value, int bits) {
@@ -33,9 +46,9 @@ constexpr Int shift_left(Int value, int bits) {
 template <typename Narrow, typename Wide>
 constexpr Narrow saturate(Wide value) {
   static_assert(sizeof(Wide) >= sizeof(Narrow));
-  if (value > Wide{std::numeric_limits<Narrow>::max()}) return std::numeric_limits<Narrow>::max();
-  if (value < Wide{std::numeric_limits<Narrow>::min()}) return std::numeric_limits<Narrow>::min();
-  return static_cast<Narrow>(value);
+  const auto narrow = static_cast<Narrow>(value);
+  if (Wide{narrow} == value) return narrow;
+  return value < 0 ? std::numeric_limits<Narrow>::min() : std::numeric_limits<Narrow>::max();
 }
 
 /// numerator / denominator rounded to nearest, halves upwards, as round_shift does.

@@ -113,24 +113,46 @@ void read_network(TableReader& table, NetworkParameters& network) {
   network.amplitude = table.next();
 }
 
+// Whether the low-pass filter passes a constant exactly, the sums over its taps stay below 2^63,
+// and the other two arrays are the same filters again.
+bool filters_fit(const DenoiseParameters& denoise) {
+  constexpr std::int64_t kHalf = std::int64_t{1} << (kTapFraction - 1);
+  constexpr std::int32_t kSynthesisHalf = std::int32_t{1} << (kSynthesisTapFraction - 1);
+  const std::size_t taps = denoise.taps();
+  std::int64_t phase_sum[2] = {0, 0};
+  std::int32_t synthesis_sum[2] = {0, 0};
+  std::int64_t magnitude = 0;
+  bool same = true;
+  for (std::size_t i = 0; i < taps; ++i) {
+    const std::int64_t tap = denoise.low[i];
+    const std::int64_t sign = i % 2 == 0 ? 1 : -1;
+    phase_sum[i % 2] += tap;
+    magnitude += tap < 0 ? -tap : tap;
+    same = same && denoise.high[i] == sign * denoise.low[taps - 1 - i];
+    const auto word = static_cast<std::uint32_t>(denoise.synthesis[i]);
+    const auto mirrored = static_cast<std::uint32_t>(denoise.synthesis[taps - 1 - i]);
+    synthesis_sum[i % 2] += static_cast<std::int16_t>(word);
+    same = same &&
+           static_cast<std::int16_t>(word >> 16U) == -sign * static_cast<std::int16_t>(mirrored);
+  }
+  return same && phase_sum[0] == kHalf && phase_sum[1] == kHalf &&
+         synthesis_sum[0] == kSynthesisHalf && synthesis_sum[1] == kSynthesisHalf &&
+         magnitude < (std::int64_t{2} << kTapFraction) - 1;
+}
+
 void read_denoise(TableReader& table, DenoiseParameters& denoise) {
   const std::size_t levels = next_count(table, kMostLevels);
   const std::size_t taps = next_count(table, kMostTaps);
+  denoise.rule = static_cast<ThresholdRule>(table.next(0, 2));
   denoise.mode = static_cast<ThresholdMode>(table.next(0, 1));
-  denoise.lowpass = table.next_words(taps);
+  denoise.low = table.next_words(taps);
+  denoise.high = table.next_words(taps);
+  denoise.synthesis = table.next_words(taps);
   denoise.thresholds = table.next_words(levels);
-  table.require(levels == 0 || taps >= 2);
-  std::int64_t phase_sum[2] = {0, 0};
-  std::int64_t magnitude = 0;
-  for (std::size_t i = 0; i < denoise.lowpass.size; ++i) {
-    const std::int64_t tap = denoise.lowpass[i];
-    phase_sum[i % 2] += tap;
-    magnitude += tap < 0 ? -tap : tap;
-  }
-  constexpr std::int64_t kHalf = std::int64_t{1} << (kTapFraction - 1);
-  table.require(levels == 0 || (taps % 2 == 0 && phase_sum[0] == kHalf && phase_sum[1] == kHalf));
-  table.require(magnitude < (std::int64_t{2} << kTapFraction));
+  table.require((levels == 0) == (taps == 0) && taps % 2 == 0);
+  if (levels == 0 || !table.good()) return;
   for (const std::int32_t threshold : denoise.thresholds) table.require(threshold >= 0);
+  table.require(filters_fit(denoise) && noise_shift(denoise) >= 0);
 }
 
 std::uint32_t table_crc(Span<const std::int32_t> table) {
@@ -157,7 +179,7 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   parameters.output = static_cast<OutputSelection>(table.next(0, 2));
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
   if ((enabled & ~room.effects) != 0U || parameters.denoise.levels() > room.levels ||
-      parameters.denoise.lowpass.size > room.taps) {
+      (room.taps != kAnyTaps && parameters.denoise.taps() != room.taps)) {
     return ModelError::not_in_image;
   }
   return ModelError::none;

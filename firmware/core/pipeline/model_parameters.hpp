@@ -24,12 +24,12 @@ constexpr std::size_t kMostModelWords = 4096;
 /// What an image has room for: fixed by the header that it is built with.
 struct ModelShape {
   EffectMask effects = 0;
-  std::size_t taps = 0;
-  std::size_t levels = 0;
+  std::size_t taps = 0;    ///< exactly, or kAnyTaps
+  std::size_t levels = 0;  ///< at most
 };
 
 /// Room for any model.
-constexpr ModelShape kAnyModel{kAllEffects, kMostTaps, kMostLevels};
+constexpr ModelShape kAnyModel{kAllEffects, kAnyTaps, kMostLevels};
 
 /// A model table taken apart. Arrays stay in the table, which must outlive this.
 /// As constructed it is the parameters of a board without a usable model: no rate is valid.

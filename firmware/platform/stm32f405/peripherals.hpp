@@ -100,17 +100,6 @@ struct Usart {
   static constexpr std::uint32_t kEnable = 1U << 13U;
 };
 
-struct Timer {
-  Register control1;
-  std::array<Register, 8> unused_04;
-  Register count;
-  Register prescaler;
-  Register reload;
-
-  static constexpr std::uint32_t kEnable = 1U << 0U;
-};
-static_assert(offsetof(Timer, count) == 0x24 && offsetof(Timer, reload) == 0x2C);
-
 struct IndependentWatchdog {
   Register key;
   Register prescaler;
@@ -122,6 +111,21 @@ struct IndependentWatchdog {
   static constexpr std::uint32_t kKick = 0xAAAA;
   static constexpr std::uint32_t kUpdating = 3U << 0U;
 };
+
+/// TIM2: 32 bits wide.
+struct Timer {
+  Register control1;
+  std::array<Register, 4> unused_04;
+  Register event;
+  std::array<Register, 3> unused_18;
+  Register count;
+  Register prescaler;
+  Register auto_reload;
+
+  static constexpr std::uint32_t kEnable = 1U << 0U;
+  static constexpr std::uint32_t kUpdate = 1U << 0U;
+};
+static_assert(offsetof(Timer, count) == 0x24);
 
 inline Rcc& rcc() {
   return peripheral_at<Rcc>(0x40023800U);

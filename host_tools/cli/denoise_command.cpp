@@ -1,0 +1,144 @@
+// fogcomp denoise: a recording without its noise.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "cli/denoise_options.hpp"
+#include "cli/recording_options.hpp"
+#include "dataset/columns.hpp"
+#include "dataset/recording.hpp"
+#include "dataset/segments.hpp"
+#include "support/json.hpp"
+#include "support/text.hpp"
+#include "wavelet/denoise_parts.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+struct MeanAndStd {
+  double mean_dph = 0;
+  double std_dph = 0;
+};
+
+MeanAndStd statistics(const std::vector<double>& values, const Segment& segment) {
+  const auto count = static_cast<double>(segment.rows());
+  MeanAndStd result;
+  for (std::size_t i = segment.first_row; i < segment.end_row; ++i) {
+    result.mean_dph += values[i] / count;
+  }
+  for (std::size_t i = segment.first_row; i < segment.end_row; ++i) {
+    result.std_dph += std::pow(values[i] - result.mean_dph, 2) / std::max(1.0, count - 1);
+  }
+  result.std_dph = std::sqrt(result.std_dph);
+  return result;
+}
+
+DenoiseReport denoise_bias(const Recording& recording, const DenoiseMethod& method,
+                           std::vector<double>& bias) {
+  std::vector<fog::Span<double>> parts;
+  for (const RowRange& stretch : stretches_of(recording, {0, recording.rows()})) {
+    parts.push_back({bias.data() + stretch.first, stretch.size()});
+  }
+  DenoiseReport report = denoise_parts(parts, method, recording.file);
+  if (report.shortened_values > 0) {
+    std::fprintf(stderr, "%s: %zu rows between gaps too close for %d levels got fewer\n",
+                 recording.file.c_str(), report.shortened_values, method.levels);
+  }
+  return report;
+}
+
+void write_recording(const Recording& recording, const std::string& path) {
+  std::vector<Column> columns;
+  std::vector<const double*> values;
+  for (const ColumnInfo& info : kColumns) {
+    const std::vector<double>& column = recording.*info.values;
+    if (column.empty()) continue;
+    columns.push_back(info.column);
+    values.push_back(column.data());
+  }
+  RecordingWriter writer(path, RecordingFormat::csv, columns, kDefaultScaleFactor,
+                         kDefaultStreamRateHz);
+  writer.append(values, recording.rows());
+  writer.commit();
+}
+
+void print_json(const std::string& output, const Recording& recording, const DenoiseReport& report,
+                const std::vector<double>& before, const std::vector<double>& after) {
+  Json levels = Json::array();
+  for (const DenoiseReport::Level& level : report.levels) {
+    levels.push(Json::object().set("noise_dph", level.noise).set("threshold_dph", level.threshold));
+  }
+  Json segments = Json::array();
+  for (const Segment& segment : find_segments(recording)) {
+    const MeanAndStd raw = statistics(before, segment);
+    const MeanAndStd denoised = statistics(after, segment);
+    segments.push(Json::object()
+                      .set("name", segment.name)
+                      .set("raw_mean_dph", raw.mean_dph)
+                      .set("raw_std_dph", raw.std_dph)
+                      .set("denoised_mean_dph", denoised.mean_dph)
+                      .set("denoised_std_dph", denoised.std_dph));
+  }
+  Json result = Json::object();
+  result.set("output", output).set("rows", recording.rows()).set("outliers", report.outliers);
+  result.set("levels", std::move(levels)).set("segments", std::move(segments));
+  std::puts(result.text().c_str());
+}
+
+void print_text(const std::string& output, const Recording& recording, const DenoiseReport& report,
+                const std::vector<double>& before, const std::vector<double>& after) {
+  std::printf("%-24s %10s %10s %10s %10s\n", "segment", "mean", "denoised", "std", "denoised");
+  for (const Segment& segment : find_segments(recording)) {
+    const MeanAndStd raw = statistics(before, segment);
+    const MeanAndStd denoised = statistics(after, segment);
+    std::printf("%-24s %10.5f %10.5f %10.5f %10.5f deg/h\n", segment.name.c_str(), raw.mean_dph,
+                denoised.mean_dph, raw.std_dph, denoised.std_dph);
+  }
+  std::printf("\n%-24s %10s %10s\n", "level (1 is the finest)", "noise", "threshold");
+  for (std::size_t i = 0; i < report.levels.size(); ++i) {
+    std::printf("%-24zu %10.5f %10.5f deg/h\n", i + 1, report.levels[i].noise,
+                report.levels[i].threshold);
+  }
+  std::printf("\n%s: %zu rows, %zu outliers replaced\n", output.c_str(), recording.rows(),
+              report.outliers);
+}
+
+int run_denoise(const Arguments& arguments) {
+  const std::string output = arguments.required("o");
+  const DenoiseMethod method = denoise_method(arguments);
+  Recording recording = read_recording(arguments.positionals().front(), read_options(arguments));
+  const std::vector<double> before = bias_dph(recording);
+  std::vector<double> after = before;
+  const DenoiseReport report = denoise_bias(recording, method, after);
+  // What the gyro really turned is put back untouched.
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const double input_dph = recording.input_rate_dph.empty() ? 0 : recording.input_rate_dph[i];
+    recording.rate_dph[i] = after[i] + input_dph;
+  }
+  write_recording(recording, output);
+  const auto print = arguments.has("json") ? print_json : print_text;
+  print(output, recording, report, before, after);
+  return 0;
+}
+
+}  // namespace
+
+Command denoise_command() {
+  Command command;
+  command.name = "denoise";
+  command.positionals = "RUN";
+  command.least_positionals = command.most_positionals = 1;
+  command.summary = "a recording without its noise and outliers (offline wavelet shrinkage)";
+  command.example = "fogcomp denoise run.csv -o denoised.csv --threshold heursure --mode soft";
+  command.options = {{"o", "OUT", "recording to write", ""},
+                     {"json", "", "one JSON object on stdout", ""}};
+  for (Option& option : denoise_options()) command.options.push_back(std::move(option));
+  for (Option& option : recording_options()) command.options.push_back(std::move(option));
+  command.run = run_denoise;
+  return command;
+}
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fogcomp {
+
+/// Names and decomposition low-pass filters of a family.
+using FilterTable = std::vector<std::pair<std::string, std::vector<double>>>;
+
+extern const FilterTable kDaubechies;
+extern const FilterTable kSymlets;
+extern const FilterTable kCoiflets;
+
+}  // namespace fogcomp

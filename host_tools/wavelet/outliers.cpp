@@ -1,0 +1,23 @@
+#include "wavelet/outliers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fogcomp {
+
+std::size_t remove_outliers(fog::Span<double> values, double limit) {
+  std::size_t removed = 0;
+  for (std::size_t i = 2; i + 1 < values.size; ++i) {
+    const double before = values[i] - values[i - 1];
+    const double after = values[i] - values[i + 1];
+    if ((before > 0) != (after > 0)) continue;
+    const double activity =
+        std::abs(values[i + 1] - values[i - 1]) + std::abs(values[i - 1] - values[i - 2]);
+    if (std::min(std::abs(before), std::abs(after)) <= limit + activity) continue;
+    values[i] = (values[i - 1] + values[i + 1]) / 2;
+    ++removed;
+  }
+  return removed;
+}
+
+}  // namespace fogcomp

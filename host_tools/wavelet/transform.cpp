@@ -1,0 +1,149 @@
+#include "wavelet/transform.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace fogcomp {
+namespace {
+
+// Outputs per round: with its inputs this stays in the first-level cache.
+constexpr std::size_t kChunk = 512;
+constexpr std::size_t kMostPhases = 15;  // coif5
+constexpr std::size_t kBuffer = kChunk + kMostPhases + kKernelStep;
+using Buffer = std::array<double, kBuffer>;
+
+// The index in [0, size) whose value stands at `index` of the extended signal.
+std::size_t extended(std::ptrdiff_t index, std::size_t size, Extension extension) {
+  const auto period =
+      static_cast<std::ptrdiff_t>(extension == Extension::periodic ? size : 2 * size);
+  const std::ptrdiff_t wrapped = ((index % period) + period) % period;
+  const auto inside = static_cast<std::size_t>(wrapped);
+  return inside < size ? inside : 2 * size - 1 - inside;
+}
+
+std::size_t padded(std::size_t count) {
+  return (count + kKernelStep - 1) / kKernelStep * kKernelStep;
+}
+
+// Pairs (even, odd) number first_pair onwards of the extended signal.
+void separate(fog::Span<const double> values, std::ptrdiff_t first_pair, std::size_t pairs,
+              Extension extension, double* even, double* odd) {
+  const std::ptrdiff_t begin = 2 * first_pair;
+  const auto end = begin + static_cast<std::ptrdiff_t>(2 * pairs);
+  if (begin >= 0 && end <= static_cast<std::ptrdiff_t>(values.size)) {
+    const double* from = values.data + begin;
+    for (std::size_t i = 0; i < pairs; ++i) {
+      even[i] = from[2 * i];
+      odd[i] = from[2 * i + 1];
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < pairs; ++i) {
+    const std::ptrdiff_t at = begin + static_cast<std::ptrdiff_t>(2 * i);
+    even[i] = values[extended(at, values.size, extension)];
+    odd[i] = values[extended(at + 1, values.size, extension)];
+  }
+}
+
+std::size_t coefficients_of(std::size_t length, const FilterPair& filters) {
+  return (length + filters.length() - 1) / 2;
+}
+
+// `low` and `high` have room for coefficients_of(values).
+void analyse_level(fog::Span<const double> values, const FilterPair& filters, Extension extension,
+                   const FilterKernels& kernels, double* low, double* high) {
+  const std::size_t phases = filters.taps.size();
+  const std::size_t outputs = coefficients_of(values.size, filters);
+  Buffer even{};
+  Buffer odd{};
+  Buffer low_part;
+  Buffer high_part;
+  for (std::size_t first = 0; first < outputs; first += kChunk) {
+    const std::size_t count = std::min(kChunk, outputs - first);
+    separate(values, static_cast<std::ptrdiff_t>(first) - static_cast<std::ptrdiff_t>(phases - 1),
+             count + phases - 1, extension, even.data(), odd.data());
+    kernels.analyse(filters, even.data(), odd.data(), padded(count), low_part.data(),
+                    high_part.data());
+    std::copy_n(low_part.data(), count, low + first);
+    std::copy_n(high_part.data(), count, high + first);
+  }
+}
+
+// The transpose of analyse_level. A level of odd length gets back its own length, not one more.
+void synthesise_level(const double* low, const double* high, const FilterPair& filters,
+                      const FilterKernels& kernels, fog::Span<double> values) {
+  const std::size_t phases = filters.taps.size();
+  Buffer low_part{};
+  Buffer high_part{};
+  Buffer even;
+  Buffer odd;
+  const std::size_t pairs = (values.size + 1) / 2;
+  for (std::size_t first = 0; first < pairs; first += kChunk) {
+    const std::size_t count = std::min(kChunk, pairs - first);
+    std::copy_n(low + first, count + phases - 1, low_part.data());
+    std::copy_n(high + first, count + phases - 1, high_part.data());
+    kernels.synthesise(filters, low_part.data(), high_part.data(), padded(count), even.data(),
+                       odd.data());
+    const std::size_t whole = std::min(count, values.size / 2 - first);
+    double* to = values.data + 2 * first;
+    for (std::size_t i = 0; i < whole; ++i) {
+      to[2 * i] = even[i];
+      to[2 * i + 1] = odd[i];
+    }
+    if (whole < count) to[2 * whole] = even[whole];
+  }
+}
+
+}  // namespace
+
+int most_levels(std::size_t length, std::size_t taps) {
+  int levels = 0;
+  for (std::size_t reach = 2 * (taps - 1); reach <= length; reach *= 2) ++levels;
+  return levels;
+}
+
+Decomposition decompose(fog::Span<const double> values, const std::vector<double>& lowpass,
+                        int levels, Extension extension, const FilterKernels& kernels) {
+  const FilterPair filters(lowpass);
+  Decomposition result;
+  result.length = values.size;
+  fog::Span<const double> input = values;
+  LargeArray finer;  // what `input` shows, from level 2 on
+  for (int level = 0; level < levels; ++level) {
+    const std::size_t outputs = coefficients_of(input.size, filters);
+    LargeArray low(outputs);
+    LargeArray high(outputs);
+    analyse_level(input, filters, extension, kernels, low.data(), high.data());
+    result.details.push_back(std::move(high));
+    finer = std::move(low);
+    input = {finer.data(), finer.size()};
+  }
+  if (levels == 0) {
+    finer = LargeArray(values.size);
+    std::copy(values.begin(), values.end(), finer.begin());
+  }
+  result.approximation = std::move(finer);
+  return result;
+}
+
+void reconstruct(const Decomposition& decomposition, const std::vector<double>& lowpass,
+                 fog::Span<double> values, const FilterKernels& kernels) {
+  const FilterPair filters(lowpass);
+  LargeArray coarser;  // what `low` shows, below the coarsest level
+  const double* low = decomposition.approximation.data();
+  for (std::size_t level = decomposition.details.size(); level-- > 1;) {
+    LargeArray finer(decomposition.details[level - 1].size());
+    synthesise_level(low, decomposition.details[level].data(), filters, kernels,
+                     {finer.data(), finer.size()});
+    coarser = std::move(finer);
+    low = coarser.data();
+  }
+  if (decomposition.details.empty()) {
+    std::copy_n(low, values.size, values.data);
+  } else {
+    synthesise_level(low, decomposition.details[0].data(), filters, kernels, values);
+  }
+}
+
+}  // namespace fogcomp
