@@ -67,6 +67,8 @@ refuses 'too few' "${fit[@]}" one.csv
 { echo "time_s,temperature_degc,counts"; echo "0,20,1"; echo "10,20,2"; } >counts.csv
 refuses '^counts\.csv.*scale-factor' "${fit[@]}" counts.csv
 
+refuses '^--columns: a sensor stream carries no input rate' simulate -o kept --format stream --columns input_rate
+
 # Models.
 refuses '^missing\.model: ' compare missing.model good.csv
 refuses '^good\.csv: is not a fogcomp model' compare good.csv good.csv
