@@ -9,7 +9,7 @@
 #include "dataset/recording.hpp"
 #include "dataset/recording_writer.hpp"
 #include "evaluation/white_noise.hpp"
-#include "identification/design.hpp"
+#include "identification/effect_list.hpp"
 #include "identification/identify.hpp"
 #include "model/model_file.hpp"
 #include "support/json.hpp"
@@ -33,10 +33,10 @@ std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
   return crc;
 }
 
-double weighted_std(const Design& design) {
-  const double mean = design.drift_dph.dot(design.weights) / design.weights.sum();
-  const Eigen::ArrayXd deviation = design.drift_dph.array() - mean;
-  return std::sqrt((deviation.square() * design.weights.array()).sum() / design.weights.sum());
+double weighted_std(const Rows& rows) {
+  const double mean = rows.drift_dph.dot(rows.weights) / rows.weights.sum();
+  const Eigen::ArrayXd deviation = rows.drift_dph.array() - mean;
+  return std::sqrt((deviation.square() * rows.weights.array()).sum() / rows.weights.sum());
 }
 
 Json terms_json(const Model& model) {
@@ -45,14 +45,38 @@ Json terms_json(const Model& model) {
     terms.push(std::move(Json::object()
                              .set("effect", term.name)
                              .set("parameters", term.parameters)
+                             .set("parameter_sigma", term.parameter_sigma)
                              .set("coefficients_dph", term.coefficients_dph)
                              .set("sigma_dph", term.sigma_dph)));
   }
   return terms;
 }
 
-int run_fit(const Arguments& arguments) {
-  const std::string output = arguments.required("o");
+void print_identification(const Model& model, const Identification& identified) {
+  const NoiseModel& noise = identified.noise;
+  std::printf("  noise of a row %.4f white", noise.white_dph());
+  if (!noise.components.empty()) std::printf(", %.4f slow", noise.wander_dph());
+  std::printf(" deg/h (%s); misfit %.2f",
+              noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak",
+              identified.misfit);
+  if (identified.outliers > 0) std::printf("; %zu outliers weighted down", identified.outliers);
+  std::puts("");
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    std::printf("  %-24s would show from a peak of %.2g deg/h on\n", model.terms[i].name.c_str(),
+                identified.visible_dph[i]);
+  }
+  for (std::size_t run = 0; run < identified.run_offsets_dph.size(); ++run) {
+    std::printf("  recording %zu lies %+.4f deg/h from the first\n", run + 2,
+                identified.run_offsets_dph[run]);
+  }
+  for (const std::string& warning : identified.warnings) {
+    std::printf("  note: %s\n", warning.c_str());
+  }
+  std::puts("");
+}
+
+// What the options ask for, as a model without coefficients.
+Model model_settings(const Arguments& arguments) {
   Model model;
   model.terms = parse_effects(arguments.required("effects"));
   model.average_s = arguments.number("average", 1e-3, 1e6);
@@ -60,63 +84,107 @@ int run_fit(const Arguments& arguments) {
   model.denoise.wavelet = arguments.choice("wavelet", wavelet_names());
   model.denoise.levels = static_cast<int>(arguments.integer("levels", 0, 10));
   model.denoise.hard = arguments.choice("mode", {"soft", "hard"}) == "hard";
+  return model;
+}
+
+// Reads all recordings into `series`; sets what the model takes from them. Returns their hash.
+std::uint32_t read_runs(const Arguments& arguments, Model& model, SignalSeries& series) {
+  // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
+  ReadOptions reading = read_options(arguments);
+  model.scale_factor = reading.scale_factor.value_or(kDefaultScaleFactor);
+  std::swap(reading.scale_factor, reading.model_scale_factor);
+  std::uint32_t hash = fog::kCrc32Initial;
+  double noise_square = 0;
+  for (const std::string& file : arguments.positionals()) {
+    const Recording recording = read_recording(file, reading);
+    hash = data_hash(recording, hash);
+    noise_square += std::pow(white_noise_dph_rthz(recording), 2);
+    series.add(make_blocks(recording));
+  }
+  model.noise_dph_rthz =
+      std::sqrt(noise_square / static_cast<double>(arguments.positionals().size()));
+  return hash;
+}
+
+struct Fit {
+  Model model;
+  Eigen::Index rows = 0;
+  double row_s = 0;
+  double raw_std_dph = 0;
+  Identification identified;
+  double effective_weights = 0;  // of the network
+};
+
+Fit fit(const Arguments& arguments) {
   arguments.choice("trainer", {"lm"});
   TrainingSettings training;
   training.hidden = static_cast<int>(arguments.integer("network", 0, 32));
   training.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
 
-  // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
-  ReadOptions reading = read_options(arguments);
-  model.scale_factor = reading.scale_factor.value_or(kDefaultScaleFactor);
-  std::swap(reading.scale_factor, reading.model_scale_factor);
-  std::vector<Design> designs;
-  std::uint32_t hash = fog::kCrc32Initial;
-  double noise_variance = 0;
-  for (const std::string& file : arguments.positionals()) {
-    const Recording recording = read_recording(file, reading);
-    hash = data_hash(recording, hash);
-    noise_variance += std::pow(white_noise_dph_rthz(recording), 2);
-    designs.push_back(make_design(model, make_blocks(recording)));
-  }
-  model.noise_dph_rthz =
-      std::sqrt(noise_variance / static_cast<double>(arguments.positionals().size()));
-  const Design design = join(designs);
-  const double raw_std = weighted_std(design);
-  const Eigen::VectorXd residual = identify(model, design);
+  Fit fit;
+  Model& model = fit.model;
+  model = model_settings(arguments);
+  SignalSeries series(model);
+  const std::uint32_t hash = read_runs(arguments, model, series);
+  const Rows& rows = series.rows();
+  fit.rows = rows.size();
+  fit.row_s = rows.row_s;
+  fit.raw_std_dph = weighted_std(rows);
+  fit.identified = identify(model, series, {arguments.has("run-offsets")});
   model.history.push_back(
-      {"fit " + arguments.text("effects"), hash, raw_std, model.residual_rms_dph});
+      {"fit " + arguments.text("effects"), hash, fit.raw_std_dph, model.residual_rms_dph});
+  if (training.hidden == 0) return fit;
 
-  double gamma = 0;
-  if (training.hidden > 0) {
-    const TrainingResult trained =
-        train_levenberg_marquardt(design.signals, residual, design.weights, training);
-    model.network = trained.network;
-    model.residual_rms_dph = trained.rms_after_dph;
-    gamma = trained.effective_parameters;
-    model.history.push_back({format("network %d", training.hidden), hash, trained.rms_before_dph,
-                             trained.rms_after_dph});
-  }
-  save_model(model, output);
+  const TrainingResult trained =
+      train_levenberg_marquardt(rows.signals, fit.identified.residual_dph, rows.weights, training);
+  model.network = trained.network;
+  model.residual_rms_dph = trained.rms_after_dph;
+  model.history.push_back(
+      {format("network %d", training.hidden), hash, trained.rms_before_dph, trained.rms_after_dph});
+  fit.effective_weights = trained.effective_parameters;
+  return fit;
+}
 
-  if (arguments.has("json")) {
-    Json result = Json::object();
-    result.set("model", output).set("rows", static_cast<std::size_t>(design.rows()));
-    result.set("raw_std_dph", raw_std).set("residual_rms_dph", model.residual_rms_dph);
-    result.set("effects", terms_json(model)).set("network_hidden", training.hidden);
-    result.set("network_effective_parameters", gamma);
-    std::puts(result.text().c_str());
-    return 0;
-  }
-  std::printf("%td rows of %g s, raw std %.4f deg/h\n\n%s\n", design.rows(), model.average_s,
-              raw_std, describe(model).c_str());
-  for (const HistoryEntry& step : model.history) {
+void print_json(const Fit& fit, const std::string& output) {
+  const Identification& identified = fit.identified;
+  Json notes = Json::array();
+  for (const std::string& warning : identified.warnings) notes.push(warning);
+  Json result = Json::object();
+  result.set("model", output).set("rows", static_cast<std::size_t>(fit.rows));
+  result.set("raw_std_dph", fit.raw_std_dph).set("residual_rms_dph", fit.model.residual_rms_dph);
+  result.set("misfit", identified.misfit).set("outliers", identified.outliers);
+  result.set("noise_white_dph", identified.noise.white_dph());
+  result.set("noise_slow_dph", identified.noise.wander_dph());
+  result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
+  result.set("effects", terms_json(fit.model));
+  result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
+  result.set("network_effective_parameters", fit.effective_weights);
+  std::puts(result.text().c_str());
+}
+
+void print_text(const Fit& fit, const std::string& output) {
+  std::printf("%td rows of %g s, raw std %.4f deg/h\n\n%s\n", fit.rows, fit.row_s, fit.raw_std_dph,
+              describe(fit.model).c_str());
+  print_identification(fit.model, fit.identified);
+  for (const HistoryEntry& step : fit.model.history) {
     std::printf("  %-44s %.4f -> %.4f deg/h rms\n", step.action.c_str(), step.rms_before_dph,
                 step.rms_after_dph);
   }
-  if (training.hidden > 0) {
-    std::printf("  (of the network's weights the data determine %.1f)\n", gamma);
+  if (fit.model.network.present()) {
+    std::printf("  (of the network's weights the data determine %.1f)\n", fit.effective_weights);
   }
   std::printf("\nwritten: %s\n", output.c_str());
+}
+
+int run_fit(const Arguments& arguments) {
+  const std::string output = arguments.required("o");
+  const Fit result = fit(arguments);
+  save_model(result.model, output);
+  if (arguments.has("json")) {
+    print_json(result, output);
+  } else {
+    print_text(result, output);
+  }
   return 0;
 }
 
@@ -139,6 +207,7 @@ Command fit_command() {
       {"trainer", "NAME", "lm (Levenberg-Marquardt, Bayesian regularisation)", "lm"},
       {"seed", "N", "of the network's first weights", "1"},
       {"average", "S", "rows of the fit, seconds", "10"},
+      {"run-offsets", "", "every recording has a bias of its own; the model keeps the first's", ""},
       {"derivative-tau", "S", "time constant of the two lags behind dT/dt", "30"},
       {"wavelet", "NAME", "of the board's denoiser", "sym8"},
       {"levels", "N", "of the board's denoiser, 0 for none", "5"},

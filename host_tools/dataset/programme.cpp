@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "support/median.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -36,23 +38,15 @@ std::vector<Point> thin_out(const Recording& recording, RowRange rows) {
   return points;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Of the points, from second differences, which a ramp leaves alone.
 double noise_degc(const std::vector<Point>& points) {
-  constexpr double kMedianToSigma = 1.4826;
   const double kWhiteGain = std::sqrt(6.0);
   std::vector<double> bends;
   for (std::size_t i = 2; i < points.size(); ++i) {
     bends.push_back(std::fabs(points[i].temperature_degc - 2 * points[i - 1].temperature_degc +
                               points[i - 2].temperature_degc));
   }
-  return kMedianToSigma * median(std::move(bends)) / kWhiteGain;
+  return sigma_by_median(std::move(bends)) / kWhiteGain;
 }
 
 // Smallest step of the sensor: 0.0625 degC for many digital ones, next to nothing for others.

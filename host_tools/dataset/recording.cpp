@@ -7,6 +7,7 @@
 #include "dataset/csv_reader.hpp"
 #include "dataset/stream_reader.hpp"
 #include "support/input_error.hpp"
+#include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -24,9 +25,7 @@ double median_spacing_s(const std::vector<double>& time_s) {
   for (std::size_t i = 1; i < time_s.size(); i += step) {
     spacings.push_back(time_s[i] - time_s[i - 1]);
   }
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>((spacings.size() - 1) / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
+  return median(std::move(spacings));
 }
 
 // Times are printed in decimals, and so is what lies between them: without this, rounding of the

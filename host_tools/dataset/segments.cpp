@@ -5,6 +5,7 @@
 #include <map>
 
 #include "dataset/programme.hpp"
+#include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -37,9 +38,7 @@ double median_temperature_degc(const Recording& recording, RowRange rows) {
   for (std::size_t row = rows.first; row < rows.end; row += step) {
     values.push_back(recording.temperature_degc[row]);
   }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return median(std::move(values));
 }
 
 // A ramp leads from the level of the soak before it to that of the soak after it; where there is no

@@ -6,8 +6,8 @@
 #include "dataset/segments.hpp"
 #include "evaluation/noise_floor.hpp"
 #include "identification/block_walk.hpp"
-#include "identification/design.hpp"
 #include "identification/required_inputs.hpp"
+#include "identification/signal_series.hpp"
 #include "model/drift_model.hpp"
 
 namespace fogcomp {

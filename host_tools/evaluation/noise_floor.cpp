@@ -7,6 +7,7 @@
 
 #include "dataset/blocks.hpp"
 #include "dataset/segments.hpp"
+#include "support/median.hpp"
 
 namespace fogcomp {
 namespace {
@@ -47,20 +48,12 @@ std::vector<double> scaled_differences(const std::vector<double>& bias,
   return differences;
 }
 
-double median_magnitude(std::vector<double> values) {
-  for (double& value : values) value = std::fabs(value);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Standard deviation about zero of the normal part of `values`.
 double robust_deviation(const std::vector<double>& values) {
-  constexpr double kMedianToSigma = 1.4826;
   constexpr double kCut = 3.5;
   constexpr double kVarianceWithin = 0.99389;  // of a normal variable within the cut
   constexpr int kRounds = 10;
-  double sigma = kMedianToSigma * median_magnitude(values);
+  double sigma = sigma_by_median(values);
   // A zero median means steps coarser than the noise, so that most differences vanish: keep all.
   double cut = sigma > 0 ? kCut * sigma : HUGE_VAL;
   for (int round = 0; round < kRounds; ++round) {

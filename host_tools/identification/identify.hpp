@@ -1,21 +1,42 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
-#include "identification/design.hpp"
+#include "identification/noise_model.hpp"
+#include "identification/signal_series.hpp"
 #include "model/model.hpp"
 
 namespace fogcomp {
 
-/// `bias,bias_temperature:order=3,temperature_rate` -> terms with shape parameters, no
-/// coefficients. Throws InputError for unknown effects, unknown parameters and values out of
-/// bounds.
-std::vector<EffectTerm> parse_effects(const std::string& list);
+/// What a fit found out beside the coefficients, which are in the model.
+struct Identification {
+  Eigen::VectorXd residual_dph;  ///< per row, measured - input - effects
+  NoiseModel noise;              ///< what the rows were weighted with
+  double misfit = 0;             ///< rms of the whitened residual: 1 where only that noise is left
+  std::size_t outliers = 0;      ///< rows weighted down
+  /// Per effect, deg/h: the smallest peak of this effect that these recordings show at 5 sigma.
+  std::vector<double> visible_dph;
+  std::vector<std::string> warnings;    ///< whole sentences
+  std::vector<double> run_offsets_dph;  ///< of the second, third... recording against the first
+};
 
-/// Identifies the coefficients of model.terms by linear least squares and sets the trained range.
-/// Returns the residual, a value per row of `design`. Throws InputError for too few rows and for
-/// effects that the recording cannot tell apart.
-Eigen::VectorXd identify(Model& model, const Design& design);
+struct IdentifySettings {
+  /// Every recording has a bias of its own (turn-on repeatability); the model keeps the first
+  /// one's.
+  bool run_offsets = false;
+};
+
+/// Identifies coefficients, and those shape parameters that model.terms marks, from all recordings
+/// of `series` together; sets the trained range.
+///
+/// Noise-weighted: rows are whitened with white + Gauss-Markov noise taken from the soaks. Shape
+/// parameters by variable projection: a bounded grid each, then Gauss-Newton on all together. Rows
+/// beyond 4 sigma count with weight (4/x)^2. Standard deviations are those of the whitened problem,
+/// times the misfit where that is above 1. Throws InputError for too few rows, and for effects that
+/// the recordings cannot tell apart at all.
+Identification identify(Model& model, const SignalSeries& series,
+                        const IdentifySettings& settings = {});
 
 }  // namespace fogcomp

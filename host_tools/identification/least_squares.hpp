@@ -4,17 +4,15 @@
 
 namespace fogcomp {
 
-/// Weighted linear least squares by column-pivoting QR.
+/// Linear least squares by column-pivoting QR, for rows of noise variance 1.
 struct LinearFit {
   Eigen::VectorXd coefficients;
-  Eigen::VectorXd sigma;     ///< one standard deviation, residual taken as white
-  Eigen::VectorXd residual;  ///< measured - fitted, per row
-  double rms = 0;            ///< weighted, of the residual
-  Eigen::Index rank = 0;     ///< below coefficients.size(): columns depend on each other
+  Eigen::MatrixXd covariance;  ///< of the coefficients; empty where rank < columns
+  Eigen::VectorXd residual;
+  Eigen::Index rank = 0;  ///< below the number of columns: some depend on each other
 };
 
-/// rows x columns matrix, one value and one weight (> 0) per row.
-LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values,
-                       const Eigen::VectorXd& weights);
+/// rows x columns matrix, a value per row.
+LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values);
 
 }  // namespace fogcomp

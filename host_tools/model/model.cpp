@@ -28,8 +28,9 @@ std::string describe(const Model& model) {
     const CatalogueEntry& entry = find_effect(term.name);
     text += format("  %-24s %s", term.name.c_str(), entry.description.equation);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-      text += format(", %s %g %s", entry.parameters[i].name, term.parameters[i],
-                     entry.parameters[i].unit);
+      text += format(", %s %.5g", entry.parameters[i].name, term.parameters[i]);
+      if (term.identified[i]) text += format(" +- %.2g", term.parameter_sigma[i]);
+      text += format(" %s", entry.parameters[i].unit);
     }
     text += '\n';
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {

@@ -13,6 +13,8 @@ namespace fogcomp {
 struct EffectTerm {
   std::string name;
   std::vector<double> parameters;        ///< in the units of the catalogue
+  std::vector<bool> identified;          ///< which of them a fit may move; the others were given
+  std::vector<double> parameter_sigma;   ///< one standard deviation, 0 where not identified
   std::vector<double> coefficients_dph;  ///< one per regressor (dimensionless, within +-8)
   std::vector<double> sigma_dph;         ///< one standard deviation of each coefficient
 };

@@ -130,8 +130,11 @@ EffectTerm read_effect(Reader& in) {
     in.fail("this version knows no effect '" + term.name + "'");
   }
   const CatalogueEntry& entry = find_effect(term.name);
-  term.parameters = in.numbers(in.count(16));
-  if (term.parameters.size() != entry.parameters.size()) in.fail("wrong number of parameters");
+  const std::size_t parameters = in.count(16);
+  if (parameters != entry.parameters.size()) in.fail("wrong number of parameters");
+  term.parameters = in.numbers(parameters);
+  for (std::size_t i = 0; i < parameters; ++i) term.identified.push_back(in.count(1) == 1);
+  term.parameter_sigma = in.numbers(parameters);
   const std::size_t coefficients = in.count(entry.coefficients.size());
   term.coefficients_dph = in.numbers(coefficients);
   term.sigma_dph = in.numbers(coefficients);
@@ -220,7 +223,8 @@ std::string model_text(const Model& model) {
   out.word(model.denoise.hard ? "hard" : "soft").end_line();
   for (const EffectTerm& term : model.terms) {
     out.word("effect").word(term.name).number(static_cast<double>(term.parameters.size()));
-    out.numbers(term.parameters).number(static_cast<double>(term.coefficients_dph.size()));
+    out.numbers(term.parameters).numbers(term.identified).numbers(term.parameter_sigma);
+    out.number(static_cast<double>(term.coefficients_dph.size()));
     out.numbers(term.coefficients_dph).numbers(term.sigma_dph).end_line();
   }
   if (model.network.present()) {

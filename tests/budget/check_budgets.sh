@@ -25,7 +25,7 @@ refuse() {
 }
 
 printf '%-28s %7s %7s  %7s %7s %7s %7s\n' image flash of static stack RAM of
-while read -r image flash_budget ram_budget; do
+while read -r image flash_budget ram_budget _; do
   [[ -z $image || $image == \#* ]] && continue
   [[ -f $build/$image ]] || { echo "$image: not built" >&2; exit 1; }
   sizes=$(arm-none-eabi-size -A "$build/$image")

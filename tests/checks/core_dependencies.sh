@@ -11,7 +11,7 @@ status=0
 forbid() {
   local folder=$1 allowed=$2 found
   [[ -d $folder ]] || { echo "no folder $folder" >&2; exit 1; }
-  if found=$(grep -rnE '^\s*#\s*include' "$folder" | grep -vE "#\s*include ($allowed)"); then
+  if found=$(grep -rnE --include="*.?pp" "^\s*#\s*include" "$folder" | grep -vE "#\s*include ($allowed)"); then
     echo "$folder includes what it may not:" >&2
     echo "$found" >&2
     status=1
@@ -25,7 +25,7 @@ forbid platform "\"(hal|platform)/|$standard"
 forbid app "\"(app|core|hal|platform)/|\"fog_model.h\"|$standard"
 
 # No type of the core is a floating-point one.
-if found=$(grep -rnwE 'float|double' core | grep -vE '//|\*'); then
+if found=$(grep -rnwE --include="*.?pp" "float|double" core | grep -vE '//|\*'); then
   echo "floating point in core:" >&2
   echo "$found" >&2
   status=1

@@ -50,7 +50,7 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleOnAnyThermalHistory) {
 TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryPolynomialOrder) {
   for (int order = 1; order <= 9; ++order) {
     fogcomp::Model model = fog::test::paper_like_model();
-    model.terms = {{"bias_temperature", {static_cast<double>(order)}, {}, {}}};
+    model.terms = {{"bias_temperature", {static_cast<double>(order)}, {false}, {0}, {}, {}}};
     for (int k = 0; k < order; ++k) {
       model.terms[0].coefficients_dph.push_back(k % 2 == 0 ? 0.9 : -1.1);
       model.terms[0].sigma_dph.push_back(0);

@@ -16,7 +16,11 @@ inline fogcomp::EffectTerm natural_term(const std::string& name,
                                         const std::vector<double>& parameters,
                                         const std::vector<double>& coefficients) {
   const fogcomp::CatalogueEntry& entry = fogcomp::find_effect(name);
-  fogcomp::EffectTerm term{name, parameters, {}, {}};
+  fogcomp::EffectTerm term;
+  term.name = name;
+  term.parameters = parameters;
+  term.identified.assign(parameters.size(), false);
+  term.parameter_sigma.assign(parameters.size(), 0);
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
     const CoefficientDescription& description = entry.coefficients[i];
     term.coefficients_dph.push_back(std::ldexp(coefficients[i], description.scale_log2) /

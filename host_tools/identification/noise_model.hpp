@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace fogcomp {
+
+/// Noise of a row: white, plus first-order Gauss-Markov components that stand for flicker and slow
+/// wander. Spectra of such components an octave or two apart add up to 1/f.
+struct NoiseModel {
+  struct Component {
+    double tau_s = 0;
+    double variance = 0;  ///< (deg/h)^2
+  };
+  double row_s = 0;
+  double white_variance = 0;  ///< of a full row, (deg/h)^2
+  std::vector<Component> components;
+  bool from_quiet_parts = false;  ///< else from neighbouring rows alone: white, a lower bound
+
+  double white_dph() const;
+  double wander_dph() const;  ///< of all components together
+};
+
+/// Fits the model to stretches of a residual in which only noise is left (soaks that have settled),
+/// by Whittle's likelihood over all of them: each stretch's straight line is removed first, with
+/// the one or two lowest frequencies that it spoils. The variances of a fixed ladder of time
+/// constants, from two rows to half the longest stretch, follow multiplicative updates
+/// (non-negative, never overshoot; Fevotte, Bertin & Durrieu 2009 for this divergence).
+NoiseModel fit_noise(const std::vector<Eigen::VectorXd>& quiet, double row_s);
+
+/// For data without quiet stretches: white noise from second differences of neighbouring rows.
+NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s);
+
+}  // namespace fogcomp

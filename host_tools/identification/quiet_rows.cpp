@@ -1,0 +1,53 @@
+#include "identification/quiet_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fogcomp {
+namespace {
+
+constexpr double kLeastLimit = 0.02;  // degC/min
+constexpr double kShareOfRamps = 0.05;
+constexpr double kRampQuantile = 0.95;
+constexpr std::size_t kLeastRows = 32;
+constexpr double kGap = 1.5;  // rows
+
+double rate_limit(const Rows& rows) {
+  std::vector<double> rates;
+  for (const auto& signals : rows.signals) rates.push_back(std::abs(signals.temperature_rate));
+  const auto at = rates.begin() + static_cast<std::ptrdiff_t>(
+                                      kRampQuantile * static_cast<double>(rates.size() - 1));
+  std::nth_element(rates.begin(), at, rates.end());
+  return std::max(kLeastLimit, kShareOfRamps * *at);
+}
+
+bool follows(const Rows& rows, std::size_t row) {
+  const bool new_run =
+      std::find(rows.run_starts.begin(), rows.run_starts.end(), row) != rows.run_starts.end();
+  return row > 0 && !new_run && rows.time_s[row] - rows.time_s[row - 1] < kGap * rows.row_s;
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::VectorXd& residual) {
+  std::vector<Eigen::VectorXd> stretches;
+  const auto size = static_cast<std::size_t>(rows.size());
+  if (size < kLeastRows) return stretches;
+  const double limit = rate_limit(rows);
+  std::size_t begin = 0;
+  const auto finish = [&](std::size_t end) {
+    if (end - begin < kLeastRows) return;
+    stretches.push_back(
+        residual.segment(static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end - begin)));
+  };
+  for (std::size_t row = 0; row < size; ++row) {
+    const bool quiet = std::abs(rows.signals[row].temperature_rate) <= limit;
+    if (quiet && (row == begin || follows(rows, row))) continue;
+    finish(row);
+    begin = quiet ? row : row + 1;
+  }
+  finish(size);
+  return stretches;
+}
+
+}  // namespace fogcomp

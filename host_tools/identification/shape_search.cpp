@@ -1,0 +1,157 @@
+#include "identification/shape_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/least_squares.hpp"
+#include "model/catalogue.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kRatioForLogarithm = 20;
+constexpr int kGridPoints = 24;
+constexpr int kGridRounds = 2;
+constexpr int kGaussNewtonSteps = 12;
+constexpr double kConverged = 1e-9;       // relative fall of the cost
+constexpr double kDifferenceStep = 1e-4;  // of a parameter's range, for derivatives
+
+void search_grid(WhitenedProblem& problem, const ShapeParameter& parameter) {
+  double best = problem.value(parameter);
+  double least_cost = problem.cost();
+  for (int i = 0; i < kGridPoints; ++i) {
+    const double value = parameter.from_unit((i + 0.5) / kGridPoints);
+    problem.set(parameter, value);
+    const double cost = problem.cost();
+    if (cost < least_cost) {
+      least_cost = cost;
+      best = value;
+    }
+  }
+  problem.set(parameter, best);
+}
+
+// One step; false where none lowers the cost any more.
+bool gauss_newton_step(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters) {
+  const double cost = problem.cost();
+  const Eigen::MatrixXd jacobian = problem.jacobian(parameters);
+  const LinearFit fit = solve_linear(jacobian, problem.measured());
+  std::vector<double> start;
+  for (const ShapeParameter& parameter : parameters) start.push_back(problem.value(parameter));
+  const Eigen::Index first = jacobian.cols() - static_cast<Eigen::Index>(parameters.size());
+  for (double length = 1; length > 1e-3; length /= 2) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const double step = fit.coefficients[first + static_cast<Eigen::Index>(i)];
+      problem.set(parameters[i],
+                  parameters[i].from_unit(parameters[i].to_unit(start[i]) + length * step));
+    }
+    if (problem.cost() < cost) return problem.cost() < cost * (1 - kConverged);
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) problem.set(parameters[i], start[i]);
+  return false;
+}
+
+}  // namespace
+
+double ShapeParameter::to_unit(double value) const {
+  return logarithmic ? std::log(value / least) / std::log(most / least)
+                     : (value - least) / (most - least);
+}
+
+double ShapeParameter::from_unit(double unit) const {
+  const double u = std::clamp(unit, 0.0, 1.0);
+  return logarithmic ? least * std::pow(most / least, u) : least + u * (most - least);
+}
+
+double ShapeParameter::slope(double value) const {
+  return logarithmic ? value * std::log(most / least) : most - least;
+}
+
+std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& terms) {
+  std::vector<ShapeParameter> parameters;
+  for (std::size_t term = 0; term < terms.size(); ++term) {
+    const CatalogueEntry& entry = find_effect(terms[term].name);
+    for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+      if (!terms[term].identified[i]) continue;
+      const double least = entry.parameters[i].least_milli / 1000.0;
+      const double most = entry.parameters[i].most_milli / 1000.0;
+      const bool logarithmic = least > 0 && most / least >= kRatioForLogarithm;
+      parameters.push_back({term, i, least, most, logarithmic});
+    }
+  }
+  return parameters;
+}
+
+WhitenedProblem::WhitenedProblem(const SignalSeries& series, const Whitening& whitening,
+                                 std::vector<EffectTerm> terms, const Eigen::MatrixXd& nuisance)
+    : series_(series),
+      whitening_(whitening),
+      terms_(std::move(terms)),
+      measured_(whitening.apply(series.rows().drift_dph)) {
+  for (const EffectTerm& term : terms_) columns_.push_back(whitened(term));
+  columns_.push_back(whitening.apply(nuisance));
+}
+
+Eigen::MatrixXd WhitenedProblem::whitened(const EffectTerm& term) const {
+  return whitening_.apply(series_.regressors(term));
+}
+
+double WhitenedProblem::value(const ShapeParameter& parameter) const {
+  return terms_[parameter.term].parameters[parameter.index];
+}
+
+void WhitenedProblem::set(const ShapeParameter& parameter, double value) {
+  terms_[parameter.term].parameters[parameter.index] = value;
+  columns_[parameter.term] = whitened(terms_[parameter.term]);
+}
+
+Eigen::MatrixXd WhitenedProblem::matrix() const {
+  Eigen::Index width = 0;
+  for (const Eigen::MatrixXd& columns : columns_) width += columns.cols();
+  Eigen::MatrixXd all(measured_.size(), width);
+  Eigen::Index at = 0;
+  for (const Eigen::MatrixXd& columns : columns_) {
+    all.middleCols(at, columns.cols()) = columns;
+    at += columns.cols();
+  }
+  return all;
+}
+
+double WhitenedProblem::cost() const {
+  return solve_linear(matrix(), measured_).residual.squaredNorm();
+}
+
+Eigen::MatrixXd WhitenedProblem::jacobian(const std::vector<ShapeParameter>& parameters) const {
+  const Eigen::MatrixXd linear = matrix();
+  const Eigen::VectorXd coefficients = solve_linear(linear, measured_).coefficients;
+  Eigen::MatrixXd all(linear.rows(), linear.cols() + static_cast<Eigen::Index>(parameters.size()));
+  all.leftCols(linear.cols()) = linear;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const ShapeParameter& parameter = parameters[i];
+    Eigen::Index first = 0;
+    for (std::size_t term = 0; term < parameter.term; ++term) first += columns_[term].cols();
+    const Eigen::VectorXd part = coefficients.segment(first, columns_[parameter.term].cols());
+    EffectTerm moved = terms_[parameter.term];
+    const double unit = parameter.to_unit(moved.parameters[parameter.index]);
+    const double up = std::min(unit + kDifferenceStep, 1.0);
+    const double down = std::max(unit - kDifferenceStep, 0.0);
+    moved.parameters[parameter.index] = parameter.from_unit(up);
+    const Eigen::VectorXd above = whitened(moved) * part;
+    moved.parameters[parameter.index] = parameter.from_unit(down);
+    all.col(linear.cols() + static_cast<Eigen::Index>(i)) =
+        (above - whitened(moved) * part) / (up - down);
+  }
+  return all;
+}
+
+void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters) {
+  if (parameters.empty()) return;
+  for (int round = 0; round < kGridRounds; ++round) {
+    for (const ShapeParameter& parameter : parameters) search_grid(problem, parameter);
+  }
+  for (int step = 0; step < kGaussNewtonSteps; ++step) {
+    if (!gauss_newton_step(problem, parameters)) break;
+  }
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "identification/signal_series.hpp"
+#include "identification/whitening.hpp"
+#include "model/model.hpp"
+
+namespace fogcomp {
+
+/// A shape parameter that a fit may move.
+struct ShapeParameter {
+  std::size_t term = 0;
+  std::size_t index = 0;
+  double least = 0;
+  double most = 0;
+  bool logarithmic = false;  ///< searched by ratio: bounds are positive and far apart
+
+  /// Place in the range, 0..1, by ratio where it is logarithmic; and back, clipped to the range.
+  double to_unit(double value) const;
+  double from_unit(double unit) const;
+  /// d value / d unit.
+  double slope(double value) const;
+};
+
+std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& terms);
+
+/// Whitened rows of a set of effects against whitened measurements. Regressors are kept per effect,
+/// so that moving one effect's shape recomputes only that effect.
+class WhitenedProblem {
+ public:
+  /// `nuisance`: further columns (rows x any) whose coefficients are solved for and forgotten.
+  WhitenedProblem(const SignalSeries& series, const Whitening& whitening,
+                  std::vector<EffectTerm> terms, const Eigen::MatrixXd& nuisance);
+
+  const std::vector<EffectTerm>& terms() const { return terms_; }
+  double value(const ShapeParameter& parameter) const;
+  void set(const ShapeParameter& parameter, double value);
+
+  /// All regressors side by side, in the order of the terms, then the nuisance columns.
+  Eigen::MatrixXd matrix() const;
+  const Eigen::VectorXd& measured() const { return measured_; }
+  /// Sum of squares that the best coefficients leave.
+  double cost() const;
+  /// matrix() and, behind it, what a change of each parameter's place in its range does with the
+  /// best coefficients.
+  Eigen::MatrixXd jacobian(const std::vector<ShapeParameter>& parameters) const;
+
+ private:
+  Eigen::MatrixXd whitened(const EffectTerm& term) const;
+
+  const SignalSeries& series_;
+  const Whitening& whitening_;
+  std::vector<EffectTerm> terms_;
+  std::vector<Eigen::MatrixXd> columns_;  // of each term, then the nuisance
+  Eigen::VectorXd measured_;
+};
+
+/// Moves the parameters to where the projected cost is least (Golub & Pereyra 1973): each over a
+/// bounded grid with the others held, twice round, then Gauss-Newton on all with the coefficients.
+void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters);
+
+}  // namespace fogcomp

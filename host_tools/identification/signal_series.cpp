@@ -1,0 +1,117 @@
+#include "identification/signal_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "identification/block_walk.hpp"
+#include "identification/required_inputs.hpp"
+#include "model/drift_model.hpp"
+
+namespace fogcomp {
+
+// Stands where walk_blocks expects a drift model, and keeps what one would see.
+class SignalRecorder {
+ public:
+  SignalRecorder(const Model& model, SignalSeries::Run& run)
+      : thermal_(unclamped(thermal_parameters(model, run.block_s))), run_(run) {}
+
+  void start(const RealBlock& block) { keep(thermal_.reset(block), true); }
+  void step(const RealBlock& block) { keep(thermal_.step(block), false); }
+
+  /// The block that the signals kept last are valid for.
+  SignalSeries::Block& current() { return run_.blocks.back(); }
+
+ private:
+  static fog::ThermalParameters<RealNumbers> unclamped(fog::ThermalParameters<RealNumbers> p) {
+    p.least = -std::numeric_limits<double>::infinity();
+    p.most = std::numeric_limits<double>::infinity();
+    return p;
+  }
+  void keep(const fog::Signals<RealNumbers>& signals, bool restart) {
+    run_.blocks.push_back({signals, restart, SignalSeries::kNoRow, 0});
+  }
+
+  fog::ThermalState<RealNumbers> thermal_;
+  SignalSeries::Run& run_;
+};
+
+struct RowSums {
+  std::int64_t number = 0;
+  double samples = 0;
+  double time = 0;
+  double drift = 0;
+  fog::Signals<RealNumbers> signals;
+};
+
+std::int64_t blocks_per_row(double average_s, double block_s) {
+  return std::max(1LL, std::llround(average_s / block_s));
+}
+
+void SignalSeries::add(const BlockSeries& series) {
+  require_inputs(model_.terms, series);
+  runs_.push_back({series.block_s, {}});
+  SignalRecorder recorder(model_, runs_.back());
+  const std::int64_t per_row = blocks_per_row(model_.average_s, series.block_s);
+  const auto first_row = static_cast<std::int32_t>(rows_.size());
+  std::vector<RowSums> sums;
+  walk_blocks(series, recorder, [&](const BlockSeries::Block& block) {
+    if (sums.empty() || sums.back().number != block.number / per_row) {
+      sums.push_back({block.number / per_row, 0, 0, 0, {}});
+    }
+    Block& current = recorder.current();
+    current.row = first_row + static_cast<std::int32_t>(sums.size()) - 1;
+    current.samples = block.samples;
+    RowSums& row = sums.back();
+    row.samples += current.samples;
+    row.time += current.samples * block.time_s;
+    row.drift += current.samples * (block.rate_dph - block.means.input_rate);
+    row.signals.temperature += current.samples * current.signals.temperature;
+    row.signals.temperature_rate += current.samples * current.signals.temperature_rate;
+  });
+  rows_.row_s = std::max(rows_.row_s, static_cast<double>(per_row) * series.block_s);
+  append_rows(sums, series.block_s / series.samples_per_block);
+}
+
+void SignalSeries::append_rows(const std::vector<RowSums>& sums, double sample_s) {
+  const Eigen::Index first = rows_.size();
+  const auto size = first + static_cast<Eigen::Index>(sums.size());
+  rows_.run_starts.push_back(static_cast<std::size_t>(first));
+  rows_.drift_dph.conservativeResize(size);
+  seconds_.conservativeResize(size);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const RowSums& row = sums[i];
+    const Eigen::Index at = first + static_cast<Eigen::Index>(i);
+    rows_.drift_dph[at] = row.drift / row.samples;
+    seconds_[at] = row.samples * sample_s;
+    rows_.time_s.push_back(row.time / row.samples);
+    rows_.signals.push_back(
+        {row.signals.temperature / row.samples, row.signals.temperature_rate / row.samples, {}});
+  }
+  rows_.weights = seconds_ / rows_.row_s;
+}
+
+Eigen::MatrixXd SignalSeries::regressors(const EffectTerm& term) const {
+  const CatalogueEntry& entry = find_effect(term.name);
+  Eigen::MatrixXd sums;
+  Eigen::VectorXd samples = Eigen::VectorXd::Zero(rows_.size());
+  std::vector<double> values;
+  for (const Run& run : runs_) {
+    const auto effect = entry.make(entry.constants(term.parameters, run.block_s));
+    if (sums.size() == 0) {
+      values.resize(effect->regressor_count());
+      sums.setZero(rows_.size(), static_cast<Eigen::Index>(values.size()));
+    }
+    const Eigen::Map<const Eigen::RowVectorXd> row_values(values.data(), sums.cols());
+    for (const Block& block : run.blocks) {
+      if (block.restart) effect->reset(block.signals);
+      effect->step(block.signals, values.data());
+      if (block.row == kNoRow) continue;
+      sums.row(block.row) += block.samples * row_values;
+      samples[block.row] += block.samples;
+    }
+  }
+  return samples.cwiseInverse().asDiagonal() * sums;
+}
+
+}  // namespace fogcomp

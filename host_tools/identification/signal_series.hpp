@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "core/thermal/signals.hpp"
+#include "identification/block_series.hpp"
+#include "model/model.hpp"
+
+namespace fogcomp {
+
+/// The rows of a fit: means over `average_s`, or over one row of a recording that has longer ones.
+struct Rows {
+  Eigen::VectorXd drift_dph;  ///< measured rate - input rate
+  Eigen::VectorXd weights;    ///< time behind a row, relative to a full one
+  double row_s = 0;           ///< of a full row; the longest where recordings differ
+  std::vector<double> time_s;
+  std::vector<fog::Signals<RealNumbers>> signals;  ///< means of temperature and its rate
+  std::vector<std::size_t> run_starts;             ///< first row of each recording
+
+  Eigen::Index size() const { return drift_dph.size(); }
+};
+
+/// What the board's effects would see over one or more recordings, kept so that an effect of any
+/// shape can be run over it: signals block by block, and the row that each block is part of.
+class SignalSeries {
+ public:
+  /// `model` gives the derivative's time constant and the averaging. Temperature is not clamped: a
+  /// fit has no trained range yet.
+  explicit SignalSeries(const Model& model) : model_(model) {}
+
+  /// Adds a recording. Throws InputError where it lacks a column that one of the model's effects
+  /// needs.
+  void add(const BlockSeries& series);
+
+  const Rows& rows() const { return rows_; }
+
+  /// The row means of an effect's regressors, rows x regressors of the effect.
+  Eigen::MatrixXd regressors(const EffectTerm& term) const;
+
+ private:
+  static constexpr std::int32_t kNoRow = -1;
+  // The state of the thermal stage during one block.
+  struct Block {
+    fog::Signals<RealNumbers> signals;
+    bool restart = false;
+    std::int32_t row = kNoRow;  // none where the board's drift is not valid
+    double samples = 0;
+  };
+  struct Run {
+    double block_s = 0;
+    std::vector<Block> blocks;
+  };
+  friend class SignalRecorder;
+
+  void append_rows(const std::vector<struct RowSums>& sums, double sample_s);
+
+  const Model& model_;
+  std::vector<Run> runs_;
+  Eigen::VectorXd seconds_;  // behind each row
+  Rows rows_;
+};
+
+/// Blocks that make one row of `average_s` seconds, at least one.
+std::int64_t blocks_per_row(double average_s, double block_s);
+
+}  // namespace fogcomp

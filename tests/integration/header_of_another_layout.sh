@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# header_of_another_layout.sh FOGCOMP SOURCE HEADER: a header that does not match the firmware is refused,
+# by the compiler and by fogcomp, in words that say what to do.
+set -euo pipefail
+fogcomp=$1 source=$2 header=$3
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# As another version would have written it: its layout number in the macro and in the table.
+sed -E 's/(FOG_MODEL_LAYOUT) 1/\1 2/; s/^  1179600717, 1,/  1179600717, 2,/' "$header" >"$scratch/fog_model.h"
+cmp -s "$header" "$scratch/fog_model.h" && { echo "nothing was changed" >&2; exit 1; }
+
+status=0
+"$fogcomp" replay "$scratch/fog_model.h" "$header" -o "$scratch/out.bin" 2>"$scratch/error" || status=$?
+cat "$scratch/error"
+((status == 2)) && grep -q "another layout version; export the header again" "$scratch/error"
+
+cmake -S "$source" -B "$scratch/build" --preset stm32f405 \
+  -DFOG_MODEL_HEADER="$scratch/fog_model.h" >/dev/null
+if cmake --build "$scratch/build" --target fogcomp >"$scratch/log"; then
+  echo "the firmware was built with a header of another layout" >&2
+  exit 1
+fi
+grep -o "fog_model.h is for another version of the firmware: run fogcomp export again" "$scratch/log" | head -n 1

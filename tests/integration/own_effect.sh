@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# own_effect.sh SOURCE: carries out firmware/core/effects/README.md in a copy of the tree, block by block:
+# ```cpp file=PATH is written to PATH, ```sh is run.
+set -euo pipefail
+source=${1:?usage: own_effect.sh SOURCE}
+page=$source/firmware/core/effects/README.md
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+cp -r "$source"/{CMakeLists.txt,CMakePresets.json,cmake,firmware,host_tools,linker,tests} "$copy"
+cd "$copy"
+sed -i 's/"Release"/"Debug"/' CMakePresets.json # built once and thrown away: compile fast
+
+# Blocks become numbered files, with their first line's words beside them.
+awk '/^```/ { if (inside) { inside = 0; next } inside = 1; n++; print substr($0, 4) > ("block" n ".kind"); next }
+     inside { print > ("block" n ".text") }' "$page"
+blocks=0
+for kind in $(ls block*.kind | sort -V); do
+  read -r language target <"$kind"
+  text=${kind%.kind}.text
+  case $language in
+    cpp)
+      cp "$text" "${target#file=}"
+      clang-format --dry-run --Werror --style="file:$source/.clang-format" "${target#file=}"
+      ;;
+    sh)
+      bash -euo pipefail "$text" >log 2>&1 || { cat log; exit 1; }
+      grep -E "temperature_rate_squared|K2|PASSED" log || true
+      ;;
+    *)
+      echo "a block of kind '$language' in $page" >&2
+      exit 1
+      ;;
+  esac
+  blocks=$((blocks + 1))
+done
+[[ -f build/stm32f405/fogcomp.bin ]] || { echo "the page built no image" >&2; exit 1; }
+grep -q temperature_rate_squared fog_model.h
+echo "$blocks blocks carried out"

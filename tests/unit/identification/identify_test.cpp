@@ -1,0 +1,144 @@
+#include "identification/identify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "identification/effect_list.hpp"
+#include "support/input_error.hpp"
+#include "unit/identification/simulated_gyro.hpp"
+
+namespace {
+
+using fogcomp::Model;
+
+Model truth() {
+  Model model = fog::test::paper_like_model();
+  model.network = {};
+  return model;
+}
+
+// A model of the same effects as the truth, coefficients unknown.
+Model unknown() {
+  Model model = truth();
+  for (fogcomp::EffectTerm& term : model.terms) {
+    term.coefficients_dph.clear();
+    term.sigma_dph.clear();
+  }
+  return model;
+}
+
+fogcomp::Identification fit(Model& model, const fogcomp::Recording& recording) {
+  fogcomp::SignalSeries series(model);
+  series.add(fogcomp::make_blocks(recording));
+  return fogcomp::identify(model, series);
+}
+
+TEST(Identify, ReturnsTheTruthExactlyWithoutNoise) {
+  Model model = unknown();
+  fit(model, fog::test::recording_of(truth(), {1e-9, 0, 300}, 1));
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    for (std::size_t k = 0; k < model.terms[i].coefficients_dph.size(); ++k) {
+      EXPECT_NEAR(model.terms[i].coefficients_dph[k], truth().terms[i].coefficients_dph[k], 1e-7);
+    }
+  }
+}
+
+// 95 % intervals of every coefficient, over 200 gyros with white and slow noise: 90 to 98 % hold
+// the truth.
+TEST(Identify, StatesUncertaintiesThatAreTrue) {
+  constexpr int kSeeds = 200;
+  const Model real = truth();
+  std::vector<int> covered;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    Model model = unknown();
+    fit(model,
+        fog::test::recording_of(real, {0.024, 0.006, 300}, static_cast<std::uint64_t>(seed)));
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < model.terms.size(); ++i) {
+      for (std::size_t k = 0; k < model.terms[i].coefficients_dph.size(); ++k, ++at) {
+        covered.resize(std::max(covered.size(), at + 1));
+        const double error = model.terms[i].coefficients_dph[k] - real.terms[i].coefficients_dph[k];
+        if (std::abs(error) <= 1.96 * model.terms[i].sigma_dph[k]) ++covered[at];
+      }
+    }
+  }
+  for (std::size_t at = 0; at < covered.size(); ++at) {
+    std::printf("coefficient %zu: truth within 95 %% interval in %.1f %%\n", at,
+                100.0 * covered[at] / kSeeds);
+    EXPECT_GE(covered[at], 0.90 * kSeeds);
+    EXPECT_LE(covered[at], 0.98 * kSeeds + 2);
+  }
+}
+
+TEST(Identify, IsNotMovedByOutliers) {
+  fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
+  Model clean = unknown();
+  fit(clean, recording);
+  for (std::size_t row = 50; row < recording.rows(); row += 200) recording.rate_dph[row] += 3;
+  Model spoilt = unknown();
+  const auto result = fit(spoilt, recording);
+  EXPECT_GE(result.outliers, recording.rows() / 200);
+  for (std::size_t i = 0; i < clean.terms.size(); ++i) {
+    for (std::size_t k = 0; k < clean.terms[i].coefficients_dph.size(); ++k) {
+      EXPECT_NEAR(spoilt.terms[i].coefficients_dph[k], clean.terms[i].coefficients_dph[k],
+                  1.5 * clean.terms[i].sigma_dph[k]);
+    }
+  }
+}
+
+TEST(Identify, TakesSeveralRecordingsTogether) {
+  Model one = unknown();
+  fit(one, fog::test::recording_of(truth(), {0.024, 0, 300}, 1));
+  Model both = unknown();
+  fogcomp::SignalSeries series(both);
+  for (const std::uint64_t seed : {std::uint64_t{1}, std::uint64_t{2}}) {
+    series.add(fogcomp::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, seed)));
+  }
+  fogcomp::identify(both, series);
+  EXPECT_NEAR(both.terms[0].sigma_dph[0] / one.terms[0].sigma_dph[0], std::sqrt(0.5), 0.1);
+}
+
+TEST(Identify, LetsEveryRecordingHaveABiasOfItsOwn) {
+  Model model = unknown();
+  fogcomp::SignalSeries series(model);
+  fogcomp::Recording second = fog::test::recording_of(truth(), {0.024, 0, 300}, 2);
+  for (double& rate : second.rate_dph) rate += 0.1;
+  series.add(fogcomp::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, 1)));
+  series.add(fogcomp::make_blocks(second));
+  const auto result = fogcomp::identify(model, series, {true});
+  ASSERT_EQ(result.run_offsets_dph.size(), 1U);
+  EXPECT_NEAR(result.run_offsets_dph[0], 0.1, 0.003);
+  EXPECT_NEAR(model.terms[0].coefficients_dph[0], 0.7197, 5 * model.terms[0].sigma_dph[0]);
+  EXPECT_NEAR(model.terms[2].coefficients_dph[0], 0.44, 5 * model.terms[2].sigma_dph[0]);
+}
+
+TEST(Identify, SaysInWordsWhichEffectsCannotBeToldApart) {
+  Model model = unknown();
+  // At one temperature a bias and a slope are one thing: give it almost nothing else.
+  fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
+  for (double& temperature : recording.temperature_degc)
+    temperature = 50 + 0.01 * (temperature - 20);
+  model.terms = fogcomp::parse_effects("bias,bias_temperature:order=1");
+  const auto result = fit(model, recording);
+  ASSERT_EQ(result.warnings.size(), 1U);
+  EXPECT_EQ(result.warnings[0],
+            "`bias` and `bias_temperature` are 1.00 correlated on these data: their sum is known, "
+            "their split is not");
+}
+
+TEST(Identify, RefusesWhatTheDataCannotDetermine) {
+  Model model = unknown();
+  fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
+  for (double& temperature : recording.temperature_degc) temperature = 25;
+  EXPECT_THROW(fit(model, recording), fogcomp::InputError);
+}
+
+TEST(EffectList, KeepsWhatIsGivenAndLeavesTheRestToTheFit) {
+  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,temperature_rate");
+  ASSERT_EQ(terms.size(), 3U);
+  EXPECT_EQ(terms[1].parameters, std::vector<double>{3});
+  EXPECT_FALSE(terms[1].identified[0]);
+}
+
+}  // namespace

@@ -1,0 +1,107 @@
+#include "identification/noise_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "identification/whitening.hpp"
+
+namespace {
+
+using Eigen::VectorXd;
+
+VectorXd noise(std::size_t rows, double white, double slow, double tau_rows, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  const double decay = std::exp(-1 / tau_rows);
+  double state = slow * normal(random);
+  VectorXd values(static_cast<Eigen::Index>(rows));
+  for (double& value : values) {
+    value = state + white * normal(random);
+    state = decay * state + slow * std::sqrt(1 - decay * decay) * normal(random);
+  }
+  return values;
+}
+
+// Spectral density at an angle per row, which is what weighting depends on; how the ladder shares a
+// variance out among its steps does not matter.
+double density(const fogcomp::NoiseModel& model, double angle) {
+  double sum = model.white_variance;
+  for (const auto& component : model.components) {
+    const double phi = std::exp(-model.row_s / component.tau_s);
+    sum += component.variance * (1 - phi * phi) / (1 - 2 * phi * std::cos(angle) + phi * phi);
+  }
+  return sum;
+}
+
+TEST(NoiseModel, HasTheSpectrumOfWhiteAndSlowNoiseWithin20Percent) {
+  std::vector<VectorXd> quiet;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) quiet.push_back(noise(700, 0.02, 0.01, 30, seed));
+  const auto model = fogcomp::fit_noise(quiet, 10);
+  fogcomp::NoiseModel truth;
+  truth.row_s = 10;
+  truth.white_variance = 0.02 * 0.02;
+  truth.components = {{300, 0.01 * 0.01}};
+  for (const double angle : {3.0, 1.0, 0.3, 0.1}) {
+    EXPECT_NEAR(density(model, angle) / density(truth, angle), 1, 0.2) << angle;
+  }
+  EXPECT_NEAR(density(model, 0.03) / density(truth, 0.03), 1, 0.35);
+}
+
+TEST(NoiseModel, FindsNoSlowPartInWhiteNoise) {
+  std::vector<VectorXd> quiet;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) quiet.push_back(noise(700, 0.02, 0, 30, seed));
+  const auto model = fogcomp::fit_noise(quiet, 10);
+  EXPECT_NEAR(std::sqrt(density(model, 0.03)), 0.02, 0.006);
+}
+
+TEST(NoiseModel, WithoutQuietPartsTakesNeighbouringRowsAndNoDriftOrOutlier) {
+  VectorXd residual = noise(3000, 0.02, 0, 1, 1);
+  for (Eigen::Index i = 0; i < residual.size(); ++i)
+    residual[i] += 1e-6 * std::pow(static_cast<double>(i), 2);
+  residual[100] += 50;
+  EXPECT_NEAR(fogcomp::white_noise_of(residual, 10).white_dph(), 0.02, 0.002);
+}
+
+TEST(Whitening, MakesColouredNoiseWhiteOfVarianceOneAcrossGapsAndRuns) {
+  const std::size_t size = 4000;
+  const VectorXd coloured = noise(2 * size, 0.02, 0.03, 50, 3);
+  fogcomp::NoiseModel model;
+  model.row_s = 10;
+  model.white_variance = 0.02 * 0.02;
+  model.components = {{500, 0.03 * 0.03}};
+  // Every third of some rows is missing.
+  fogcomp::Rows rows;
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < 2 * size; ++i) {
+    if (i > 1000 && i < 3000 && i % 3 == 0) continue;
+    rows.time_s.push_back(10 * static_cast<double>(i));
+    kept.push_back(coloured[static_cast<Eigen::Index>(i)]);
+  }
+  rows.drift_dph = Eigen::Map<VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
+  rows.run_starts = {0};
+  const VectorXd ones = VectorXd::Ones(rows.drift_dph.size());
+  const VectorXd white = fogcomp::Whitening(model, rows, ones).apply(rows.drift_dph);
+  const auto count = static_cast<double>(white.size());
+  EXPECT_NEAR(white.squaredNorm() / count, 1, 0.06);
+  for (const Eigen::Index lag : {1, 2, 5, 20}) {
+    const double correlation =
+        white.head(white.size() - lag).dot(white.tail(white.size() - lag)) / count;
+    EXPECT_NEAR(correlation, 0, 4 / std::sqrt(count)) << lag;
+  }
+}
+
+TEST(Whitening, IsTheIdentityOverSigmaForWhiteNoise) {
+  fogcomp::Rows rows;
+  rows.drift_dph = VectorXd::LinSpaced(10, 0, 9);
+  for (int i = 0; i < 10; ++i) rows.time_s.push_back(10.0 * i);
+  rows.run_starts = {0};
+  fogcomp::NoiseModel model;
+  model.row_s = 10;
+  model.white_variance = 4;
+  const VectorXd white = fogcomp::Whitening(model, rows, VectorXd::Ones(10)).apply(rows.drift_dph);
+  EXPECT_LE((white - rows.drift_dph / 2).norm(), 1e-12);
+}
+
+}  // namespace
