@@ -138,8 +138,12 @@ int run(const Arguments& arguments) {
   const bool stream = arguments.choice("format", {"csv", "stream"}) == "stream";
   const auto extras = columns_from(
       arguments, !stream && (options.earth.latitude_deg.has_value() || programme.sets_rate));
-  if (stream && !extras.empty()) {
-    throw InputError("--columns", "a sensor stream carries rate and temperature only; use csv");
+  const bool input_rate = std::any_of(extras.begin(), extras.end(), [](const ExtraColumn& extra) {
+    return extra.column == Column::input_rate_dph;
+  });
+  if (stream && input_rate) {
+    throw InputError("--columns",
+                     "a sensor stream carries no input rate; name the others only, or use csv");
   }
 
   Simulation simulation(gyro, programme, options);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # effect_sizes.sh [FOGCOMP MAKE_MODEL]: what each effect costs on the STM32F405: bytes of flash of the product
-# image and instructions per block (of a second) in the drift model, over those of an image with `bias` alone;
+# image and instructions per block (of a second) in the drift model that it adds to an image with `bias` alone;
 # then the same for all effects and a network of 10 neurons. Instructions are counted by QEMU's -icount with
 # TIM2, one tick each; they are not cycles. Prints a table of Markdown.
 set -euo pipefail
@@ -10,7 +10,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 
-# measure [EFFECT]: "flash mean most" of the images with this model.
+# measure [EFFECT...]: "flash mean most" of the images with this model.
 measure() {
   "$make_model" one.model "$@"
   "$fogcomp" export one.model -o fog_model.h --extension >/dev/null
@@ -33,7 +33,7 @@ row "thermal state and bias" "$base_flash" "$base_mean" "$base_most"
 for effect in $("$fogcomp" effects | awk '/^[a-z_]+ - / { print $1 }'); do
   [[ $effect == bias ]] && continue
   "$fogcomp" effects "$effect" | grep -q '^  host only' && continue
-  read -r flash mean most < <(measure "$effect")
+  read -r flash mean most < <(measure bias "$effect")
   row "$effect" "+$((flash - base_flash))" "$((mean - base_mean))" "$((most - base_most))"
 done
 read -r flash mean most < <(measure)

@@ -77,6 +77,7 @@ refuses "--threshold 'sure' is not one of" "${denoise[@]}" --threshold sure
 refuses "--mode 'firm' is not one of" "${denoise[@]}" --mode firm
 refuses "--levels '0' is not a number from 1" "${denoise[@]}" --levels 0
 refuses "--denoise-rows 'sure' is not one of" "${fit[@]}" good.csv --denoise-rows sure
+refuses '^--columns: a sensor stream carries no input rate' simulate -o kept --format stream --columns input_rate
 
 # Models.
 refuses '^missing\.model: ' compare missing.model good.csv

@@ -40,12 +40,11 @@ class ThermalHysteresis {
   static constexpr EffectDescription description{
       "thermal_hysteresis",
       8,
-      "thermal hysteresis (Prandtl-Ishlinskii)",
-      "b = sum over j of hj (T - play_rj[T]) / rj, j = 1 and, where radius2 > 0, 2",
+      "thermal hysteresis, one or (radius2 above 0) two play operators of Prandtl-Ishlinskii",
+      "b = sum over j of hj (T - play_rj[T]) / rj",
       "loop width 2h 0.005 to 0.1 deg/h, r 2 to 20 degC",
-      "loop in b over T that stays at constant T, whatever the ramp rate; the branch depends on "
-      "the "
-      "last turning point",
+      "loop in b over T that stays at constant T, whatever the ramp rate; the branch depends on the"
+      " last turning point",
       "play operators: Prandtl-Ishlinskii; loops measured in FOG scale factors (GSA-LSTM, 2024)"};
   static constexpr std::array<ParameterDescription, 2> parameters{
       {{"radius", "degC", 500, 40000, 5000, false}, {"radius2", "degC", 0, 40000, 0, false}}};

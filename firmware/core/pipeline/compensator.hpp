@@ -27,7 +27,7 @@ constexpr std::size_t kMostOutputBytes = kKvhFrameBytes + kCompactFrameBytes;
 template <EffectMask kEffects, std::size_t kTaps, std::size_t kLevels>
 class Compensator {
  public:
-  static constexpr ModelShape room{kEffects, kTaps, kLevels};
+  static constexpr ModelShape room{kEffects, kTaps, kLevels, effect_fits<kEffects>};
 
   /// `parameters` must have been read with this class's room; parameters of a refused table make a
   /// pipeline that answers every sample and marks none valid.

@@ -47,25 +47,8 @@ void read_thermal(TableReader& table, ModelParameters& parameters) {
   parameters.policy.settle_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
 }
 
-// The constants of an effect, each within what its constructor accepts, and as many coefficients as
-// it then has regressors.
-template <class Effect>
-bool effect_fits(const EffectParameters& effect, std::size_t constant_count) {
-  if (constant_count != Effect::constant_fractions.size()) return false;
-  if (!Effect::constants_valid(effect.constants)) return false;
-  return Effect(effect.constants).regressor_count() == effect.coefficients.size;
-}
-
-template <template <class> class... Effects>
-bool effect_fits(std::size_t id, const EffectParameters& effect, std::size_t constant_count,
-                 EffectList<Effects...> /*list*/) {
-  return ((Effects<BoardNumbers>::description.id == id &&
-           effect_fits<Effects<BoardNumbers>>(effect, constant_count)) ||
-          ...);
-}
-
 // Returns which effects the table enables.
-EffectMask read_effects(TableReader& table, EffectsParameters& effects) {
+EffectMask read_effects(TableReader& table, EffectCheck effect_fits, EffectsParameters& effects) {
   effects.coefficient_fraction = table.next(kLeastCoefficientFraction, kMostCoefficientFraction);
   EffectMask enabled = 0;
   for (std::size_t left = next_count(table, kMostEffects); left > 0 && table.good(); --left) {
@@ -80,9 +63,7 @@ EffectMask read_effects(TableReader& table, EffectsParameters& effects) {
     EffectParameters& effect = effects.by_id[id];
     effect.constants = constants.data;
     effect.coefficients = coefficients;
-    if (((kAllEffects >> id) & 1U) != 0U && table.good()) {
-      table.require(effect_fits(id, effect, constants.size, Registry{}));
-    }
+    if (table.good()) table.require(effect_fits(id, effect, constants.size));
   }
   return enabled;
 }
@@ -173,7 +154,7 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   TableReader table({words.data + kHeaderWords, words.size - kHeaderWords - 1});
   read_calibration(table, parameters);
   read_thermal(table, parameters);
-  const EffectMask enabled = read_effects(table, parameters.effects);
+  const EffectMask enabled = read_effects(table, room.effect_fits, parameters.effects);
   read_network(table, parameters.network);
   read_denoise(table, parameters.denoise);
   parameters.output = static_cast<OutputSelection>(table.next(0, 2));

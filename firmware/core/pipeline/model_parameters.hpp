@@ -7,6 +7,7 @@
 #include "core/compensation/drift_model.hpp"
 #include "core/denoise/denoise_parameters.hpp"
 #include "core/effects/effect_bank.hpp"
+#include "core/effects/effect_check.hpp"
 #include "core/network/network.hpp"
 #include "core/signal/span.hpp"
 #include "core/signal/status.hpp"
@@ -26,6 +27,7 @@ struct ModelShape {
   EffectMask effects = 0;
   std::size_t taps = 0;    ///< exactly, or kAnyTaps
   std::size_t levels = 0;  ///< at most
+  EffectCheck effect_fits = fog::effect_fits<kAllEffects>;
 };
 
 /// Room for any model.

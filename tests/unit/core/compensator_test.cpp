@@ -7,49 +7,16 @@
 #include <vector>
 
 #include "model/drift_model.hpp"
-#include "replay/replay.hpp"
 #include "support/overflow_guard.hpp"
-#include "support/sample_models.hpp"
-#include "support/typical_effects.hpp"
+#include "unit/core/compensator_fixture.hpp"
 
 namespace {
 
 using fog::OutputSample;
 using fog::SensorSample;
 using fog::Status;
-
-constexpr std::int32_t kDegree = 65536;
-
-// The whole pipeline with the sample model at 200 Hz.
-class CompensatorTest : public testing::Test {
- protected:
-  CompensatorTest() { restart(); }
-
-  void restart() {
-    table_ = fogcomp::make_board_table(model_, {});
-    parameters_ = fogcomp::read_board_table(table_, "test");
-    pipeline_ = std::make_unique<fogcomp::HostCompensator>(parameters_);
-  }
-
-  OutputSample send(SensorSample sample) { return pipeline_->process(sample); }
-
-  /// A good sample of a gyro with some noise.
-  SensorSample sample() {
-    ++sequence_;
-    return {sequence_, 700 + (sequence_ * 37) % 11, 25 * kDegree, true, true};
-  }
-  OutputSample run(int samples) {
-    OutputSample last;
-    for (int i = 0; i < samples; ++i) last = send(sample());
-    return last;
-  }
-
-  fogcomp::Model model_ = fog::test::paper_like_model();
-  fogcomp::BoardTable table_;
-  fog::ModelParameters parameters_;
-  std::unique_ptr<fogcomp::HostCompensator> pipeline_;
-  std::uint16_t sequence_ = 65000;  // wraps soon
-};
+using fog::test::CompensatorTest;
+using fog::test::kDegree;
 
 TEST_F(CompensatorTest, SubtractsTheModelledDriftFromTheFirstSampleOn) {
   fogcomp::RealDriftModel real(model_, 1);
@@ -195,136 +162,6 @@ TEST_F(CompensatorTest, AnswersEverySampleWithTheFramesOfItsModel) {
                                                                               : 64;
     EXPECT_EQ(size, expected);
   }
-}
-
-// A model that needs a second temperature and the field, at 200 Hz.
-class ExtensionTest : public CompensatorTest {
- protected:
-  ExtensionTest() {
-    for (const char* name : {"axial_gradient", "magnetic"}) {
-      for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
-        if (term.name == name) model_.terms.push_back(term);
-      }
-    }
-    table_ = fogcomp::make_board_table(model_, {200, fog::OutputSelection::kvh, true});
-    parameters_ = fogcomp::read_board_table(table_, "test");
-    pipeline_ = std::make_unique<fogcomp::HostCompensator>(parameters_);
-  }
-
-  void take(fog::Input input, double value) {
-    pipeline_->take({input, fog::ExtensionValue::from_raw(
-                                static_cast<std::int32_t>(std::lround(value * 65536)))});
-  }
-  OutputSample run_with_inputs(int samples) {
-    OutputSample last;
-    for (int i = 0; i < samples; ++i) {
-      take(fog::Input::temperature2, 26);
-      take(fog::Input::magnetic, 50);
-      last = run(1);
-    }
-    return last;
-  }
-};
-
-TEST_F(ExtensionTest, SubtractsWhatTheInputsCauseFromTheFirstSampleOn) {
-  fogcomp::RealDriftModel real(model_, 1);
-  fogcomp::RealBlock block{25};
-  block.extension[static_cast<std::size_t>(fog::Input::temperature2)] = 26;
-  block.extension[static_cast<std::size_t>(fog::Input::magnetic)] = 50;
-  real.start(block);
-  for (int i = 0; i < 1000; ++i) {
-    const OutputSample out = run_with_inputs(1);
-    ASSERT_NEAR(std::ldexp(out.drift.raw(), -10), real.drift_dph(), 2.0 / 1024);
-    ASSERT_TRUE(out.compensated_valid());
-  }
-}
-
-TEST_F(ExtensionTest, IsContentWithOneRecordPerBlock) {
-  run_with_inputs(1);
-  for (int block = 0; block < 20; ++block) {
-    run_with_inputs(1);
-    const OutputSample out = run(199);
-    ASSERT_FALSE(any(out.status, Status::input_missing | Status::drift_held));
-  }
-}
-
-TEST_F(ExtensionTest, HasNoValidRateBeforeItsInputsHaveCome) {
-  EXPECT_TRUE(any(run(1000).status, Status::drift_given_up));
-  EXPECT_FALSE(run(1).compensated_valid());
-  run_with_inputs(200);
-  EXPECT_TRUE(run_with_inputs(1).compensated_valid());
-}
-
-TEST_F(ExtensionTest, HoldsTheDriftWithoutAnInputThenGivesItUpThenRecovers) {
-  const fog::Rate drift = run_with_inputs(400).drift;
-  const auto run_without_field = [&](int blocks) {
-    OutputSample last;
-    for (int i = 0; i < 200 * blocks; ++i) {
-      take(fog::Input::temperature2, 26);
-      last = run(1);
-    }
-    return last;
-  };
-  OutputSample out = run_without_field(2);
-  EXPECT_TRUE(any(out.status, Status::input_missing));
-  EXPECT_TRUE(any(out.status, Status::drift_held));
-  EXPECT_TRUE(out.compensated_valid());
-  EXPECT_EQ(out.drift, drift);
-  out = run_without_field(60);
-  EXPECT_TRUE(any(out.status, Status::drift_given_up));
-  out = run_with_inputs(401);
-  EXPECT_FALSE(any(out.status, Status::drift_given_up | Status::input_missing));
-  EXPECT_TRUE(out.compensated_valid());
-}
-
-TEST_F(ExtensionTest, TakesAnImpossibleSecondTemperatureForAMissingOne) {
-  run_with_inputs(400);
-  OutputSample out;
-  for (int i = 0; i < 400; ++i) {
-    take(fog::Input::temperature2, -300);
-    take(fog::Input::magnetic, 50);
-    out = run(1);
-  }
-  EXPECT_TRUE(any(out.status, Status::input_missing));
-}
-
-TEST_F(CompensatorTest, WarmUpGoesOnThroughATemperatureHoldAndARestartOfTheModel) {
-  model_.terms = {fog::test::natural_term("warm_up", {100}, {10})};
-  model_.network = {};
-  restart();
-  run(200 * 50);
-  for (int i = 0; i < 200 * 100; ++i) {  // longer than the hold: the model starts anew
-    SensorSample in = sample();
-    in.temperature_valid = false;
-    send(in);
-  }
-  const OutputSample out = run(201);
-  EXPECT_TRUE(any(out.status, Status::thermal_settling));
-  EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), 10 * std::exp(-151 / 100.0), 2.0 / 1024);
-}
-
-TEST_F(CompensatorTest, WarmUpCountsLostSamplesAsTimeThatPasses) {
-  model_.terms = {fog::test::natural_term("warm_up", {100}, {10})};
-  model_.network = {};
-  restart();
-  run(200 * 5);
-  sequence_ = static_cast<std::uint16_t>(sequence_ + 200 * 20);
-  const OutputSample out = run(201);
-  EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), 10 * std::exp(-26 / 100.0), 2.0 / 1024);
-}
-
-TEST_F(CompensatorTest, ScaleFactorFollowsTheMeasuredRateOfTheLastBlock) {
-  model_.terms = {fog::test::natural_term("scale_factor_temperature", {}, {300})};
-  model_.network = {};
-  restart();
-  OutputSample out;
-  for (int i = 0; i < 401; ++i) {
-    SensorSample in = sample();
-    in.temperature_q16 = 60 * kDegree;
-    in.rate_counts = (360000 + i % 7) * 1024;  // 100 deg/s
-    out = send(in);
-  }
-  EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), 360003 * 300e-6 * 40, 60);  // 1.2 % of it is k W dT
 }
 
 }  // namespace

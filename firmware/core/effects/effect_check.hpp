@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/effects/effect_bank.hpp"
+
+namespace fog {
+
+namespace detail {
+
+// As many constants as the effect has, each within what its constructor accepts, and as many
+// coefficients as it then has regressors.
+template <class Effect>
+bool fits(const EffectParameters& effect, std::size_t constant_count) {
+  if (constant_count != Effect::constant_fractions.size()) return false;
+  if (!Effect::constants_valid(effect.constants)) return false;
+  return Effect(effect.constants).regressor_count() == effect.coefficients.size;
+}
+
+// An effect that the image leaves out has no check either: the table is refused for having it.
+template <EffectMask kCompiled, class Effect>
+bool fits_if_compiled(const EffectParameters& effect, std::size_t constant_count) {
+  if constexpr ((kCompiled & bit_of(Effect::description)) != 0U) {
+    return fits<Effect>(effect, constant_count);
+  } else {
+    return true;
+  }
+}
+
+template <EffectMask kCompiled, template <class> class... Effects>
+bool effect_fits(std::size_t id, const EffectParameters& effect, std::size_t constant_count,
+                 EffectList<Effects...> /*list*/) {
+  return ((Effects<BoardNumbers>::description.id != id ||
+           fits_if_compiled<kCompiled, Effects<BoardNumbers>>(effect, constant_count)) &&
+          ...);
+}
+
+}  // namespace detail
+
+/// Whether an effect of a table can be built, as far as the image has that effect.
+using EffectCheck = bool (*)(std::size_t id, const EffectParameters& effect,
+                             std::size_t constant_count);
+
+/// The check for an image with the effects in kCompiled.
+template <EffectMask kCompiled>
+bool effect_fits(std::size_t id, const EffectParameters& effect, std::size_t constant_count) {
+  return detail::effect_fits<kCompiled>(id, effect, constant_count, Registry{});
+}
+
+}  // namespace fog

@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "identification/block_walk.hpp"
+#include "model/drift_model.hpp"
+#include "replay/replay.hpp"
+#include "replay/sensor_stream.hpp"
+#include "support/typical_effects.hpp"
+
+// What fit and compare take a recording for is what the board makes of it: the same blocks, the
+// same time, the same inputs, also where samples are missing.
+namespace {
+
+constexpr int kSamplesPerBlock = 10;
+constexpr double kPeriodS = 0.1;
+
+double on_grid(double value) {
+  return std::round(value * 65536) / 65536;
+}
+
+// Three hours of ramps with all inputs in motion; gaps within a block, over blocks, and longer than
+// the board holds its drift.
+fogcomp::Recording recording_with_gaps() {
+  fogcomp::Recording recording;
+  recording.file = "gaps.csv";
+  recording.period_s = kPeriodS;
+  const auto missing = [](int i) {
+    return (i > 5003 && i < 5008) || (i > 20004 && i < 20057) || (i > 60000 && i < 61234);
+  };
+  for (int i = 0; i < 108000; ++i) {
+    if (missing(i)) continue;
+    const double t = i * kPeriodS;
+    recording.time_s.push_back(t);
+    recording.temperature_degc.push_back(on_grid(10 + 40 * std::sin(t / 1500)));
+    recording.rate_dph.push_back(on_grid(0.7 + 0.1 * ((i * 37) % 11)));
+    recording.temperature2_degc.push_back(on_grid(10 + 40 * std::sin(t / 1500 + 0.1)));
+    recording.magnetic_ut.push_back(on_grid(50 * std::cos(t / 700)));
+    recording.light_power_uw.push_back(on_grid(90 + 20 * std::sin(t / 900)));
+    recording.vibration_grms.push_back(on_grid(2 + 2 * std::sin(t / 300)));
+  }
+  return recording;
+}
+
+// Drift of the board at the first sample of each block, by the block's number.
+std::map<std::int64_t, double> board_drift(const fogcomp::Model& model,
+                                           const fogcomp::Recording& recording) {
+  const fogcomp::BoardTable table =
+      fogcomp::make_board_table(model, {1 / kPeriodS, fog::OutputSelection::kvh, true});
+  const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
+  fogcomp::HostCompensator board(parameters);
+  std::array<std::uint8_t, fog::kMostOutputBytes> frames;
+  std::map<std::int64_t, double> drift;
+  std::size_t row = 0;
+  fogcomp::make_sensor_stream(
+      recording, model.scale_factor, needs_of(model.terms), [&](auto bytes) {
+        for (const std::uint8_t byte : bytes) {
+          if (board.feed(byte, frames.data()) == 0) continue;
+          const std::int64_t block = fogcomp::sample_number(recording, row++) / kSamplesPerBlock;
+          if (!board.last().compensated_valid()) continue;
+          drift.emplace(block, std::ldexp(board.last().drift.raw(), -10));
+        }
+      });
+  return drift;
+}
+
+// Largest difference between board and walk over all blocks in which the walk has a drift, deg/h.
+double worst_difference(const fogcomp::Model& model) {
+  const fogcomp::Recording recording = recording_with_gaps();
+  const auto board = board_drift(model, recording);
+  const fogcomp::BlockSeries series = fogcomp::make_blocks(recording);
+  fogcomp::RealDriftModel real(model, series.block_s);
+  double worst = 0;
+  std::size_t compared = 0;
+  walk_blocks(series, real, [&](const fogcomp::BlockSeries::Block& block) {
+    const auto found = board.find(block.number);
+    ASSERT_NE(found, board.end()) << "the board has no drift in block " << block.number;
+    worst = std::max(worst, std::abs(found->second - real.drift_dph()));
+    ++compared;
+  });
+  EXPECT_GT(compared, 10600U);
+  return worst;
+}
+
+TEST(RecordingOnBoard, HasTheDriftThatFitAndCompareSeeAlsoAroundGaps) {
+  fogcomp::Model model = fog::test::all_effects_model();
+  model.terms.erase(std::find_if(model.terms.begin(), model.terms.end(), [](const auto& term) {
+    return term.name == "scale_factor_temperature";
+  }));
+  EXPECT_LE(worst_difference(model), 6.0 / 1024);
+}
+
+// The board's scale factor sees the measured rate, which is 1.2 deg/h from the true one here: 300
+// ppm/degC over 40 degC make 0.014 deg/h of it.
+TEST(RecordingOnBoard, HasTheScaleFactorOfTheMeasuredRate) {
+  EXPECT_LE(worst_difference(fog::test::all_effects_model()), 0.02);
+}
+
+}  // namespace

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+
+#include "core/pipeline/compensator.hpp"
+#include "replay/replay.hpp"
+#include "support/sample_models.hpp"
+
+namespace fog::test {
+
+constexpr std::int32_t kDegree = 65536;
+
+// The whole pipeline with the sample model at 200 Hz.
+class CompensatorTest : public testing::Test {
+ protected:
+  CompensatorTest() { restart(); }
+
+  void restart() {
+    table_ = fogcomp::make_board_table(model_, {});
+    parameters_ = fogcomp::read_board_table(table_, "test");
+    pipeline_ = std::make_unique<fogcomp::HostCompensator>(parameters_);
+  }
+
+  OutputSample send(SensorSample sample) { return pipeline_->process(sample); }
+
+  /// A good sample of a gyro with some noise.
+  SensorSample sample() {
+    ++sequence_;
+    return {sequence_, 700 + (sequence_ * 37) % 11, 25 * kDegree, true, true};
+  }
+  OutputSample run(int samples) {
+    OutputSample last;
+    for (int i = 0; i < samples; ++i) last = send(sample());
+    return last;
+  }
+
+  fogcomp::Model model_ = paper_like_model();
+  fogcomp::BoardTable table_;
+  ModelParameters parameters_;
+  std::unique_ptr<fogcomp::HostCompensator> pipeline_;
+  std::uint16_t sequence_ = 65000;  // wraps soon
+};
+
+}  // namespace fog::test

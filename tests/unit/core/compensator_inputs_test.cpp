@@ -1,0 +1,150 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "model/drift_model.hpp"
+#include "support/typical_effects.hpp"
+#include "unit/core/compensator_fixture.hpp"
+
+// What reaches the drift model beside the temperature: extension records, time, the measured rate.
+namespace {
+
+using fog::OutputSample;
+using fog::SensorSample;
+using fog::Status;
+using fog::test::CompensatorTest;
+using fog::test::kDegree;
+
+// A model that needs a second temperature and the field, at 200 Hz.
+class ExtensionTest : public CompensatorTest {
+ protected:
+  ExtensionTest() {
+    for (const char* name : {"axial_gradient", "magnetic"}) {
+      for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
+        if (term.name == name) model_.terms.push_back(term);
+      }
+    }
+    table_ = fogcomp::make_board_table(model_, {200, fog::OutputSelection::kvh, true});
+    parameters_ = fogcomp::read_board_table(table_, "test");
+    pipeline_ = std::make_unique<fogcomp::HostCompensator>(parameters_);
+  }
+
+  void take(fog::Input input, double value) {
+    pipeline_->take({input, fog::ExtensionValue::from_raw(
+                                static_cast<std::int32_t>(std::lround(value * 65536)))});
+  }
+  OutputSample run_with_inputs(int samples) {
+    OutputSample last;
+    for (int i = 0; i < samples; ++i) {
+      take(fog::Input::temperature2, 26);
+      take(fog::Input::magnetic, 50);
+      last = run(1);
+    }
+    return last;
+  }
+};
+
+TEST_F(ExtensionTest, SubtractsWhatTheInputsCauseFromTheFirstSampleOn) {
+  fogcomp::RealDriftModel real(model_, 1);
+  fogcomp::RealBlock block{25};
+  block.extension[static_cast<std::size_t>(fog::Input::temperature2)] = 26;
+  block.extension[static_cast<std::size_t>(fog::Input::magnetic)] = 50;
+  real.start(block);
+  for (int i = 0; i < 1000; ++i) {
+    const OutputSample out = run_with_inputs(1);
+    ASSERT_NEAR(std::ldexp(out.drift.raw(), -10), real.drift_dph(), 2.0 / 1024);
+    ASSERT_TRUE(out.compensated_valid());
+  }
+}
+
+TEST_F(ExtensionTest, IsContentWithOneRecordPerBlock) {
+  run_with_inputs(1);
+  for (int block = 0; block < 20; ++block) {
+    run_with_inputs(1);
+    const OutputSample out = run(199);
+    ASSERT_FALSE(any(out.status, Status::input_missing | Status::drift_held));
+  }
+}
+
+TEST_F(ExtensionTest, HasNoValidRateBeforeItsInputsHaveCome) {
+  EXPECT_TRUE(any(run(1000).status, Status::drift_given_up));
+  EXPECT_FALSE(run(1).compensated_valid());
+  run_with_inputs(200);
+  EXPECT_TRUE(run_with_inputs(1).compensated_valid());
+}
+
+TEST_F(ExtensionTest, HoldsTheDriftWithoutAnInputThenGivesItUpThenRecovers) {
+  const fog::Rate drift = run_with_inputs(400).drift;
+  const auto run_without_field = [&](int blocks) {
+    OutputSample last;
+    for (int i = 0; i < 200 * blocks; ++i) {
+      take(fog::Input::temperature2, 26);
+      last = run(1);
+    }
+    return last;
+  };
+  OutputSample out = run_without_field(2);
+  EXPECT_TRUE(any(out.status, Status::input_missing));
+  EXPECT_TRUE(any(out.status, Status::drift_held));
+  EXPECT_TRUE(out.compensated_valid());
+  EXPECT_EQ(out.drift, drift);
+  out = run_without_field(60);
+  EXPECT_TRUE(any(out.status, Status::drift_given_up));
+  out = run_with_inputs(401);
+  EXPECT_FALSE(any(out.status, Status::drift_given_up | Status::input_missing));
+  EXPECT_TRUE(out.compensated_valid());
+}
+
+TEST_F(ExtensionTest, TakesAnImpossibleSecondTemperatureForAMissingOne) {
+  run_with_inputs(400);
+  OutputSample out;
+  for (int i = 0; i < 400; ++i) {
+    take(fog::Input::temperature2, -300);
+    take(fog::Input::magnetic, 50);
+    out = run(1);
+  }
+  EXPECT_TRUE(any(out.status, Status::input_missing));
+}
+
+TEST_F(CompensatorTest, WarmUpGoesOnThroughATemperatureHoldAndARestartOfTheModel) {
+  model_.terms = {fog::test::natural_term("warm_up", {100}, {10})};
+  model_.network = {};
+  restart();
+  run(200 * 50);
+  for (int i = 0; i < 200 * 100; ++i) {  // longer than the hold: the model starts anew
+    SensorSample in = sample();
+    in.temperature_valid = false;
+    send(in);
+  }
+  const OutputSample out = run(201);
+  EXPECT_TRUE(any(out.status, Status::thermal_settling));
+  EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), 10 * std::exp(-151 / 100.0), 2.0 / 1024);
+}
+
+TEST_F(CompensatorTest, WarmUpCountsLostSamplesAsTimeThatPasses) {
+  model_.terms = {fog::test::natural_term("warm_up", {100}, {10})};
+  model_.network = {};
+  restart();
+  run(200 * 5);
+  sequence_ = static_cast<std::uint16_t>(sequence_ + 200 * 20);
+  const OutputSample out = run(201);
+  EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), 10 * std::exp(-26 / 100.0), 2.0 / 1024);
+}
+
+TEST_F(CompensatorTest, ScaleFactorFollowsTheMeasuredRateOfTheLastBlock) {
+  model_.terms = {fog::test::natural_term("scale_factor_temperature", {}, {300})};
+  model_.network = {};
+  restart();
+  OutputSample out;
+  for (int i = 0; i < 2001; ++i) {
+    SensorSample in = sample();
+    in.temperature_q16 = 60 * kDegree;
+    in.rate_counts = (360000 + i % 7) * 1024;  // 100 deg/s
+    out = send(in);
+  }
+  // 300 ppm/degC over 40 degC make 1.2 % of the compensated rate, which is what is left of 360,003.
+  EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), 360003 * 0.012 / 1.012, 0.1);
+}
+
+}  // namespace
