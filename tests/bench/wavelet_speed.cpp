@@ -1,7 +1,6 @@
-// Offline denoising of a whole recording: 16.5 h at 200 Hz, sym8 x 5. The column
-// `per_sample` is the one to compare: PyWavelets 1.1 takes 48 to 55 ns for DWT and inverse, and
-// with numpy's sort 190 to 210 ns for the whole heursure denoising, on the machine where this takes
-// 14 and 19.
+// Offline denoising of a whole recording: 16.5 h at 200 Hz, sym8 x 5. The column `per_sample` is
+// the one to compare. On such a machine PyWavelets 1.1 takes 48 to 55 ns for DWT and inverse, and
+// with numpy's sort 190 to 210 ns for the whole heursure denoising.
 #include <benchmark/benchmark.h>
 
 #include <random>
