@@ -1,4 +1,4 @@
-# Sourced by host_tools/quickstart.sh and tests/run.sh: which Debian packages the project needs, and
+# Sourced by host_tools/quickstart.sh, tests/run.sh and tests/bench/run.sh: which Debian packages the project needs, and
 # how they get there.
 
 # What builds the tool and the firmware and boots the images.
@@ -9,6 +9,9 @@ build_packages=(
 )
 # What the tests need beside that.
 test_packages=(libgtest-dev clang-format)
+
+# What tests/bench/run.sh needs beside the first.
+bench_packages=(libbenchmark-dev)
 
 # require_packages NAME...: installs what is missing, as root or by sudo; where neither is to be had,
 # says what to ask for and returns 2.

@@ -23,7 +23,6 @@ constexpr double kRangeDegPerS = 570;       // of the rate format's 582
 constexpr double kStuckSeconds = 0.5;       // equal counts for longer than this ...
 constexpr double kLeastStuckSamples = 100;  // ... and for at least this many samples
 constexpr double kSettleTimeConstants = 5;
-constexpr double kMostThresholdDph = 500;  // four times this, through all levels, fits its format
 
 struct Timing {
   std::int64_t period_us = 0;
@@ -215,11 +214,6 @@ void write_denoise(TableWriter& out, const Model& model, const Timing& timing) {
   for (int level = 1; level <= denoise.levels; ++level) {
     // Taps are divided by sqrt 2 at every level, and so is the noise in the details.
     const double threshold = universal * sigma * std::exp2(-0.5 * level);
-    if (threshold > kMostThresholdDph) {
-      throw InputError("export", format("noise of %.4g deg/h per sample is more than the board's "
-                                        "denoiser takes; fit with --levels 0",
-                                        sigma));
-    }
     out.real(threshold, fog::kDetailFraction, "a threshold");
   }
 }
@@ -241,6 +235,28 @@ void require_board(const Model& model, const BoardSettings& settings) {
                            "--extension if the demodulator sends them, or fit without it");
     }
   }
+}
+
+// Throws where the noise could leave the 16 bits that the board's denoiser has for it: `first` is
+// the first word that write_denoise() wrote.
+void check_noise_fits(const BoardTable& table, std::size_t first, const DenoiseSettings& settings) {
+  if (settings.levels == 0) return;
+  const std::int32_t* next = table.words.data() + first;
+  const auto levels = static_cast<std::size_t>(*next++);
+  const auto taps = static_cast<std::size_t>(*next++);
+  fog::DenoiseParameters denoise;
+  denoise.rule = static_cast<fog::ThresholdRule>(*next++);
+  denoise.mode = static_cast<fog::ThresholdMode>(*next++);
+  denoise.low = {next, taps};
+  denoise.high = {next += taps, taps};
+  denoise.synthesis = {next += taps, taps};
+  denoise.thresholds = {next += taps, levels};
+  if (fog::noise_shift(denoise) >= 0) return;
+  throw InputError("export",
+                   format("a threshold of %.3g deg/h is more than the board's denoiser takes with "
+                          "%s x %d; fit with fewer --levels or a shorter --wavelet",
+                          std::ldexp(denoise.thresholds[0], -fog::kDetailFraction),
+                          settings.wavelet.c_str(), settings.levels));
 }
 
 std::uint32_t crc_of_words(const std::vector<std::int32_t>& words) {
@@ -282,7 +298,9 @@ BoardTable make_board_table(const Model& model, const BoardSettings& settings) {
                                     fog::kMostCoefficientFraction);
   write_effects(out, model, timing, fraction);
   write_network(out, model.network, fraction);
+  const std::size_t denoise_word = table.words.size();
   write_denoise(out, model, timing);
+  check_noise_fits(table, denoise_word, model.denoise);
   out.note("output: 0 KVH format A, 1 compact, 2 both");
   out.integer(static_cast<std::int32_t>(settings.output), "output");
   table.words[size_word] = static_cast<std::int32_t>(table.words.size() + 1);

@@ -9,15 +9,10 @@ DenoiseReport denoise(fog::Span<double> values, const DenoiseMethod& method) {
   const std::vector<double>& lowpass = lowpass_filter(method.wavelet);
   const fog::Span<const double> read_only{values.data, values.size};
   DenoiseReport report;
-  Decomposition parts = decompose(read_only, lowpass, method.levels, method.extension);
-  if (method.remove_outliers && method.levels > 0) {
-    const LargeArray& finest = parts.details[0];
-    const double noise = noise_of(Magnitudes({finest.data(), finest.size()}));
-    report.outliers = remove_outliers(values, kOutlierSigmas * noise);
-    if (report.outliers > 0) {
-      parts = decompose(read_only, lowpass, method.levels, method.extension);
-    }
+  if (method.remove_outliers) {
+    report.outliers = remove_outliers(values, outlier_limit(read_only));
   }
+  Decomposition parts = decompose(read_only, lowpass, method.levels, method.extension);
   for (LargeArray& details : parts.details) {
     const Magnitudes magnitudes({details.data(), details.size()});
     const bool estimate = report.levels.empty() || method.noise == NoiseFrom::each_level;

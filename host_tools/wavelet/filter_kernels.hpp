@@ -6,7 +6,7 @@
 namespace fogcomp {
 
 /// Outputs that one call of a kernel makes at least: arrays are a multiple of this long.
-constexpr std::size_t kKernelStep = 16;
+constexpr std::size_t kKernelStep = 8;
 
 /// The two filters of a transform, split into even and odd taps.
 struct FilterPair {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "wavelet/thresholds.hpp"
 
 namespace fogcomp {
 
@@ -18,6 +21,18 @@ std::size_t remove_outliers(fog::Span<double> values, double limit) {
     ++removed;
   }
   return removed;
+}
+
+double outlier_limit(fog::Span<const double> values) {
+  constexpr std::size_t kMostPlaces = 65536;
+  constexpr double kSigmas = 5;
+  const std::size_t stride = values.size / kMostPlaces + 1;
+  std::vector<double> differences;
+  for (std::size_t i = 1; i < values.size; i += stride) {
+    differences.push_back(values[i] - values[i - 1]);
+  }
+  if (differences.empty()) return 0;
+  return kSigmas / std::sqrt(2) * noise_of(Magnitudes({differences.data(), differences.size()}));
 }
 
 }  // namespace fogcomp

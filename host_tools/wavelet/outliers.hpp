@@ -13,7 +13,8 @@ namespace fogcomp {
 /// (firmware/core/denoise/outlier_gate.hpp: the same rule). Steps, ramps and oscillations stay.
 std::size_t remove_outliers(fog::Span<double> values, double limit);
 
-/// The limit in standard deviations of the noise: white noise passes it once in millions.
-constexpr double kOutlierSigmas = 5;
+/// A limit that white noise passes once in millions of values: five standard deviations of the
+/// noise, these from the median of differences between neighbours at up to 65536 places.
+double outlier_limit(fog::Span<const double> values);
 
 }  // namespace fogcomp

@@ -107,6 +107,11 @@ refuses '^good\.csv: has no column magnetic_ut, which the model needs' replay fi
 "$fogcomp" fit good.csv -o step.model --effects bias,bias_step:at=15 >/dev/null
 refuses "^effect 'bias_step': cannot go to the board: it is an event" export step.model -o kept
 
+# Noise beyond the board's denoiser.
+"$fogcomp" simulate -o noisy.csv --noise white=1 >/dev/null
+"$fogcomp" fit noisy.csv -o noisy.model --effects bias >/dev/null
+refuses 'is more than the board.s denoiser takes with sym8 x 5' export noisy.model -o kept
+
 # Headers.
 sed 's/2101248000/2101248001/' good.h >damaged.h
 refuses '^damaged\.h: .*damaged' replay damaged.h good.csv -o kept
@@ -127,6 +132,7 @@ refuses "no parameter 'ordr' \(did you mean 'order'" fit good.csv -o kept --effe
 refuses 'order must be a whole number from 1 to 9' fit good.csv -o kept --effects bias_temperature:order=12
 refuses "--network '33' is not a number from 0 to 32" fit good.csv -o kept --effects bias --network 33
 refuses "--average 'ten' is not a number" fit good.csv -o kept --effects bias --average ten
+refuses "--threshold 'minimaxi' is not one of" fit good.csv -o kept --effects bias --threshold minimaxi
 refuses "--trainer 'sgd' is not one of" fit good.csv -o kept --effects bias --trainer sgd
 refuses 'expects RUN' fit -o kept --effects bias
 refuses 'unexpected argument' effects bias bias

@@ -18,6 +18,6 @@ within() {
   ((BASH_REMATCH[1] <= most_mean && BASH_REMATCH[2] <= most_worst && BASH_REMATCH[3] <= most_ram)) ||
     { echo "above $most_mean mean, $most_worst worst or $most_ram bytes: $line" >&2; exit 1; }
 }
-within fixed 290 1200 3072
-within sqtwolog 335 1350 3072
-within heursure 370 1550 3072
+within fixed 280 1140 3072
+within sqtwolog 322 1304 3072
+within heursure 358 1484 3072

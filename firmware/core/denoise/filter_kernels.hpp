@@ -8,9 +8,10 @@
 #include "core/fixed_point/shift.hpp"
 
 // The inner loops of the filter bank, unrolled for the number of taps. For filter_bank.cpp only,
-// which is compiled with options that suit them (firmware/CMakeLists.txt): with GCC's scheduling
-// before register allocation all loads move to the front, registers run out and the 64-bit sums are
-// spilled, which nearly doubles the instructions.
+// which is compiled with options that suit them (firmware/CMakeLists.txt) and change no result:
+// -fno-schedule-insns, because GCC's scheduling before register allocation moves all loads to the
+// front, runs out of registers and spills the 64-bit sums; -fno-tree-ter, because it keeps reads of
+// neighbours together as they are written here, which become one instruction (LDRD).
 namespace fog {
 
 /// start + sum of taps[i] * window[i]; sum |tap| < 2 keeps it below 2^63. Two neighbours are read
@@ -79,15 +80,25 @@ template <std::size_t kTaps>
   constexpr int kDropped = kSynthesisTapFraction - 1;
   auto even = rounding_half<std::int32_t>(kDropped);
   std::int32_t odd = even;
-#pragma GCC unroll 15
-  for (std::size_t k = 0; k < kTaps / 2; ++k) {
-    const std::uint32_t older = window[k];
+  const auto add = [&](std::uint32_t word, const std::int32_t* taps) {
+    const auto even_taps = static_cast<std::uint32_t>(taps[0]);
+    const auto odd_taps = static_cast<std::uint32_t>(taps[1]);
+    even = add_dual_product(word, even_taps, even);
+    odd = add_dual_product(word, odd_taps, odd);
+  };
+#pragma GCC unroll 8
+  for (std::size_t k = 0; k + 1 < kTaps / 2; k += 2) {
+    const std::uint32_t next = window[k];
+    const std::uint32_t after_next = window[k + 1];
     window[k] = newest;
-    const auto even_taps = static_cast<std::uint32_t>(synthesis[2 * k]);
-    const auto odd_taps = static_cast<std::uint32_t>(synthesis[2 * k + 1]);
-    even = add_dual_product(newest, even_taps, even);
-    odd = add_dual_product(newest, odd_taps, odd);
-    newest = older;
+    window[k + 1] = next;
+    add(newest, synthesis + 2 * k);
+    add(next, synthesis + 2 * k + 2);
+    newest = after_next;
+  }
+  if constexpr (kTaps / 2 % 2 == 1) {
+    window[kTaps / 2 - 1] = newest;
+    add(newest, synthesis + kTaps - 2);
   }
   return {floor_shift(even, kDropped), floor_shift(odd, kDropped)};
 }

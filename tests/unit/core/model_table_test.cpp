@@ -42,6 +42,17 @@ TEST(ModelTable, IsRefusedForEveryFlippedBit) {
   }
 }
 
+TEST(ModelTable, IsRefusedWhereItsFiltersAreNotOneFilter) {
+  // From the end: CRC, output, 5 thresholds, then 16 words each of synthesis, high-pass, low-pass.
+  const std::size_t last_synthesis = good_words().size() - 8;
+  for (const std::size_t back : {0U, 16U, 32U}) {
+    auto words = good_words();
+    words[last_synthesis - back] += 1;
+    repair_crc(words);
+    EXPECT_EQ(read(words), ModelError::out_of_range) << back;
+  }
+}
+
 TEST(ModelTable, SaysWhyItIsRefused) {
   auto words = good_words();
   EXPECT_EQ(read({}), ModelError::not_a_model);

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# All figures of the denoisers: speed on this computer (Google Benchmark), instructions on the board
+# (QEMU), and what streaming does to noise and to rotation.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+source cmake/bootstrap/packages.sh
+require_packages "${build_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}" || exit 2
+
+cmake --preset host -DFOG_BENCH=ON >/dev/null
+cmake --build build/host --target wavelet_speed streaming_worth >/dev/null
+cmake --preset stm32f405 >/dev/null
+cmake --build build/stm32f405 --target denoiser_speed >/dev/null
+
+echo "== this computer, sym8 x 5, 11.9 M samples"
+build/host/tests/bench/wavelet_speed 2>/dev/null
+echo
+echo "== board, sym8 x 5, instructions per sample"
+tests/target/denoiser_speed.sh netduinoplus2 build/stm32f405/denoiser_speed.elf
+echo
+echo "== streaming at 200 Hz"
+mems=../shared/data/mems_chamber_x.csv
+if [[ -f $mems ]]; then
+  build/host/tests/bench/streaming_worth "$mems"
+else
+  build/host/tests/bench/streaming_worth
+  echo "skipped: no recording $mems"
+fi

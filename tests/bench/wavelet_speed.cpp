@@ -1,0 +1,64 @@
+// Offline denoising of a whole recording: 16.5 h at 200 Hz, sym8 x 5. The column `per_sample` is
+// the one to compare. On such a machine PyWavelets 1.1 takes 48 to 55 ns for DWT and inverse, and
+// with numpy's sort 190 to 210 ns for the whole heursure denoising.
+#include <benchmark/benchmark.h>
+
+#include <random>
+#include <vector>
+
+#include "wavelet/denoise.hpp"
+#include "wavelet/filters.hpp"
+
+namespace {
+
+constexpr std::size_t kSamples = 11'900'000;
+
+std::vector<double> recording() {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  std::vector<double> values(kSamples);
+  for (double& value : values) value = normal(random);
+  return values;
+}
+
+void report(benchmark::State& state) {
+  state.counters["per_sample"] = benchmark::Counter(
+      static_cast<double>(kSamples),
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void transform_and_inverse(benchmark::State& state, const fogcomp::FilterKernels& kernels) {
+  std::vector<double> values = recording();
+  const std::vector<double>& sym8 = fogcomp::lowpass_filter("sym8");
+  for (auto _ : state) {
+    const auto parts = fogcomp::decompose({values.data(), values.size()}, sym8, 5,
+                                          fogcomp::Extension::symmetric, kernels);
+    fogcomp::reconstruct(parts, sym8, {values.data(), values.size()}, kernels);
+  }
+  report(state);
+}
+
+void denoise(benchmark::State& state, fogcomp::ThresholdRule rule) {
+  const std::vector<double> noisy = recording();
+  std::vector<double> values = noisy;
+  fogcomp::DenoiseMethod method;
+  method.rule = rule;
+  for (auto _ : state) {
+    state.PauseTiming();
+    values = noisy;
+    state.ResumeTiming();
+    fogcomp::denoise({values.data(), values.size()}, method);
+  }
+  report(state);
+}
+
+BENCHMARK_CAPTURE(transform_and_inverse, this_processor, fogcomp::best_kernels())
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(transform_and_inverse, any_processor, fogcomp::kPortableKernels)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(denoise, heursure, fogcomp::ThresholdRule::heursure)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(denoise, rigrsure, fogcomp::ThresholdRule::rigrsure)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
