@@ -63,22 +63,34 @@ void forget_unfinished(const std::string& path) {
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   struct stat status {};
-  if (::stat(path_.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) {
+  const bool exists = ::stat(path_.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) {
     throw InputError(path_, "is a directory; name a file to write");
   }
-  temporary_path_ = path_ + ".part-" + std::to_string(::getpid());
-  descriptor_ = ::open(temporary_path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  // A pipe or a device (/dev/null) is written to, never replaced by a file.
+  const bool in_place = exists && !S_ISREG(status.st_mode);
+  if (in_place) {
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+  } else {
+    temporary_path_ = path_ + ".part-" + std::to_string(::getpid());
+    descriptor_ = ::open(temporary_path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  }
   if (descriptor_ < 0) {
     throw InputError(path_, std::string("cannot be written (") + std::strerror(errno) +
                                 "); choose a folder that exists and may be written");
   }
-  remember_unfinished(temporary_path_);
+  if (!in_place) remember_unfinished(temporary_path_);
   buffer_.reserve(kBufferBytes);
 }
 
 OutputFile::~OutputFile() {
   if (descriptor_ < 0) return;
   ::close(descriptor_);
+  discard_temporary();
+}
+
+void OutputFile::discard_temporary() {
+  if (temporary_path_.empty()) return;
   ::unlink(temporary_path_.c_str());
   forget_unfinished(temporary_path_);
 }
@@ -107,12 +119,14 @@ void OutputFile::commit() {
   flush();
   const int closed = ::close(descriptor_);
   descriptor_ = -1;
-  const bool named = closed == 0 && std::rename(temporary_path_.c_str(), path_.c_str()) == 0;
+  const bool in_place = temporary_path_.empty();
+  const bool named =
+      closed == 0 && (in_place || std::rename(temporary_path_.c_str(), path_.c_str()) == 0);
   const int error = errno;
-  if (!named) ::unlink(temporary_path_.c_str());
-  forget_unfinished(temporary_path_);
-  if (!named)
-    throw InputError(path_, std::string("cannot be written (") + std::strerror(error) + ")");
+  if (named && !in_place) forget_unfinished(temporary_path_);
+  if (named) return;
+  discard_temporary();
+  throw InputError(path_, std::string("cannot be written (") + std::strerror(error) + ")");
 }
 
 void write_file(const std::string& path, std::string_view text) {

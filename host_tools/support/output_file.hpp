@@ -9,7 +9,8 @@ namespace fogcomp {
 
 /// A file that appears whole or not at all: written under a temporary name beside its own and
 /// renamed by commit(). Without commit() (an error, an interrupt) the temporary file is removed and
-/// whatever had the name before is untouched.
+/// whatever had the name before is untouched. What is no regular file, a pipe or a device, is
+/// written to as it is.
 class OutputFile {
  public:
   /// Opens the temporary file. Throws InputError where the folder cannot be written or `path` is a
@@ -30,9 +31,10 @@ class OutputFile {
 
  private:
   void flush();
+  void discard_temporary();
 
   std::string path_;
-  std::string temporary_path_;
+  std::string temporary_path_;  ///< empty where a pipe or device is written in place
   int descriptor_ = -1;
   std::vector<char> buffer_;
 };
