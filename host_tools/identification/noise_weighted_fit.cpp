@@ -31,9 +31,20 @@ Eigen::MatrixXd all_columns(const SignalSeries& series, const std::vector<Effect
   return all;
 }
 
+double longest_run_s(const Rows& rows) {
+  double longest_s = 0;
+  for (std::size_t run = 0; run < rows.run_starts.size(); ++run) {
+    const std::size_t end =
+        run + 1 < rows.run_starts.size() ? rows.run_starts[run + 1] : rows.time_s.size();
+    longest_s = std::max(longest_s, rows.time_s[end - 1] - rows.time_s[rows.run_starts[run]]);
+  }
+  return longest_s;
+}
+
 NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
   const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, residual);
-  return quiet.empty() ? white_noise_of(residual, rows.row_s) : fit_noise(quiet, rows.row_s);
+  if (quiet.empty()) return white_noise_of(residual, rows.row_s);
+  return fit_noise(quiet, rows.row_s, longest_run_s(rows));
 }
 
 // Rows that stand out from the others count less the further out they are. "Others" by the median,

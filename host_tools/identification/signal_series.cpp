@@ -45,6 +45,22 @@ struct RowSums {
   fog::Signals<RealNumbers> signals;
 };
 
+namespace {
+
+void add_weighted(double weight, const fog::Signals<RealNumbers>& signals,
+                  fog::Signals<RealNumbers>& sum) {
+  sum.temperature += weight * signals.temperature;
+  sum.temperature_rate += weight * signals.temperature_rate;
+  sum.block.temperature += weight * signals.block.temperature;
+  sum.block.input_rate += weight * signals.block.input_rate;
+  sum.block.elapsed += weight * signals.block.elapsed;
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    sum.block.extension[i] += weight * signals.block.extension[i];
+  }
+}
+
+}  // namespace
+
 // Sums blocks up to rows, and tells every block its row.
 class RowCollector {
  public:
@@ -61,8 +77,7 @@ class RowCollector {
     row.samples += current.samples;
     row.time += current.samples * block.time_s;
     row.drift += current.samples * (block.rate_dph - block.means.input_rate);
-    row.signals.temperature += current.samples * current.signals.temperature;
-    row.signals.temperature_rate += current.samples * current.signals.temperature_rate;
+    add_weighted(current.samples, current.signals, row.signals);
   }
   const std::vector<RowSums>& sums() const { return sums_; }
 
@@ -116,8 +131,8 @@ void SignalSeries::append_rows(const std::vector<RowSums>& sums, double sample_s
     rows_.drift_dph[at] = row.drift / row.samples;
     seconds_[at] = row.samples * sample_s;
     rows_.time_s.push_back(row.time / row.samples);
-    rows_.signals.push_back(
-        {row.signals.temperature / row.samples, row.signals.temperature_rate / row.samples, {}});
+    rows_.signals.emplace_back();
+    add_weighted(1 / row.samples, row.signals, rows_.signals.back());
   }
   rows_.weights = seconds_ / rows_.row_s;
 }

@@ -16,7 +16,7 @@ struct Rows {
   Eigen::VectorXd weights;    ///< time behind a row, relative to a full one
   double row_s = 0;           ///< of a full row; the longest where recordings differ
   std::vector<double> time_s;
-  std::vector<fog::Signals<RealNumbers>> signals;  ///< means of temperature and its rate
+  std::vector<fog::Signals<RealNumbers>> signals;  ///< means
   std::vector<std::size_t> run_starts;             ///< first row of each recording
 
   Eigen::Index size() const { return drift_dph.size(); }
