@@ -47,6 +47,15 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
                                   .set("probability", finding.probability)
                                   .set("parameters", parameters_json(finding.term))));
   }
+  Json explanations = Json::array();
+  for (const Diagnosis::Explanation& explanation : diagnosis.explanations) {
+    Json effects = Json::array();
+    for (const std::string& effect : explanation.effects) effects.push(effect);
+    explanations.push(std::move(Json::object()
+                                    .set("effects", std::move(effects))
+                                    .set("probability", explanation.probability)
+                                    .set("explained_fraction", explanation.explained_fraction)));
+  }
   Json untestable = Json::array();
   for (const Untestable& effect : diagnosis.untestable) {
     untestable.push(
@@ -63,6 +72,7 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
   }
   result.set("confusable", std::move(confusable)).set("experiment", Json());
   result.set("candidates", std::move(candidates)).set("untestable", std::move(untestable));
+  result.set("explanations", std::move(explanations)).set("tests", diagnosis.tests);
   result.set("where", std::move(Json::object()
                                     .set("variable", diagnosis.variable)
                                     .set("variables", shares_json(diagnosis.variables))
@@ -70,6 +80,11 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
   result.set("residual_rms_dph", diagnosis.residual_rms_dph);
   result.set("noise_floor_dph", diagnosis.noise_floor_dph);
   result.set("unexplained_fraction", diagnosis.unexplained_fraction);
+  result.set("noise", std::move(Json::object()
+                                    .set("white_dph", diagnosis.noise.white_dph())
+                                    .set("slow_dph", diagnosis.noise.wander_dph())
+                                    .set("freedom", diagnosis.noise.freedom)
+                                    .set("from_quiet_parts", diagnosis.noise.from_quiet_parts)));
   result.set("chance", diagnosis.chance).set("notes", std::move(notes));
   return result;
 }

@@ -60,6 +60,13 @@ struct Diagnosis {
   std::vector<std::string> confusable;       ///< best first, for ambiguous
   std::vector<CandidateFinding> candidates;  ///< most probable first
   std::vector<Untestable> untestable;
+  /// Sets of effects that compete, most probable first.
+  struct Explanation {
+    std::vector<std::string> effects;
+    double probability = 0;
+    double explained_fraction = 0;
+  };
+  std::vector<Explanation> explanations;
 
   struct Share {
     std::string name;
@@ -74,6 +81,8 @@ struct Diagnosis {
   double noise_floor_dph = 0;
   double unexplained_fraction = 0;  ///< of the excess, by the best of the catalogue
   double chance = 1;                ///< that noise alone would look like this
+  /// ln of it by each test: an effect of the catalogue, smooth structure, fast structure.
+  std::vector<double> tests;
   NoiseModel noise;
   Eigen::Index rows = 0;
   double row_s = 0;

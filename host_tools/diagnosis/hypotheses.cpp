@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/shape_search.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -19,6 +21,7 @@ class Search {
     std::vector<Hypothesis> pairs;
     for (std::size_t i = 0; i < library_.size(); ++i) {
       for (std::size_t j = i; j < library_.size(); ++j) {
+        if (i == j && is_step(i)) continue;  // several steps are no effect but random events
         pairs.push_back(settle({{{i, alone_[i]}, {j, alone_[j]}}}));
       }
     }
@@ -29,6 +32,7 @@ class Search {
       keep(pairs[p]);
       if (p >= kExtended) continue;
       for (std::size_t k = 0; k < library_.size(); ++k) {
+        if (is_step(k) && pairs[p].has(k)) continue;
         Hypothesis three = pairs[p];
         three.parts.push_back({k, alone_[k]});
         keep(settle(three));
@@ -47,6 +51,8 @@ class Search {
     }
     return ranges;
   }
+
+  bool is_step(std::size_t candidate) const { return candidates_[candidate].effect == "bias_step"; }
 
   // Moves the shapes, one part at a time, to where they explain most together.
   Hypothesis settle(Hypothesis h) {
@@ -74,7 +80,7 @@ class Search {
 
   void keep(Hypothesis h) {
     for (std::size_t i = 0; i < h.parts.size(); ++i) {
-      if (candidates_[h.parts[i].candidate].effect != "bias_step") continue;
+      if (!is_step(h.parts[i].candidate)) continue;
       const std::vector<ColumnRange> rest = columns(h, i);
       const double without = rest.empty() ? 0 : space_.gain(rest);
       if (h.gain - without < settings_.least_step_gain) return;
@@ -90,7 +96,14 @@ class Search {
       prior += std::log(settings_.another * static_cast<double>(i + 1) / std::max(1.0, left));
       left -= 1;
     }
-    return prior + std::log(0.5) * static_cast<double>(h.parts.size() - h.effects());
+    for (const Hypothesis::Part& part : h.parts) {
+      const double parameters =
+          static_cast<double>(library_[part.candidate][part.shape].count) +
+          static_cast<double>(
+              shape_parameters({candidates_[part.candidate].shapes[part.shape].term}).size());
+      prior -= std::log(settings_.simpler) * (parameters - 1);
+    }
+    return prior;
   }
 
   void weigh() {
