@@ -45,7 +45,7 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
                                   .set("rms_after_dph", finding.rms_after_dph)
                                   .set("evidence", finding.evidence)
                                   .set("probability", finding.probability)
-                                  .set("parameters", parameters_json(finding.term))));
+                                  .set("parameters", parameters_json(finding.term()))));
   }
   Json explanations = Json::array();
   for (const Diagnosis::Explanation& explanation : diagnosis.explanations) {
@@ -70,7 +70,11 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
   } else {
     result.set("effect", diagnosis.effect);
   }
-  result.set("confusable", std::move(confusable)).set("experiment", Json());
+  result.set("confusable", std::move(confusable));
+  const bool proposed = diagnosis.experiment && !diagnosis.experiment->sentence.empty();
+  result.set("experiment", proposed ? Json(diagnosis.experiment->sentence) : Json());
+  const bool recordable = proposed && !diagnosis.experiment->profile.empty();
+  result.set("experiment_profile", recordable ? Json(diagnosis.experiment->profile) : Json());
   result.set("candidates", std::move(candidates)).set("untestable", std::move(untestable));
   result.set("explanations", std::move(explanations)).set("tests", diagnosis.tests);
   result.set("where", std::move(Json::object()

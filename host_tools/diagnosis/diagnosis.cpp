@@ -84,7 +84,7 @@ double chi_square_log_p(double gain, double columns) {
 class Diagnoser {
  public:
   Diagnoser(const Model& model, const DiagnosisData& data, const DiagnosisSettings& settings)
-      : data_(data), rows_(data.series().rows()), settings_(settings) {
+      : model_(model), data_(data), rows_(data.series().rows()), settings_(settings) {
     if (rows_.size() < kLeastRows) {
       throw InputError("diagnose", format("%td rows of %g s are too few; at least %td are needed: "
                                           "use a longer recording or a shorter --average",
@@ -101,6 +101,7 @@ class Diagnoser {
     result_.rows = rows_.size();
     result_.row_s = rows_.row_s;
     result_.noise = fit_.noise;
+    weigh_terms();
     result_.residual_rms_dph = rms(fit_.residual_dph);
     result_.noise_floor_dph = data_.noise_floor_dph().value_or(fit_.noise.white_dph());
 
@@ -317,8 +318,7 @@ class Diagnoser {
       finding.explained_fraction =
           excess > 0 ? std::clamp((best.gain - static_cast<double>(range.count)) / excess, 0.0, 1.0)
                      : 0;
-      finding.term = candidates_[i].shapes[shape].term;
-      solve_with(finding);
+      complete(finding, candidates_[i].shapes[shape].term);
       if (!something) finding.probability *= std::min(1.0, std::exp(finding.evidence) / 20);
       result_.candidates.push_back(std::move(finding));
     }
@@ -329,29 +329,50 @@ class Diagnoser {
                      });
   }
 
-  // The effect's coefficients with the model's own refitted, and the rms that this leaves.
-  void solve_with(CandidateFinding& finding) const {
-    const Eigen::MatrixXd regressors = data_.series().regressors(finding.term);
-    // Where the model has a smaller version of it, that one's columns are the first.
-    Eigen::Index before = 0;
-    Eigen::Index owned = 0;
+  // The model with `added` in it, or in place of its own smaller version of it.
+  void complete(CandidateFinding& finding, const EffectTerm& added) const {
+    std::vector<EffectTerm> terms;
     for (const EffectTerm& term : fit_.terms) {
-      const Eigen::Index width = data_.series().regressors(term).cols();
-      if (term.name == finding.effect) owned = width;
-      if (owned > 0) break;
-      before += width;
+      if (term.name != added.name) terms.push_back(term);
     }
-    const Eigen::MatrixXd added = regressors.rightCols(regressors.cols() - owned);
-    Eigen::MatrixXd columns(rows_.size(), fit_.linear() + added.cols());
-    columns << fit_.columns, added;
+    terms.push_back(added);
+    const Eigen::VectorXd left = solve(terms);
+    finding.rms_after_dph = rms(left);
+    finding.completed = std::move(terms);
+  }
+
+  // Gives terms the coefficients that fit best, and returns what they leave of each row.
+  Eigen::VectorXd solve(std::vector<EffectTerm>& terms) const {
+    std::vector<Eigen::MatrixXd> parts;
+    for (const EffectTerm& term : terms) parts.push_back(data_.series().regressors(term));
+    parts.push_back(run_offset_columns(rows_));
+    const Eigen::MatrixXd columns = side_by_side(parts, rows_.size());
     const Whitening whitening(fit_.noise, rows_, fit_.row_weights);
     const LinearFit fit = solve_linear(whitening.apply(columns), fit_.whitened_measured);
-    finding.rms_after_dph = rms(rows_.drift_dph - columns * fit.coefficients);
-    const auto own = fit.coefficients.segment(before, owned);
-    const auto tail = fit.coefficients.tail(added.cols());
-    finding.term.coefficients_dph.assign(own.begin(), own.end());
-    finding.term.coefficients_dph.insert(finding.term.coefficients_dph.end(), tail.begin(),
-                                         tail.end());
+    Eigen::Index first = 0;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const auto own = fit.coefficients.segment(first, parts[i].cols());
+      terms[i].coefficients_dph.assign(own.begin(), own.end());
+      first += parts[i].cols();
+    }
+    return rows_.drift_dph - columns * fit.coefficients;
+  }
+
+  // What each term of the model is worth.
+  void weigh_terms() {
+    result_.terms = fit_.terms;
+    solve(result_.terms);
+    Eigen::Index first = 0;
+    for (const EffectTerm& term : result_.terms) {
+      const auto width = static_cast<Eigen::Index>(term.coefficients_dph.size());
+      double gain = 0;
+      if (fit_.covariance.size() > 0) {
+        const Eigen::VectorXd own = fit_.coefficients.segment(first, width);
+        gain = own.dot(fit_.covariance.block(first, first, width, width).llt().solve(own));
+      }
+      result_.term_gain.push_back(gain);
+      first += width;
+    }
   }
 
   void name_effects() {
@@ -370,8 +391,29 @@ class Diagnoser {
     for (const CandidateFinding& finding : found) {
       if (finding.probability >= kConfusable) result_.confusable.push_back(finding.effect);
     }
+    result_.experiment = experiment_for_rivals();
   }
 
+  // What would tell the most probable rivals apart.
+  Experiment experiment_for_rivals() const {
+    constexpr std::size_t kMostRivals = 3;
+    std::vector<Rival> rivals;
+    bool event = false;
+    for (const CandidateFinding& finding : result_.candidates) {
+      if (finding.probability < kConfusable || rivals.size() == kMostRivals) break;
+      if (finding.effect == "bias_step") {
+        event = true;
+      } else {
+        rivals.push_back({finding.effect, finding.completed});
+      }
+    }
+    if (rivals.size() > 1) return propose_experiment(model_, rivals, fit_.noise);
+    Experiment repeat;
+    if (event) repeat.sentence = "record the same programme again: an event does not come back";
+    return repeat;
+  }
+
+  const Model& model_;
   const DiagnosisData& data_;
   const Rows& rows_;
   const DiagnosisSettings& settings_;

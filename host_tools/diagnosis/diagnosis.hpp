@@ -7,6 +7,7 @@
 
 #include "dataset/recording.hpp"
 #include "diagnosis/candidates.hpp"
+#include "diagnosis/experiment.hpp"
 #include "diagnosis/structure.hpp"
 #include "identification/noise_model.hpp"
 #include "identification/signal_series.hpp"
@@ -47,11 +48,14 @@ const char* name_of(Verdict verdict);
 /// What a diagnosis says of one effect of the catalogue.
 struct CandidateFinding {
   std::string effect;
-  EffectTerm term;                ///< best shape with coefficients, as it would be added
+  /// The model with it: refitted terms with coefficients, this effect the last of them.
+  std::vector<EffectTerm> completed;
   double explained_fraction = 0;  ///< of what the model leaves above the noise, 0..1
   double rms_after_dph = 0;       ///< rms of a row, this effect added and all refitted
   double evidence = 0;            ///< ln of the odds against "nothing is missing"
   double probability = 0;         ///< that this effect is among those that are missing
+
+  const EffectTerm& term() const { return completed.back(); }
 };
 
 struct Diagnosis {
@@ -72,6 +76,11 @@ struct Diagnosis {
     std::string name;
     double share = 0;
   };
+  std::optional<Experiment> experiment;  ///< where effects are ambiguous
+
+  std::vector<EffectTerm> terms;  ///< of the model, refitted to these runs
+  std::vector<double> term_gain;  ///< rise of chi^2 that leaving each of them out would bring
+
   std::string variable;          ///< on which what is left depends most
   std::vector<Share> variables;  ///< how much of it each variable alone could describe
   std::vector<Share> segments;   ///< where in the runs it sits; sums to 1
