@@ -22,7 +22,7 @@ if ask fit "$fogcomp" fit "${recordings[@]}" -o "$answers/declared.model" --effe
   TIMEFORMAT='%U'
   { time ask diagnosis "$fogcomp" diagnose "$answers/declared.model" "${recordings[@]}" --json || true; } \
     2>"$answers/seconds.txt"
-  effect=$(sed -nE 's/.*"verdict":"missing_effect","effect":"([a-z_]+)".*/\1/p' "$answers/diagnosis.json")
+  effect=$(sed -nE '/"verdict":"missing_effect"/ s/^[^[]*"effect":"([a-z_]+)".*/\1/p' "$answers/diagnosis.json")
   if [[ $effect && -f $runs/unseen.csv ]]; then
     ask add "$fogcomp" add "$answers/declared.model" "$effect" "${recordings[@]}" -o "$answers/added.model" --json &&
       ask unseen "$fogcomp" compare "$answers/added.model" "$runs/unseen.csv" --json || true
