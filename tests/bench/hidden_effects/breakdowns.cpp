@@ -12,6 +12,7 @@ namespace {
 
 // In one word.
 std::string answer_word(const CaseResult& result) {
+  if (result.answer.verdict.empty()) return "(failed)";
   return result.answer.verdict == "missing_effect" ? result.answer.named[0] : result.answer.verdict;
 }
 
@@ -98,6 +99,23 @@ std::string by_size(const std::vector<CaseResult>& results) {
 std::string by_programme(const std::vector<CaseResult>& results) {
   return tallies("programme (among others)", results,
                  [](const Truth& truth) { return truth.programmes; });
+}
+
+std::string clean_by_flicker(const std::vector<CaseResult>& results) {
+  std::map<std::string, std::map<std::string, int>> table;
+  for (const CaseResult& result : results) {
+    if (result.truth.kind != "clean") continue;
+    ++table[result.truth.flicker]["cases"];
+    ++table[result.truth.flicker][result.answer.verdict];
+  }
+  std::string text = format("%-26s %6s %7s %9s %7s %8s\n", "clean, flicker", "cases", "named",
+                            "ambiguous", "none", "unknown");
+  for (auto& [flicker, counts] : table) {
+    text +=
+        format("%-26s %6d %7d %9d %7d %8d\n", flicker.c_str(), counts["cases"],
+               counts["missing_effect"], counts["ambiguous"], counts["none"], counts["unknown"]);
+  }
+  return text;
 }
 
 std::string wrong_names(const std::vector<CaseResult>& results) {

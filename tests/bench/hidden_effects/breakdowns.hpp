@@ -14,6 +14,8 @@ std::string confusion_table(const std::vector<CaseResult>& results);
 std::string by_effect(const std::vector<CaseResult>& results);
 std::string by_size(const std::vector<CaseResult>& results);
 std::string by_programme(const std::vector<CaseResult>& results);
+/// Clean cases, by their flicker noise.
+std::string clean_by_flicker(const std::vector<CaseResult>& results);
 /// Every single name that was wrong, with the case that shows it.
 std::string wrong_names(const std::vector<CaseResult>& results);
 /// A line per case.

@@ -73,7 +73,8 @@ int score(const std::string& folder) {
   const std::vector<Measure> measures = measure(results);
   std::printf("%zu cases of the %s seeds, %zu answered\n\n%s\n", asked, seeds.c_str(),
               results.size(), table(measures).c_str());
-  for (const auto part : {confusion_table, by_effect, by_size, by_programme, wrong_names}) {
+  for (const auto part :
+       {confusion_table, by_effect, by_size, by_programme, clean_by_flicker, wrong_names}) {
     std::printf("%s\n", part(results).c_str());
   }
   write_file(folder + "/results.json",
