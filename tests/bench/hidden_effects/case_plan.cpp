@@ -16,6 +16,7 @@ constexpr double kLeastLikeness = 0.85;  // of the visible part, by the catalogu
 constexpr double kMostMisfit = 0.1;      // of declared effects, in noise of a row
 constexpr double kMisfitShare = 0.3;     // and of the smallest hidden size
 constexpr int kAttempts = 60;
+constexpr int kPairAttempts = 10;
 constexpr double kExtraColumns = 0.3;  // of the cases have columns that they do not need
 constexpr double kUnseen = 0.35;       // have a recording of another programme
 constexpr double kLoopAnyway = 0.1;    // of the cases with less than two effects
@@ -26,6 +27,14 @@ const std::vector<double> kForeignSizes{0.7, 2};
 
 Flicker flicker_of(std::size_t number) {
   return static_cast<Flicker>(number % 3);
+}
+
+// Two catalogued effects; not a step, which is an event of one run.
+std::vector<std::string> draw_pair(Draws& draws) {
+  std::vector<std::string> effects = catalogued_effects();
+  effects.pop_back();
+  draws.shuffle(effects);
+  return {effects[0], effects[1]};
 }
 
 // Every kind of case in its share, in an order of its own for every cycle.
@@ -44,11 +53,8 @@ std::vector<CaseKind> cycle_of(const CaseId& id) {
     cycle.push_back({"clean", {}, {}, flicker_of(i + cycle_number)});
   }
   for (std::size_t i = 0; i < 12; ++i) {
-    std::vector<std::string> effects = catalogued_effects();
-    effects.pop_back();  // steps are events of one run
-    draws.shuffle(effects);
     cycle.push_back({"two",
-                     {effects[0], effects[1]},
+                     draw_pair(draws),
                      {draws.chance(0.5) ? 0.6 : 1.5, draws.chance(0.5) ? 0.6 : 1.5},
                      flicker_of(i)});
   }
@@ -101,6 +107,8 @@ CasePlan draw(const CaseId& id, std::uint64_t attempt) {
   CasePlan plan;
   plan.what = kind_of(id);
   Draws draws(id.seed() * 64 + attempt);
+  // Some pairs ask for programmes on which one of them cannot be what it should be.
+  if (plan.what.kind == "two" && attempt >= kPairAttempts) plan.what.hidden = draw_pair(draws);
   plan.gyro = draw_gyro(draws, plan.what.flicker, plan.what.hidden);
   for (const std::string& what : plan.what.hidden) {
     plan.hidden.push_back(draw_hidden(draws, what, plan.gyro));
