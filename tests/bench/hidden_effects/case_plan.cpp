@@ -171,7 +171,7 @@ bool set_sizes(CasePlan& plan) {
     if (!is_hidden) all_declared += declared.back();
   }
   const BesideDeclared beside(sight, declared);
-  if (rms(beside.left_beside_delays(all_declared)) > most_misfit_dph(plan)) return false;
+  if (!(rms(beside.left_beside_delays(all_declared)) <= most_misfit_dph(plan))) return false;
   plan.values.clear();
   for (std::size_t i = 0; i < plan.hidden.size(); ++i) {
     const Eigen::VectorXd natural = trial.rows(sight, plan.hidden[i].name);

@@ -70,8 +70,10 @@ for id in $(ls "$scratch/truth"); do
   ! grep -l '^#' "$scratch/runs/$id"/*.csv || { echo "$id: a recording has comments" >&2; exit 1; }
 done
 for id in $(ls "$scratch/truth"); do
-  # The sizes asked for are the sizes measured on the files.
-  awk '$1 == "hidden" { size[$2] = $4 } $1 == "visible" && ($3 < 0.97 * size[$2] || $3 > 1.03 * size[$2]) { print FILENAME, $0; bad = 1 } END { exit bad }' \
-    "$scratch/truth/$id/plan.txt" "$scratch/truth/$id/facts.txt"
+  # On the files as in the trial: the sizes asked for, and declared effects that their formulas meet.
+  awk '$1 == "hidden" { size[$2] = $4 }
+       $1 == "visible" && !($3 > 0.97 * size[$2] && $3 < 1.03 * size[$2]) { print FILENAME, $0; bad = 1 }
+       $1 == "misfit_beside_delays" { seen = 1; if (!($2 ~ /^[0-9.]+$/ && $2 <= 0.101)) { print FILENAME, $0; bad = 1 } }
+       END { exit bad || !seen }' "$scratch/truth/$id/plan.txt" "$scratch/truth/$id/facts.txt"
 done
 echo "an oracle is scored as one, none and nonsense as what they are"

@@ -92,9 +92,13 @@ int declared_order(const Model& model) {
   return term == nullptr ? 0 : static_cast<int>(term->parameters[0]);
 }
 
-// An orthonormal basis of the columns, each of them first made one long.
+// An orthonormal basis of the columns, each of them first made one long; a column of zeros adds
+// nothing.
 Eigen::MatrixXd orthonormal(Eigen::MatrixXd columns) {
-  columns.colwise().normalize();
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+    const double length = columns.col(i).norm();
+    if (length > 0) columns.col(i) /= length;
+  }
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
   qr.setThreshold(kRank);
   qr.compute(columns);
