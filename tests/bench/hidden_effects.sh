@@ -5,7 +5,7 @@
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/../..")
 here=$source/tests/bench/hidden_effects
-seeds=dev cases=1508 jobs=$(nproc) out= build=$source/build/host stages=make,answer,propose,score only=
+seeds=dev cases=1508 jobs=$(nproc) out='' build=$source/build/host stages=make,answer,propose,score only=''
 while (($#)); do
   case $1 in
     --quick) cases=116; shift; continue ;;

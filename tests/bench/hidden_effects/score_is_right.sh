@@ -7,7 +7,8 @@ source=$1 build=$2 made=$3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cp -r "$made"/{runs,truth} "$scratch"
-cases=$(ls "$scratch/truth" | wc -l)
+ids=("$scratch"/truth/*)
+ids=("${ids[@]##*/}")
 
 # answer ID JSON ADDED: as answer_case.sh would leave it.
 answer() {
@@ -35,8 +36,8 @@ always_light() { answer "$1" "$(named light_power)" '"light_power"'; }
 # scored ANSWERER: answers all cases and scores them.
 scored() {
   local id
-  for id in $(ls "$scratch/truth"); do "$1" "$id"; done
-  "$source/tests/bench/hidden_effects.sh" --cases "$cases" --build "$build" -o "$scratch" --stages score \
+  for id in "${ids[@]}"; do "$1" "$id"; done
+  "$source/tests/bench/hidden_effects.sh" --cases "${#ids[@]}" --build "$build" -o "$scratch" --stages score \
     >"$scratch/$1.txt" 2>"$scratch/progress.txt"
 }
 # expect MEASURE VALUE: of results.json; a measure without cases is null.
@@ -65,11 +66,13 @@ expect unknown_2_all 0
 grep -q 'light_power for (clean)' "$scratch/always_light.txt"
 
 # What the answering side sees does not name what is hidden.
-for id in $(ls "$scratch/truth"); do
-  [[ $(ls "$scratch/runs/$id" | grep -vE '^(run[1-9]\.csv|unseen\.csv|effects\.txt|request\.txt)$') == "" ]] || { ls "$scratch/runs/$id" >&2; exit 1; }
+for id in "${ids[@]}"; do
+  for file in "$scratch/runs/$id"/*; do
+    [[ ${file##*/} =~ ^(run[1-9]\.csv|unseen\.csv|effects\.txt|request\.txt)$ ]] || { echo "$file: for whom?" >&2; exit 1; }
+  done
   ! grep -l '^#' "$scratch/runs/$id"/*.csv || { echo "$id: a recording has comments" >&2; exit 1; }
 done
-for id in $(ls "$scratch/truth"); do
+for id in "${ids[@]}"; do
   # On the files as in the trial: the sizes asked for, and declared effects that their formulas meet.
   awk '$1 == "hidden" { size[$2] = $4 }
        $1 == "visible" && !($3 > 0.97 * size[$2] && $3 < 1.03 * size[$2]) { print FILENAME, $0; bad = 1 }
