@@ -230,7 +230,8 @@ void experiments(std::vector<Measure>& all, const std::vector<CaseResult>& resul
 void speed(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
   std::vector<double> seconds;
   for (const CaseResult& r : results) {
-    if (r.truth.rows >= kFewRows && r.truth.rows <= kManyRows) seconds.push_back(r.answer.seconds);
+    if (r.answer.seconds > 0 && r.truth.rows >= kFewRows && r.truth.rows <= kManyRows)
+      seconds.push_back(r.answer.seconds);
   }
   all.push_back(with_target(
       quantile_of("seconds_95", "a diagnosis of 5,000 to 7,000 rows, CPU s, 95 % of cases", seconds,
