@@ -56,11 +56,11 @@ std::vector<CaseKind> cycle_of(const CaseId& id) {
     cycle.push_back({"two",
                      draw_pair(draws),
                      {draws.chance(0.5) ? 0.6 : 1.5, draws.chance(0.5) ? 0.6 : 1.5},
-                     flicker_of(i)});
+                     flicker_of(i + cycle_number)});
   }
   for (const std::string& disturbance : foreign_disturbances()) {
     for (const double size : kForeignSizes) {
-      cycle.push_back({"foreign", {disturbance}, {size}, flicker_of(cycle.size())});
+      cycle.push_back({"foreign", {disturbance}, {size}, flicker_of(cycle.size() + cycle_number)});
     }
   }
   draws.shuffle(cycle);
