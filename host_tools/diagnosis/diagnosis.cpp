@@ -223,7 +223,7 @@ class Diagnoser {
         fast_log_p < kFastLogP && fast_gain > kUnexplained[0] * (fast_gain + explanation.excess);
     if (fast_left && fast_gain > explanation.excess) result_.variable = "time_s";
     if (explanation.enough && !fast_left && test.library_log_p < kLibraryLogP) {
-      name_effects();
+      name_effects(space, hypotheses);
     } else {
       result_.verdict = Verdict::unknown;
     }
@@ -375,23 +375,56 @@ class Diagnoser {
     }
   }
 
-  void name_effects() {
-    const std::vector<CandidateFinding>& found = result_.candidates;
-    if (found.front().probability >= kNamed) {
-      // Several may be certain: the one that brings most comes first.
-      const CandidateFinding* named = &found.front();
-      for (const CandidateFinding& finding : found) {
-        if (finding.probability >= kNamed && finding.evidence > named->evidence) named = &finding;
-      }
+  // Several effects may be missing at once; the question is which brings most.
+  void name_effects(const ExplainedSpace& space, const std::vector<Hypothesis>& hypotheses) {
+    std::vector<double> leads(candidates_.size(), 0);
+    for (const Hypothesis& hypothesis : hypotheses) {
+      leads[leading(space, hypothesis)] += hypothesis.probability;
+    }
+    struct Rank {
+      double lead;
+      double probability;
+      std::string effect;
+    };
+    std::vector<Rank> ranks;
+    for (std::size_t i = 0; i < leads.size(); ++i) {
+      const std::string& effect = candidates_[i].effect;
+      const auto found =
+          std::find_if(result_.candidates.begin(), result_.candidates.end(),
+                       [&](const CandidateFinding& finding) { return finding.effect == effect; });
+      ranks.push_back({leads[i], found->probability, effect});
+    }
+    std::stable_sort(ranks.begin(), ranks.end(),
+                     [](const Rank& a, const Rank& b) { return a.lead > b.lead; });
+    if (ranks.front().probability >= kNamed) {
       result_.verdict = Verdict::missing_effect;
-      result_.effect = named->effect;
+      result_.effect = ranks.front().effect;
       return;
     }
     result_.verdict = Verdict::ambiguous;
-    for (const CandidateFinding& finding : found) {
-      if (finding.probability >= kConfusable) result_.confusable.push_back(finding.effect);
+    for (const Rank& rank : ranks) {
+      if (rank.lead >= kConfusable) result_.confusable.push_back(rank.effect);
     }
     result_.experiment = experiment_for_rivals();
+  }
+
+  // The effect without which a set would explain least.
+  std::size_t leading(const ExplainedSpace& space, const Hypothesis& hypothesis) const {
+    std::size_t best = hypothesis.parts.front().candidate;
+    double least = HUGE_VAL;
+    for (const Hypothesis::Part& part : hypothesis.parts) {
+      std::vector<ColumnRange> others;
+      for (const Hypothesis::Part& other : hypothesis.parts) {
+        if (other.candidate != part.candidate) {
+          others.push_back(library_[other.candidate][other.shape]);
+        }
+      }
+      const double gain = others.empty() ? 0 : space.gain(others);
+      if (gain >= least) continue;
+      least = gain;
+      best = part.candidate;
+    }
+    return best;
   }
 
   // What would tell the most probable rivals apart.
@@ -399,13 +432,16 @@ class Diagnoser {
     constexpr std::size_t kMostRivals = 3;
     std::vector<Rival> rivals;
     bool event = false;
-    for (const CandidateFinding& finding : result_.candidates) {
-      if (finding.probability < kConfusable || rivals.size() == kMostRivals) break;
-      if (finding.effect == "bias_step") {
+    for (const std::string& effect : result_.confusable) {
+      if (rivals.size() == kMostRivals) break;
+      if (effect == "bias_step") {
         event = true;
-      } else {
-        rivals.push_back({finding.effect, finding.completed});
+        continue;
       }
+      const auto found =
+          std::find_if(result_.candidates.begin(), result_.candidates.end(),
+                       [&](const CandidateFinding& finding) { return finding.effect == effect; });
+      rivals.push_back({effect, found->completed});
     }
     if (rivals.size() > 1) return propose_experiment(model_, rivals, fit_.noise);
     Experiment repeat;
@@ -468,6 +504,30 @@ const char* name_of(Verdict verdict) {
       break;
   }
   return "unknown";
+}
+
+NoiseModel noise_of_static(const Model& model, const Recording& recording,
+                           const DiagnosisData& data) {
+  constexpr Eigen::Index kLeastStaticRows = 128;
+  const double row_s = data.series().rows().row_s;
+  Model averaging = model;
+  averaging.terms.clear();
+  averaging.average_s = row_s;
+  SignalSeries series(averaging, Phase::zero);
+  series.add(make_blocks(recording));
+  const Rows& rows = series.rows();
+  if (std::abs(rows.row_s - row_s) > 1e-6 * row_s) {
+    throw InputError(recording.file, format("has rows of %g s, the others of %g s; choose an "
+                                            "--average that suits both",
+                                            rows.row_s, row_s));
+  }
+  if (rows.size() < kLeastStaticRows) {
+    throw InputError(recording.file,
+                     format("%td rows of %g s at rest are too few for --static; at least %td",
+                            rows.size(), row_s, kLeastStaticRows));
+  }
+  return fit_noise({{rows.drift_dph}}, row_s,
+                   std::max(longest_run_s(rows), longest_run_s(data.series().rows())));
 }
 
 Diagnosis diagnose(const Model& model, const DiagnosisData& data,

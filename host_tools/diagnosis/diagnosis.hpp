@@ -95,6 +95,7 @@ struct Diagnosis {
   NoiseModel noise;
   Eigen::Index rows = 0;
   double row_s = 0;
+  std::string network_learnt;      ///< a sentence, where the model has a network
   std::vector<std::string> notes;  ///< whole sentences: what limits the answer
 };
 
@@ -102,6 +103,11 @@ struct DiagnosisSettings {
   std::optional<NoiseModel> noise;  ///< from a static record; otherwise from the runs' quiet parts
   std::uint64_t seed = 1;           ///< of the draws that calibrate the test
 };
+
+/// The noise of a recording at rest, for `data`'s row length. Throws InputError where that differs
+/// or the recording is too short.
+NoiseModel noise_of_static(const Model& model, const Recording& recording,
+                           const DiagnosisData& data);
 
 /// Finds out whether the effects of `model` leave more than noise, and which effect of the
 /// catalogue is missing if so. Its network, if any, is left out. The effects are solved for anew

@@ -21,9 +21,7 @@ namespace {
 
 // Separation below which a programme is not worth its chamber time.
 constexpr double kWorthwhile = 5;
-// Programmes that tell most are proposed only if they beat a shorter one by this factor.
 constexpr double kLatitude_deg = 45;
-constexpr int kPlaces = 9;  // of a rival's shape parameter, when it imitates
 
 struct Choice {
   const char* profile;
@@ -75,14 +73,17 @@ Recording simulated(const std::string& profile, double row_s) {
   return recording;
 }
 
-// The terms at several places of the shape parameters that a fit would move.
+// The term as fitted, and with its first shape parameter a little less and more.
 std::vector<EffectTerm> shapes_of(const EffectTerm& term) {
+  constexpr double kAside = 0.07;  // of the parameter's range
   std::vector<EffectTerm> shapes{term};
   const std::vector<ShapeParameter> parameters = shape_parameters({term});
   if (parameters.empty()) return shapes;
-  for (int i = 0; i < kPlaces; ++i) {
+  const ShapeParameter& first = parameters[0];
+  const double unit = first.to_unit(term.parameters[first.index]);
+  for (const double place : {unit - kAside, unit + kAside}) {
     shapes.push_back(term);
-    shapes.back().parameters[parameters[0].index] = parameters[0].from_unit((i + 0.5) / kPlaces);
+    shapes.back().parameters[first.index] = first.from_unit(place);
   }
   return shapes;
 }
@@ -163,17 +164,21 @@ Experiment propose_experiment(const Model& model, const std::vector<Rival>& riva
     what = choice.what;
   }
   std::string names;
-  for (const Rival& rival : rivals) names += (names.empty() ? "" : " from ") + rival.effect;
+  for (std::size_t i = 0; i < rivals.size(); ++i) {
+    const char* link = i == 0 ? "" : i + 1 < rivals.size() ? ", " : " and ";
+    names += link + rivals[i].effect;
+  }
   if (best.separation < kWorthwhile) {
     best.profile.clear();
-    best.sentence = "none of the chamber tests known here would tell " + names +
+    best.sentence = "none of the chamber tests known here would tell " + names + " apart" +
                     (best.separation < 1 ? ": beside this model's other terms they are the same; "
                                            "either takes the error out"
                                          : "");
     return best;
   }
-  best.sentence = format("record `%s` (%s, %.0f h): it would tell %s by %.0f standard deviations",
-                         best.profile.c_str(), what, best.hours, names.c_str(), best.separation);
+  best.sentence =
+      format("record `%s` (%s, %.0f h): there %s would differ by %.0f standard deviations",
+             best.profile.c_str(), what, best.hours, names.c_str(), best.separation);
   return best;
 }
 

@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "identification/shape_search.hpp"
+#include "model/catalogue.hpp"
 
 namespace fogcomp {
 namespace {
 
+constexpr double kLeastGain = 10;     // fall of chi^2 that each part of a set must bring
 constexpr std::size_t kExtended = 8;  // pairs that are tried with a third effect
 
 class Search {
@@ -21,7 +23,7 @@ class Search {
     std::vector<Hypothesis> pairs;
     for (std::size_t i = 0; i < library_.size(); ++i) {
       for (std::size_t j = i; j < library_.size(); ++j) {
-        if (i == j && is_step(i)) continue;  // several steps are no effect but random events
+        if (i == j && !may_stand_twice(i)) continue;
         pairs.push_back(settle({{{i, alone_[i]}, {j, alone_[j]}}}));
       }
     }
@@ -32,7 +34,7 @@ class Search {
       keep(pairs[p]);
       if (p >= kExtended) continue;
       for (std::size_t k = 0; k < library_.size(); ++k) {
-        if (is_step(k) && pairs[p].has(k)) continue;
+        if (pairs[p].has(k)) continue;
         Hypothesis three = pairs[p];
         three.parts.push_back({k, alone_[k]});
         keep(settle(three));
@@ -53,6 +55,14 @@ class Search {
   }
 
   bool is_step(std::size_t candidate) const { return candidates_[candidate].effect == "bias_step"; }
+
+  // Where the effect itself has an optional second part of the same form.
+  bool may_stand_twice(std::size_t candidate) const {
+    const CatalogueEntry& entry = find_effect(candidates_[candidate].effect);
+    return !is_step(candidate) &&
+           std::any_of(entry.parameters.begin(), entry.parameters.end(),
+                       [](const auto& parameter) { return parameter.default_milli == 0; });
+  }
 
   // Moves the shapes, one part at a time, to where they explain most together.
   Hypothesis settle(Hypothesis h) {
@@ -78,12 +88,14 @@ class Search {
     return h;
   }
 
+  // A set in which every part earns its place.
   void keep(Hypothesis h) {
     for (std::size_t i = 0; i < h.parts.size(); ++i) {
-      if (!is_step(h.parts[i].candidate)) continue;
       const std::vector<ColumnRange> rest = columns(h, i);
       const double without = rest.empty() ? 0 : space_.gain(rest);
-      if (h.gain - without < settings_.least_step_gain) return;
+      const bool step = is_step(h.parts[i].candidate);
+      const double needed = step ? settings_.least_step_gain : rest.empty() ? 0 : kLeastGain;
+      if (h.gain - without < needed) return;
     }
     found_.push_back(std::move(h));
   }
