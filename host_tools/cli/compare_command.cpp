@@ -73,8 +73,8 @@ int run_compare(const Arguments& arguments) {
   double outside = 0;
   double rows = 0;
   for (std::size_t i = 1; i < arguments.positionals().size(); ++i) {
-    const Comparison comparison =
-        compare_with(model, read_recording(arguments.positionals()[i], options));
+    const Comparison comparison = compare_with(
+        model, run_in_blocks(read_recording(arguments.positionals()[i], options), model.average_s));
     outside += comparison.outside_range * static_cast<double>(comparison.whole.rows);
     rows += static_cast<double>(comparison.whole.rows);
     if (json) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/segments.hpp"
-#include "evaluation/noise_floor.hpp"
 #include "identification/block_walk.hpp"
 #include "identification/required_inputs.hpp"
 #include "identification/signal_series.hpp"
@@ -13,9 +11,10 @@
 namespace fogcomp {
 namespace {
 
-std::vector<Comparison::Row> make_rows(const Model& model, const BlockSeries& series) {
+std::vector<Comparison::Row> make_rows(const Model& model, const RunInBlocks& run) {
+  const BlockSeries& series = run.blocks;
   require_inputs(model.terms, series);
-  const std::int64_t per_row = blocks_per_row(model.average_s, series.block_s);
+  const std::int64_t per_row = blocks_per_row(run.average_s, series.block_s);
   RealDriftModel drift(model, series.block_s);
   std::vector<Comparison::Row> rows;
   std::int64_t row_number = -1;
@@ -82,23 +81,21 @@ double floor_removed(double std_dph, double floor_dph) {
   return std::sqrt(std::max(0.0, std_dph * std_dph - floor_dph * floor_dph));
 }
 
-Comparison compare_with(const Model& model, const Recording& recording) {
+Comparison compare_with(const Model& model, const RunInBlocks& run) {
   Comparison comparison;
-  comparison.file = recording.file;
-  comparison.rows = make_rows(model, make_blocks(recording));
+  comparison.file = run.file;
+  comparison.noise_floor_dph = run.noise_floor_dph;
+  comparison.rows = make_rows(model, run);
   const Comparison::Row* const begin = comparison.rows.data();
   const Comparison::Row* const end = begin + comparison.rows.size();
   comparison.whole = summarise("all", begin, end);
   const Comparison::Row* first = begin;
-  for (const Segment& segment : find_segments(recording)) {
-    const double end_time_s =
-        segment.end_row < recording.rows() ? recording.time_s[segment.end_row] : HUGE_VAL;
+  for (const RunInBlocks::TimedSegment& segment : run.segments) {
     const Comparison::Row* const last = std::find_if(
-        first, end, [&](const Comparison::Row& row) { return row.time_s >= end_time_s; });
+        first, end, [&](const Comparison::Row& row) { return row.time_s >= segment.end_s; });
     comparison.segments.push_back(summarise(segment.name, first, last));
     first = last;
   }
-  comparison.noise_floor_dph = noise_floor_dph(recording, model.average_s);
   const auto outside = std::count_if(begin, end, [&](const Comparison::Row& row) {
     return row.temperature_degc < model.least_degc || row.temperature_degc > model.most_degc;
   });

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "dataset/recording.hpp"
+#include "evaluation/run_in_blocks.hpp"
 #include "model/model.hpp"
 
 namespace fogcomp {
 
-/// A model against one recording, in rows of `average_s`.
+/// A model against one recording, in rows of RunInBlocks::average_s.
 struct Comparison {
   struct Row {
     double time_s = 0;
@@ -36,8 +36,8 @@ struct Comparison {
   double outside_range = 0;  ///< fraction of rows outside the trained temperature range
 };
 
-/// Throws InputError for a recording that is too short for one row.
-Comparison compare_with(const Model& model, const Recording& recording);
+/// In rows of run.average_s. Throws InputError where the run lacks a column that the model needs.
+Comparison compare_with(const Model& model, const RunInBlocks& run);
 
 /// sqrt(std^2 - floor^2), 0 where the floor is higher: the drift without the noise.
 double floor_removed(double std_dph, double floor_dph);
