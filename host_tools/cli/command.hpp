@@ -36,6 +36,7 @@ Command denoise_command();
 Command effects_command();
 Command export_command();
 Command fit_command();
+Command history_command();
 Command info_command();
 Command replay_command();
 Command simulate_command();

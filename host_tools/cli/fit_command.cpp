@@ -116,10 +116,10 @@ Fit fit(const Arguments& arguments) {
 
   const double effects_rms_dph = fit.result.effects_rms_dph;
   model.history.push_back({"fit " + arguments.text("effects"), training.data_hash,
-                           fit.result.raw_std_dph, effects_rms_dph});
+                           fit.result.raw_std_dph, effects_rms_dph, training.noise_floor_dph});
   if (model.network.present()) {
     model.history.push_back({format("network %d", settings.training.hidden), training.data_hash,
-                             effects_rms_dph, model.residual_rms_dph});
+                             effects_rms_dph, model.residual_rms_dph, training.noise_floor_dph});
   }
   return fit;
 }

@@ -127,12 +127,24 @@ void check_rank(const LinearFit& fit, Eigen::Index columns) {
                                  fit.rank, columns));
 }
 
-void set_range(Model& model, const Rows& rows) {
-  const auto range = std::minmax_element(
-      rows.signals.begin(), rows.signals.end(),
-      [](const auto& a, const auto& b) { return a.temperature < b.temperature; });
-  model.least_degc = range.first->temperature - kRangeMarginDegc;
-  model.most_degc = range.second->temperature + kRangeMarginDegc;
+template <class Value>
+Range range_of(std::size_t count, Value value_at) {
+  Range range{value_at(0), value_at(0)};
+  for (std::size_t i = 1; i < count; ++i) {
+    range.least = std::min(range.least, value_at(i));
+    range.most = std::max(range.most, value_at(i));
+  }
+  return range;
+}
+
+void set_ranges(Model& model, const Rows& rows) {
+  const std::size_t count = rows.signals.size();
+  const Range degc = range_of(count, [&](std::size_t i) { return rows.signals[i].temperature; });
+  model.least_degc = degc.least - kRangeMarginDegc;
+  model.most_degc = degc.most + kRangeMarginDegc;
+  model.rate_range_degc_per_min =
+      range_of(count, [&](std::size_t i) { return rows.signals[i].temperature_rate; });
+  model.time_range_s = range_of(count, [&](std::size_t i) { return rows.time_s[i]; });
 }
 
 }  // namespace
@@ -203,7 +215,7 @@ Identification identify(Model& model, const SignalSeries& series,
                                             shapes[i].slope(term.parameters[shapes[i].index]);
   }
   result.warnings = confusions(model.terms, columns, fit.covariance);
-  set_range(model, rows);
+  set_ranges(model, rows);
   model.residual_rms_dph =
       std::sqrt(result.residual_dph.cwiseAbs2().dot(rows.weights) / rows.weights.sum());
   return result;

@@ -29,7 +29,7 @@ struct IdentifySettings {
 };
 
 /// Identifies coefficients, and those shape parameters that model.terms marks, from all recordings
-/// of `series` together; sets the trained range.
+/// of `series` together; sets the trained ranges.
 ///
 /// Noise-weighted: rows are whitened with white + Gauss-Markov noise taken from the soaks. Shape
 /// parameters by variable projection: a bounded grid each, then Gauss-Newton on all together. Rows

@@ -21,6 +21,19 @@ std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
   return crc;
 }
 
+std::optional<double> common_floor(const std::vector<RunInBlocks>& runs) {
+  double square = 0;
+  double length_s = 0;
+  for (const RunInBlocks& run : runs) {
+    if (!run.noise_floor_dph) continue;
+    const double run_s = static_cast<double>(run.blocks.blocks.size()) * run.blocks.block_s;
+    square += run_s * std::pow(*run.noise_floor_dph, 2);
+    length_s += run_s;
+  }
+  if (length_s == 0) return std::nullopt;
+  return std::sqrt(square / length_s);
+}
+
 }  // namespace
 
 TrainingRuns read_training_runs(const std::vector<std::string>& files, const ReadOptions& options,
@@ -35,6 +48,7 @@ TrainingRuns read_training_runs(const std::vector<std::string>& files, const Rea
     training.runs.push_back(run_in_blocks(recording, average_s));
   }
   training.noise_dph_rthz = std::sqrt(noise_square / static_cast<double>(files.size()));
+  training.noise_floor_dph = common_floor(training.runs);
   return training;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct TrainingRuns {
   std::vector<RunInBlocks> runs;
   std::uint32_t data_hash = 0;  ///< CRC-32 of what a fit sees of them, in this order
   double noise_dph_rthz = 0;    ///< white noise density, rms of the runs'
+  /// Of a row, rms of the runs' by their length; nothing where no run shows one.
+  std::optional<double> noise_floor_dph;
 };
 
 /// Reads `files` one after another; of each only the blocks stay in memory. `average_s`: rows of
