@@ -31,6 +31,7 @@ struct Command {
 
 constexpr std::size_t kAnyNumber = 1000;
 
+Command add_command();
 Command compare_command();
 Command denoise_command();
 Command effects_command();

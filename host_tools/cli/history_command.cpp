@@ -43,25 +43,43 @@ void print_json(const Model& model, const std::string& file) {
   std::puts(result.text().c_str());
 }
 
-// A line of the ladder: its bar is as long as the error, `full_dph` fills the width.
-void print_rung(const std::string& name, double rms_dph, double full_dph) {
+// How much of a bar's width an error takes: its ratio to the noise floor, logarithmic, so that the
+// last steps show as well as the first; plainly its size where no floor is known.
+class Scale {
+ public:
+  explicit Scale(const std::vector<HistoryEntry>& steps) {
+    for (const HistoryEntry& step : steps) {
+      most_dph_ = std::max({most_dph_, step.rms_before_dph, step.rms_after_dph});
+    }
+    floor_dph_ = steps.back().noise_floor_dph.value_or(0);
+  }
+  bool by_ratio() const { return floor_dph_ > 0 && most_dph_ > floor_dph_; }
+  double share(double rms_dph) const {
+    if (most_dph_ <= 0 || rms_dph <= floor_dph_) return 0;
+    if (!by_ratio()) return rms_dph / most_dph_;
+    return std::log(rms_dph / floor_dph_) / std::log(most_dph_ / floor_dph_);
+  }
+
+ private:
+  double most_dph_ = 0;
+  double floor_dph_ = 0;
+};
+
+void print_rung(const Scale& scale, const std::string& name, double rms_dph) {
   constexpr double kWidth = 48;
-  const auto length = static_cast<std::size_t>(std::lround(kWidth * rms_dph / full_dph));
+  const auto length = static_cast<std::size_t>(std::lround(kWidth * scale.share(rms_dph)));
   std::printf("  %10.4f  %-48s  %s\n", rms_dph, std::string(length, '#').c_str(), name.c_str());
 }
 
 void print_ladder(const std::vector<HistoryEntry>& steps) {
-  double full_dph = 0;
-  for (const HistoryEntry& step : steps) {
-    full_dph = std::max({full_dph, step.rms_before_dph, step.rms_after_dph});
-  }
-  if (full_dph <= 0) return;  // nothing to draw
-  print_rung("before any step", steps.front().rms_before_dph, full_dph);
+  const Scale scale(steps);
+  if (scale.by_ratio()) std::puts("  (bars: ratio to the noise floor, logarithmic)");
+  print_rung(scale, "before any step", steps.front().rms_before_dph);
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    print_rung(format("%zu %s", i + 1, steps[i].action.c_str()), steps[i].rms_after_dph, full_dph);
+    print_rung(scale, format("%zu %s", i + 1, steps[i].action.c_str()), steps[i].rms_after_dph);
   }
   if (steps.back().noise_floor_dph) {
-    print_rung("noise floor", *steps.back().noise_floor_dph, full_dph);
+    print_rung(scale, "noise floor", *steps.back().noise_floor_dph);
   }
 }
 

@@ -100,19 +100,6 @@ std::vector<std::string> confusions(const std::vector<EffectTerm>& terms,
   return warnings;
 }
 
-// A column of ones for every recording but the first.
-Eigen::MatrixXd offset_columns(const Rows& rows, bool wanted) {
-  const std::size_t runs = wanted ? rows.run_starts.size() : 1;
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows.size(), static_cast<Eigen::Index>(runs) - 1);
-  for (std::size_t run = 1; run < runs; ++run) {
-    const auto first = static_cast<Eigen::Index>(rows.run_starts[run]);
-    const auto end =
-        run + 1 < runs ? static_cast<Eigen::Index>(rows.run_starts[run + 1]) : rows.size();
-    columns.col(static_cast<Eigen::Index>(run) - 1).segment(first, end - first).setOnes();
-  }
-  return columns;
-}
-
 void check_size(const Rows& rows, Eigen::Index unknowns) {
   if (rows.size() > unknowns) return;
   throw InputError("fit", format("%td rows of %g s are too few for %td unknowns; use a longer "
@@ -149,12 +136,24 @@ void set_ranges(Model& model, const Rows& rows) {
 
 }  // namespace
 
+Eigen::MatrixXd run_offset_columns(const Rows& rows, bool wanted) {
+  const std::size_t runs = wanted ? rows.run_starts.size() : 1;
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows.size(), static_cast<Eigen::Index>(runs) - 1);
+  for (std::size_t run = 1; run < runs; ++run) {
+    const auto first = static_cast<Eigen::Index>(rows.run_starts[run]);
+    const auto end =
+        run + 1 < runs ? static_cast<Eigen::Index>(rows.run_starts[run + 1]) : rows.size();
+    columns.col(static_cast<Eigen::Index>(run) - 1).segment(first, end - first).setOnes();
+  }
+  return columns;
+}
+
 Identification identify(Model& model, const SignalSeries& series,
                         const IdentifySettings& settings) {
   const Rows& rows = series.rows();
   const std::vector<ShapeParameter> shapes = shape_parameters(model.terms);
   const std::vector<Columns> columns = columns_of(series, model.terms);
-  const Eigen::MatrixXd offsets = offset_columns(rows, settings.run_offsets);
+  const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
   const Eigen::Index coefficients = columns.back().first + columns.back().count;
   const Eigen::Index linear = coefficients + offsets.cols();
   check_size(rows, linear + static_cast<Eigen::Index>(shapes.size()));
@@ -187,6 +186,7 @@ Identification identify(Model& model, const SignalSeries& series,
     robust = outlier_weights(plain.apply(result.residual_dph));
   }
 
+  result.row_weights = rows.weights.cwiseProduct(robust);
   const auto freedom = static_cast<double>(rows.size() - fit.covariance.cols());
   result.misfit = std::sqrt(fit.residual.squaredNorm() / std::max(1.0, freedom));
   result.outliers = static_cast<std::size_t>((robust.array() < 1).count());

@@ -16,6 +16,7 @@ struct Identification {
   NoiseModel noise;              ///< what the rows were weighted with
   double misfit = 0;             ///< rms of the whitened residual: 1 where only that noise is left
   std::size_t outliers = 0;      ///< rows weighted down
+  Eigen::VectorXd row_weights;   ///< Rows::weights, outliers weighted down
   /// Per effect, deg/h: the smallest peak of this effect that these recordings show at 5 sigma.
   std::vector<double> visible_dph;
   std::vector<std::string> warnings;    ///< whole sentences
@@ -27,6 +28,10 @@ struct IdentifySettings {
   /// one's.
   bool run_offsets = false;
 };
+
+/// Rows x (recordings - 1): ones in the second, third... recording each. No columns unless
+/// `wanted`.
+Eigen::MatrixXd run_offset_columns(const Rows& rows, bool wanted);
 
 /// Identifies coefficients, and those shape parameters that model.terms marks, from all recordings
 /// of `series` together; sets the trained ranges.
