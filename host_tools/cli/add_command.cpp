@@ -23,7 +23,8 @@ Json runs_json(const std::vector<Addition::RunError>& runs) {
             .set("holdout", run.holdout)
             .set("rms_before_dph", run.rms_before_dph)
             .set("rms_after_dph", run.rms_after_dph)
-            .set("noise_floor_dph", run.noise_floor_dph ? Json(*run.noise_floor_dph) : Json())));
+            .set("noise_floor_dph", run.noise_floor_dph ? Json(*run.noise_floor_dph) : Json())
+            .set("outside_temperature", run.outside_temperature)));
   }
   return array;
 }
@@ -64,6 +65,9 @@ void print_run(const Addition::RunError& run) {
     const double floor = *run.noise_floor_dph;
     std::printf("   floor %.4f, drift %.4f -> %.4f", floor,
                 floor_removed(run.rms_before_dph, floor), floor_removed(run.rms_after_dph, floor));
+  }
+  if (run.outside_temperature > 0) {
+    std::printf("; %.0f %% outside the trained temperatures", 100 * run.outside_temperature);
   }
   std::puts("");
 }

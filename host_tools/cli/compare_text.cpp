@@ -24,7 +24,8 @@ struct Finding {
   double share = 0;
 };
 
-// What the residual depends on beyond noise, largest share first.
+// What the residual depends on beyond noise: largest share first, but time last, as anything slow
+// is a function of time.
 std::vector<Finding> findings(const ResidualAnalysis& analysis, const Comparison& comparison) {
   std::vector<Finding> found;
   const auto look_at = [&](const ClassTest& test, const std::string& name,
@@ -36,7 +37,6 @@ std::vector<Finding> findings(const ResidualAnalysis& analysis, const Comparison
   };
   look_at(analysis.temperature.test, "temperature");
   look_at(analysis.rate.test, "temperature rate");
-  look_at(analysis.time.test, "time");
   if (const LoopBin* widest = analysis.history.widest()) {
     look_at(analysis.history.test, "history",
             format(" (heating less cooling %+.4f +- %.4f at %.0f degC)", widest->width_dph(),
@@ -46,6 +46,7 @@ std::vector<Finding> findings(const ResidualAnalysis& analysis, const Comparison
           format(" (%+.4f +- %.4f)", comparison.whole.mean_dph, analysis.offset_sigma_dph));
   std::stable_sort(found.begin(), found.end(),
                    [](const Finding& a, const Finding& b) { return a.share > b.share; });
+  look_at(analysis.time.test, "time");
   return found;
 }
 

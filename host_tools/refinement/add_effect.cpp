@@ -63,10 +63,7 @@ OutOfSample judge(const Model& before, const Addition& after, const SignalSeries
     return cross_validate(series, before.terms, after.model.terms, after.changed,
                           {identified.noise, identified.row_weights, run_offsets});
   }
-  SignalSeries held_out(after.model);
-  for (const RunInBlocks& run : holdouts) held_out.add(run.blocks);
-  return judge_on_holdouts(held_out, before.terms, after.model.terms,
-                           {identified.noise, held_out.rows().weights, run_offsets});
+  return judge_on_holdouts(before, after.model, holdouts, identified.noise, run_offsets);
 }
 
 }  // namespace
@@ -93,8 +90,8 @@ Addition add_effect(const Model& model, const std::string& effect, const Trainin
     const Comparison without = compare_with(before, run);
     const Comparison with = compare_with(result.model, run);
     if (holdout) on_holdouts.add(without, with);
-    result.runs.push_back(
-        {run.file, holdout, without.whole.rms_dph, with.whole.rms_dph, run.noise_floor_dph});
+    result.runs.push_back({run.file, holdout, without.whole.rms_dph, with.whole.rms_dph,
+                           run.noise_floor_dph, with.outside.temperature});
   };
   for (const RunInBlocks& run : training.runs) compare(run, false);
   for (const RunInBlocks& run : holdouts) compare(run, true);

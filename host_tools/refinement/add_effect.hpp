@@ -22,6 +22,9 @@ struct Addition {
     double rms_before_dph = 0;  ///< of the whole model, network included, rows of average_s
     double rms_after_dph = 0;
     std::optional<double> noise_floor_dph;
+    /// Part of the rows outside the new model's trained temperatures, 0..1: there a holdout judges
+    /// how the board holds the drift, not the effect.
+    double outside_temperature = 0;
   };
   Model model;                 ///< as refitted, with its history
   std::size_t changed = 0;     ///< the term that was added or changed

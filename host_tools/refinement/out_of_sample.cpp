@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "evaluation/autocorrelation.hpp"
+#include "evaluation/comparison.hpp"
 #include "identification/least_squares.hpp"
 #include "identification/shape_search.hpp"
 #include "identification/whitening.hpp"
@@ -147,22 +148,31 @@ Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTer
   return residuals;
 }
 
-Eigen::VectorXd residual_of(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                            bool run_offsets) {
-  const Rows& rows = series.rows();
-  Eigen::VectorXd residual = rows.drift_dph;
+Eigen::VectorXd residual_of_effects(Model model, const std::vector<RunInBlocks>& runs,
+                                    bool run_offsets) {
+  model.network = RealNetwork();
+  std::vector<double> residual;
+  for (const RunInBlocks& run : runs) {
+    const Comparison comparison = compare_with(model, run);
+    const double offset = run_offsets ? comparison.whole.mean_dph : 0;
+    for (const Comparison::Row& row : comparison.rows) {
+      residual.push_back(row.residual_dph() - offset);
+    }
+  }
+  return Eigen::Map<const Eigen::VectorXd>(residual.data(),
+                                           static_cast<Eigen::Index>(residual.size()));
+}
+
+// As fitted, in the rows of the fit.
+std::vector<double> fitted_residual(const SignalSeries& series,
+                                    const std::vector<EffectTerm>& terms) {
+  Eigen::VectorXd residual = series.rows().drift_dph;
   for (const EffectTerm& term : terms) {
-    residual -=
-        series.regressors(term) *
-        Eigen::Map<const Eigen::VectorXd>(term.coefficients_dph.data(),
-                                          static_cast<Eigen::Index>(term.coefficients_dph.size()));
+    const Eigen::Map<const Eigen::VectorXd> coefficients(
+        term.coefficients_dph.data(), static_cast<Eigen::Index>(term.coefficients_dph.size()));
+    residual -= series.regressors(term) * coefficients;
   }
-  if (!run_offsets) return residual;
-  for (const RowRange& run : runs_of(rows)) {
-    auto part = segment(residual, run);
-    part.array() -= part.mean();
-  }
-  return residual;
+  return {residual.begin(), residual.end()};
 }
 
 }  // namespace
@@ -191,8 +201,7 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
       return result;
     }
   }
-  const Eigen::VectorXd fitted = residual_of(series, after, false);
-  const double residual_s = rows.row_s * correlated_values({fitted.begin(), fitted.end()}, runs);
+  const double residual_s = rows.row_s * correlated_values(fitted_residual(series, after), runs);
   const std::vector<Part> parts = parts_of(rows, std::max(noise_memory_s(with.noise), residual_s));
   const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
   OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
@@ -201,14 +210,16 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
   return result;
 }
 
-OutOfSample judge_on_holdouts(const SignalSeries& holdouts, const std::vector<EffectTerm>& before,
-                              const std::vector<EffectTerm>& after, const JudgedWith& with) {
-  const Rows& rows = holdouts.rows();
+OutOfSample judge_on_holdouts(const Model& before, const Model& after,
+                              const std::vector<RunInBlocks>& holdouts, const NoiseModel& noise,
+                              bool run_offsets) {
+  SignalSeries series(after);
+  for (const RunInBlocks& run : holdouts) series.add(run.blocks);
+  const Rows& rows = series.rows();
   OutOfSample result =
-      judge(rows, residual_of(holdouts, before, with.run_offsets),
-            residual_of(holdouts, after, with.run_offsets), with.noise, with.row_weights);
-  result.how = rows.run_starts.size() == 1 ? "on the holdout"
-                                           : format("on %zu holdouts", rows.run_starts.size());
+      judge(rows, residual_of_effects(before, holdouts, run_offsets),
+            residual_of_effects(after, holdouts, run_offsets), noise, rows.weights);
+  result.how = holdouts.size() == 1 ? "on the holdout" : format("on %zu holdouts", holdouts.size());
   return result;
 }
 

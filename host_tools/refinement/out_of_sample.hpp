@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/run_in_blocks.hpp"
 #include "identification/identify.hpp"
 #include "identification/signal_series.hpp"
 #include "model/model.hpp"
@@ -28,7 +29,7 @@ struct OutOfSample {
 /// noise, cross-validated), reached it 6 times in 600.
 constexpr double kLeastGain = 10;
 
-/// What both sets are judged with: the noise and row weights of one fit.
+/// What both sets are cross-validated with: the noise and row weights of one fit.
 struct JudgedWith {
   const NoiseModel& noise;
   const Eigen::VectorXd& row_weights;
@@ -44,9 +45,10 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
                            const std::vector<EffectTerm>& after, std::size_t changed,
                            const JudgedWith& with);
 
-/// `holdouts`: recordings that took no part in either fit; its row weights are its own. With
-/// run_offsets every one has its mean removed.
-OutOfSample judge_on_holdouts(const SignalSeries& holdouts, const std::vector<EffectTerm>& before,
-                              const std::vector<EffectTerm>& after, const JudgedWith& with);
+/// `holdouts`: runs that took no part in either fit; at least one. The effects alone, as the board
+/// has them: clamped to the trained range. With run_offsets every run has its mean removed.
+OutOfSample judge_on_holdouts(const Model& before, const Model& after,
+                              const std::vector<RunInBlocks>& holdouts, const NoiseModel& noise,
+                              bool run_offsets);
 
 }  // namespace fogcomp
