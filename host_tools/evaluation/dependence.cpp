@@ -10,7 +10,7 @@ namespace fogcomp {
 namespace {
 
 constexpr std::size_t kLeastRows = 5;  // of a class that counts
-constexpr double kStructured = 3.09;   // standard score, 1 in 1000
+constexpr double kStructured = 5;      // standard score
 constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
 
 // Equal divisions of a variable's range.
