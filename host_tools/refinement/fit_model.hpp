@@ -17,8 +17,8 @@ struct FitSettings {
 
 struct FitResult {
   double raw_std_dph = 0;  ///< of the rows, before any model
-  double effects_rms_dph =
-      0;  ///< what the effects leave; with the network: Model::residual_rms_dph
+  /// What the effects leave. With the network on top: Model::residual_rms_dph.
+  double effects_rms_dph = 0;
   Identification identified;
   double effective_weights = 0;  ///< of the network, how many the data determine
 };

@@ -77,7 +77,7 @@ TEST(AddEffect, RefusesAUselessEffect) {
   for (const char* const effect :
        {"thermal_hysteresis:radius=5", "thermal_lag", "warm_up", "polarization_ripple",
         "temperature_rate_product", "bias_temperature:order=4"}) {
-    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       const Addition result = add(kComplete, effect, truth(), {seed});
       ++tried;
       if (result.accepted) ++accepted;
@@ -86,7 +86,7 @@ TEST(AddEffect, RefusesAUselessEffect) {
     }
   }
   std::printf("%d of %d useless effects accepted\n", accepted, tried);
-  EXPECT_LE(accepted, 3);
+  EXPECT_LE(accepted, 2);  // kLeastGain lets about one in 100 pass
 }
 
 TEST(AddEffect, IsJudgedOnHoldoutsWhereThereAreSome) {
