@@ -52,6 +52,8 @@ std::vector<Finding> findings(const ResidualAnalysis& analysis, const Comparison
 
 std::string structure_line(const ModelOnRun& run) {
   const std::vector<Finding> found = findings(run.analysis, run.comparison);
+  constexpr std::size_t kLeastRows = 50;
+  if (run.comparison.rows.size() < kLeastRows) return "too few rows to say on what it depends";
   if (found.empty()) {
     return "nothing in it depends on temperature, temperature rate, time or history beyond noise";
   }
