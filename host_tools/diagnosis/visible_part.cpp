@@ -84,8 +84,9 @@ ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
   // Where far more than noise is left, the rows know less about these than their noise says.
   const auto size = static_cast<double>(rows.size());
   const double excess = std::max(0.0, fit.whitened_residual.squaredNorm() - size);
-  columns.bottomRightCorner(kPriors, kPriors).diagonal().setConstant(
-      std::sqrt(1 + kModelFormTolerance * excess));
+  columns.bottomRightCorner(kPriors, kPriors)
+      .diagonal()
+      .setConstant(std::sqrt(1 + kModelFormTolerance * excess));
   basis_ = orthonormal(columns);
   residual_ = without_model(with_priors(fit.whitened_measured));
 }
