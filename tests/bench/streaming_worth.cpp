@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "core/denoise/denoiser.hpp"
+#include "core/denoise/any_denoiser.hpp"
 #include "dataset/recording.hpp"
 #include "evaluation/allan.hpp"
 #include "support/sample_models.hpp"

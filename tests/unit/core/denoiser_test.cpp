@@ -1,4 +1,4 @@
-#include "core/denoise/denoiser.hpp"
+#include "core/denoise/any_denoiser.hpp"
 
 #include <gtest/gtest.h>
 
