@@ -81,6 +81,7 @@ class FilterBank {
   std::int32_t last() const { return gate_.last(line_); }
 
   const SampleLine& line() const { return line_; }
+  const LevelThreshold& finest_threshold() const { return finest_.threshold; }
 
  private:
   Span<CoarserLevel<kTaps>> coarser() {
