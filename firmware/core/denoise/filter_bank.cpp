@@ -46,32 +46,32 @@ FilterBank<kTaps>::FilterBank(const DenoiseParameters& parameters, const BankMem
   if (parameters.levels() == 0) return;
   shift_ = noise_shift(parameters);
   if (shift_ > 0) rounding_half_ = rounding_half<std::int32_t>(shift_);
-  const std::int32_t* threshold = parameters.thresholds.data;
-  finest_.threshold.set(*threshold);
-  gate_.set_limit(outlier_limit(finest_.threshold.now));
   coarser_end_ += parameters.levels() - 1;
-  for (CoarserLevel<kTaps>& level : coarser()) level.threshold.set(*++threshold);
+  const std::int32_t* threshold = parameters.thresholds.end();
   std::int16_t* slots = memory.waiting;
   std::size_t pairs = 0;  // that a level waits for those below it: their delay
   for (CoarserLevel<kTaps>* level = coarser_end_; level != coarser_;) {
     --level;
+    level->threshold.set(*--threshold);
     level->removed_first = slots;
     level->removed_next = slots;
     slots += pairs + 1;
     level->removed_end = slots;
     pairs = 2 * pairs + kTaps - 1;
   }
+  finest_.threshold.set(*--threshold);
+  gate_.set_limit(outlier_limit(finest_.threshold.now));
 }
 
 template <std::size_t kTaps>
 void FilterBank<kTaps>::prime(std::int32_t sample) {
   line_.fill(sample, kTaps);
-  for (CoarserLevel<kTaps>& level : coarser()) level.inputs.fill(sample);
+  for (auto* level = coarser_; level != coarser_end_; ++level) level->inputs.fill(sample);
   // What step() would find: sample 0 completes a pair on every level, and its details are 0.
   samples_ = 1;
   if (rule_ == ThresholdRule::fixed) return;
   adapt_finest(0);
-  for (CoarserLevel<kTaps>& level : coarser()) adapt_threshold(level.threshold, 0);
+  for (auto* level = coarser_; level != coarser_end_; ++level) adapt_threshold(level->threshold, 0);
 }
 
 // What thresholding takes away from a detail beyond the threshold.
@@ -117,8 +117,8 @@ void FilterBank<kTaps>::adapt_finest(std::uint32_t magnitude) {
 template <std::size_t kTaps>
 void FilterBank<kTaps>::choose_threshold() {
   if (finest_.threshold.risk.full()) return finest_.threshold.risk.choose();
-  for (CoarserLevel<kTaps>& level : coarser()) {
-    if (level.threshold.risk.full()) return level.threshold.risk.choose();
+  for (auto* level = coarser_; level != coarser_end_; ++level) {
+    if (level->threshold.risk.full()) return level->threshold.risk.choose();
   }
   choice_due_ = false;
 }

@@ -84,9 +84,6 @@ class FilterBank {
   const LevelThreshold& finest_threshold() const { return finest_.threshold; }
 
  private:
-  Span<CoarserLevel<kTaps>> coarser() {
-    return {coarser_, static_cast<std::size_t>(coarser_end_ - coarser_)};
-  }
   std::int32_t noise_of_pair(std::uint32_t number);
   [[gnu::cold]] std::int32_t removed_beyond(std::int32_t detail, std::int32_t threshold) const;
   std::int32_t removed(std::int32_t detail, std::uint32_t threshold) const;
@@ -103,7 +100,7 @@ class FilterBank {
   std::int32_t rounding_half_ = 0;  // of a shift by shift_
   int shift_ = 0;                   // noise_shift()
   CoarserLevel<kTaps>* coarser_;
-  CoarserLevel<kTaps>* coarser_end_;
+  CoarserLevel<kTaps>* coarser_end_;  // a count would have to be multiplied for each pair
   BankLevel<kTaps> finest_;
   NoiseGain gain_;
   bool follow_noise_ = false;
