@@ -28,6 +28,6 @@ within() {
 }
 within fixed 200 940 3072
 within sqtwolog 240 1080 3072
-within heursure 280 1250 3072
+within heursure 270 1240 3072
 most_flash=2400
 ((0 < flash && flash <= most_flash)) || { echo "flash is not within $most_flash bytes" >&2; exit 1; }

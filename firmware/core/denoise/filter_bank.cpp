@@ -95,21 +95,24 @@ template <std::size_t kTaps>
 }
 
 // The universal threshold follows the noise; how much of it counts, the level's own details.
+// Returns the universal one.
 template <std::size_t kTaps>
-void FilterBank<kTaps>::adapt_threshold(LevelThreshold& threshold, std::uint32_t magnitude) {
+std::uint32_t FilterBank<kTaps>::adapt_threshold(LevelThreshold& threshold,
+                                                 std::uint32_t magnitude) {
   const std::uint32_t universal = gain_.of(threshold.expected);
   threshold.now = universal;
-  if (rule_ == ThresholdRule::sqtwolog) return;
-  threshold.now = universal / RiskHistogram::kWhole * threshold.risk.sixteenths();
-  threshold.risk.add(magnitude >> shift_, universal >> shift_);
-  choice_due_ = choice_due_ || threshold.risk.full();
+  if (rule_ == ThresholdRule::heursure) {
+    threshold.now = universal / RiskHistogram::kWhole * threshold.risk.sixteenths();
+    threshold.risk.add(magnitude >> shift_, universal >> shift_);
+    if (threshold.risk.full()) choice_due_ = true;
+  }
+  return universal;
 }
 
 template <std::size_t kTaps>
 void FilterBank<kTaps>::adapt_finest(std::uint32_t magnitude) {
   if (follow_noise_) gain_.follow(magnitude, finest_.threshold.expected);
-  gate_.set_limit(outlier_limit(gain_.of(finest_.threshold.expected)));
-  adapt_threshold(finest_.threshold, magnitude);
+  gate_.set_limit(outlier_limit(adapt_threshold(finest_.threshold, magnitude)));
 }
 
 // Once a sample, where the bank itself has little to do, and the finest level first: its next

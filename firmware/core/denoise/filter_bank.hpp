@@ -88,7 +88,7 @@ class FilterBank {
   [[gnu::cold]] std::int32_t removed_beyond(std::int32_t detail, std::int32_t threshold) const;
   std::int32_t removed(std::int32_t detail, std::uint32_t threshold) const;
   void adapt_finest(std::uint32_t magnitude);
-  void adapt_threshold(LevelThreshold& threshold, std::uint32_t magnitude);
+  std::uint32_t adapt_threshold(LevelThreshold& threshold, std::uint32_t magnitude);
   void choose_threshold();
 
   SampleLine line_;
