@@ -98,6 +98,7 @@ Json ladder_json(const Ladder& ladder) {
   }
   Json result = diagnosis_json(ladder.first);
   result.set("added", names_json(ladder.added())).set("ladder", std::move(steps));
+  result.set("left_alone", ladder.left_alone.empty() ? Json() : Json(ladder.left_alone));
   result.set("last", diagnosis_json(ladder.last));
   return result;
 }

@@ -84,8 +84,7 @@ std::string verdict_line(const Diagnosis& diagnosis) {
 std::string error_line(const Diagnosis& diagnosis) {
   std::string text = format("  the model leaves %.4g deg/h rms; the noise floor is %.4g",
                             diagnosis.residual_rms_dph, diagnosis.noise_floor_dph);
-  const std::string& effect =
-      diagnosis.verdict == Verdict::ambiguous ? diagnosis.confusable.front() : diagnosis.effect;
+  const std::string effect = effect_to_add(diagnosis);
   if (const CandidateFinding* finding = finding_of(diagnosis, effect)) {
     text += format("; with %s %.4g", effect.c_str(), finding->rms_after_dph);
   }
@@ -114,8 +113,7 @@ std::string next_line(const Diagnosis& diagnosis, const std::string& model,
   if (diagnosis.experiment && !diagnosis.experiment->sentence.empty()) {
     text += "  to tell: " + diagnosis.experiment->sentence + "\n";
   }
-  const std::string& effect =
-      diagnosis.verdict == Verdict::ambiguous ? diagnosis.confusable.front() : diagnosis.effect;
+  const std::string effect = effect_to_add(diagnosis);
   if (!effect.empty()) {
     text += "  next: fogcomp add " + model + " " + to_add(diagnosis, effect) + " " + runs +
             " -o NEW.model\n";
@@ -172,6 +170,11 @@ std::string ladder_text(const Ladder& ladder) {
     text += format("  %-44s %10.4g\n", what.c_str(), step.rms_after_dph);
   }
   if (ladder.steps.empty()) return text + "  nothing to add\n";
+  if (!ladder.left_alone.empty()) {
+    return text + "  " + ladder.left_alone +
+           " would bring so little more that it may be the inexactness of what is there: not "
+           "added\n";
+  }
   text += "at the end: " + verdict_line(ladder.last);
   return text;
 }

@@ -506,6 +506,32 @@ const char* name_of(Verdict verdict) {
   return "unknown";
 }
 
+std::string effect_to_add(const Diagnosis& diagnosis) {
+  constexpr double kClearly = 0.97;  // of the rms
+  constexpr double kMainPart = 0.5;
+  const auto finding_of = [&](const std::string& effect) {
+    return *std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                         [&](const CandidateFinding& one) { return one.effect == effect; });
+  };
+  if (diagnosis.verdict == Verdict::missing_effect) return diagnosis.effect;
+  if (diagnosis.verdict == Verdict::ambiguous) {
+    std::string best = diagnosis.confusable.front();
+    for (const std::string& effect : diagnosis.confusable) {
+      const double rms = finding_of(effect).rms_after_dph;
+      if (rms < kClearly * finding_of(best).rms_after_dph) best = effect;
+    }
+    return best;
+  }
+  if (diagnosis.verdict == Verdict::unknown && !diagnosis.candidates.empty()) {
+    const auto most =
+        std::max_element(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                         [](const auto& a, const auto& b) { return a.evidence < b.evidence; });
+    const bool main = most->probability >= kNamed && most->explained_fraction >= kMainPart;
+    if (main) return most->effect;
+  }
+  return "";
+}
+
 NoiseModel noise_of_static(const Model& model, const Recording& recording,
                            const DiagnosisData& data) {
   constexpr Eigen::Index kLeastStaticRows = 128;

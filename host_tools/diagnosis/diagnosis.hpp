@@ -99,6 +99,11 @@ struct Diagnosis {
   std::vector<std::string> notes;  ///< whole sentences: what limits the answer
 };
 
+/// What to add: the effect that is named; of those that cannot be told apart the likeliest, unless
+/// another clearly leaves less; where not everything is understood, an effect that surely is part
+/// of it and the main one; else "".
+std::string effect_to_add(const Diagnosis& diagnosis);
+
 struct DiagnosisSettings {
   std::optional<NoiseModel> noise;  ///< from a static record; otherwise from the runs' quiet parts
   std::uint64_t seed = 1;           ///< of the draws that calibrate the test

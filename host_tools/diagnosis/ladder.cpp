@@ -8,6 +8,9 @@ namespace {
 // Fall of chi^2 below which a term is not needed beside the others.
 constexpr double kNeeded = 15;
 
+// Of the excess that the loop began with: less than that may be how inexactly the effects that were
+// added describe what they took out.
+constexpr double kWorthAdding = 0.025;
 // The term that the loop added and needs least, if it does not need it.
 std::vector<EffectTerm>::iterator superfluous(std::vector<EffectTerm>& terms,
                                               const Diagnosis& diagnosis,
@@ -22,6 +25,10 @@ std::vector<EffectTerm>::iterator superfluous(std::vector<EffectTerm>& terms,
     least = term;
   }
   return least;
+}
+
+double square(double value) {
+  return value * value;
 }
 
 }  // namespace
@@ -45,21 +52,29 @@ Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effec
   ladder.first = diagnose(grown, data, settings);
   ladder.last = ladder.first;
   for (int i = 0; i < most_effects; ++i) {
-    const bool named = ladder.last.verdict == Verdict::missing_effect;
-    if (!named && ladder.last.verdict != Verdict::ambiguous) break;
-    const std::string effect = named ? ladder.last.effect : ladder.last.confusable.front();
+    const std::string effect = effect_to_add(ladder.last);
+    if (effect.empty()) break;
     const auto finding =
         std::find_if(ladder.last.candidates.begin(), ladder.last.candidates.end(),
                      [&](const CandidateFinding& one) { return one.effect == effect; });
     Ladder::Step step;
     step.effect = effect;
-    if (!named) {
-      step.alternatives.assign(ladder.last.confusable.begin() + 1, ladder.last.confusable.end());
+    if (ladder.last.verdict == Verdict::ambiguous) {
+      for (const std::string& other : ladder.last.confusable) {
+        if (other != effect) step.alternatives.push_back(other);
+      }
     }
     step.rms_before_dph = ladder.last.residual_rms_dph;
     grown.terms = finding->completed;
-    ladder.last = diagnose(grown, data, settings);
-    step.rms_after_dph = ladder.last.residual_rms_dph;
+    Diagnosis next = diagnose(grown, data, settings);
+    step.rms_after_dph = next.residual_rms_dph;
+    const double fall = square(step.rms_before_dph) - square(step.rms_after_dph);
+    const double excess = square(ladder.first.residual_rms_dph) - square(next.residual_rms_dph);
+    if (!ladder.steps.empty() && fall < kWorthAdding * excess) {
+      ladder.left_alone = effect;
+      break;
+    }
+    ladder.last = std::move(next);
     ladder.steps.push_back(step);
 
     grown.terms = ladder.last.terms;

@@ -19,6 +19,9 @@ struct Ladder {
   Diagnosis first;  ///< of the model as it came
   Diagnosis last;   ///< of the model at the end of the loop
   std::vector<Step> steps;
+  /// What the last diagnosis would add, but for so little that it may be how inexactly the effects
+  /// before describe what they took out; "" if nothing.
+  std::string left_alone;
   std::vector<EffectTerm> terms;  ///< at the end, with coefficients
 
   /// Effects that the loop added and kept, in that order.
