@@ -8,6 +8,7 @@
 #include "cli/arguments.hpp"
 #include "cli/recording_options.hpp"
 #include "core/protocol/crc.hpp"
+#include "dataset/data_hash.hpp"
 #include "dataset/recording.hpp"
 #include "dataset/recording_writer.hpp"
 #include "evaluation/white_noise.hpp"
@@ -22,19 +23,6 @@
 
 namespace fogcomp::cli {
 namespace {
-
-// What a fit depends on, as one number for the model's history.
-std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
-  const auto add = [&crc](const std::vector<double>& column) {
-    crc = fog::crc32(reinterpret_cast<const std::uint8_t*>(column.data()),
-                     column.size() * sizeof(double), crc);
-  };
-  add(recording.time_s);
-  add(recording.temperature_degc);
-  add(recording.rate_dph);
-  add(recording.input_rate_dph);
-  return crc;
-}
 
 double weighted_std(const Rows& rows) {
   const double mean = rows.drift_dph.dot(rows.weights) / rows.weights.sum();
