@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kBlocks = 2000;
 
-using Drift = DriftModel<FOG_MODEL_EFFECTS>;
+using Drift = DriftModel<FOG_MODEL_EFFECTS, FOG_MODEL_NETWORK_INPUTS>;
 using Means = BlockMeans<BoardNumbers>;
 
 Means block_at(std::uint32_t index, const ThermalParameters<BoardNumbers>& thermal) {

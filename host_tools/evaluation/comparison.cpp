@@ -14,7 +14,7 @@ namespace fogcomp {
 namespace {
 
 std::vector<Comparison::Row> make_rows(const Model& model, const BlockSeries& series) {
-  require_inputs(model.terms, series);
+  require_inputs(model, series);
   const std::int64_t per_row = blocks_per_row(model.average_s, series.block_s);
   RealDriftModel drift(model, series.block_s);
   std::vector<Comparison::Row> rows;

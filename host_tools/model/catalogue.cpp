@@ -66,9 +66,9 @@ const CatalogueEntry& find_effect(const std::string& name) {
                                                 "; fogcomp effects lists all");
 }
 
-fog::InputMask needs_of(const std::vector<EffectTerm>& terms) {
-  fog::InputMask needs = 0;
-  for (const EffectTerm& term : terms) needs |= find_effect(term.name).description.needs;
+fog::InputMask needs_of(const Model& model) {
+  fog::InputMask needs = model.network.needs();
+  for (const EffectTerm& term : model.terms) needs |= find_effect(term.name).description.needs;
   return needs;
 }
 

@@ -37,8 +37,8 @@ const std::vector<CatalogueEntry>& catalogue();
 /// Throws InputError for an unknown name, suggesting the nearest.
 const CatalogueEntry& find_effect(const std::string& name);
 
-/// What these effects need beside the coil's temperature.
-fog::InputMask needs_of(const std::vector<EffectTerm>& terms);
+/// What the effects and the network of a model need beside the coil's temperature.
+fog::InputMask needs_of(const Model& model);
 
 /// Names of all effects.
 std::vector<std::string> effect_names();

@@ -43,6 +43,7 @@ std::string describe(const Model& model) {
     std::string inputs;
     for (const RealInput& input : model.network.inputs) {
       inputs += (inputs.empty() ? "" : ", ") + std::string(name_of(input.signal));
+      if (input.tau_s > 0) inputs += format(" %.4g s", input.tau_s);
     }
     text += format("  %-24s %zu-%td-1 (%s), amplitude %.3g deg/h\n", "network",
                    model.network.inputs.size(), model.network.hidden.biases.size(), inputs.c_str(),

@@ -15,7 +15,7 @@ namespace fogcomp {
 namespace {
 
 constexpr const char* kTitle = "fogcomp-model ";
-constexpr const char* kTitleLine = "fogcomp-model 1";
+constexpr const char* kTitleLine = "fogcomp-model 2";
 
 std::uint32_t crc_of(const std::string& text, std::size_t size) {
   return fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), size);
@@ -157,12 +157,14 @@ RealLayer read_layer(Reader& in, Eigen::Index columns) {
 }
 
 RealInput read_input(Reader& in) {
-  constexpr std::array<fog::NetworkInput, 2> kInputs{fog::NetworkInput::temperature,
-                                                     fog::NetworkInput::temperature_rate};
   RealInput input;
-  input.signal = in.named(kInputs);
+  input.signal = in.named(kAllInputs);
   input.centre = in.number();
   input.half_range = in.positive();
+  input.tau_s = in.number();
+  if ((input.tau_s > 0) != (input.signal == fog::NetworkInput::lagged_temperature)) {
+    in.fail("a lagged temperature, and it alone, has a time constant");
+  }
   return input;
 }
 
@@ -195,6 +197,7 @@ void read_line(Reader& in, Model& model) {
   } else if (key == "effect") {
     model.terms.push_back(read_effect(in));
   } else if (key == "input") {
+    if (model.network.inputs.size() == fog::kMostNetworkInputs) in.fail("too many inputs");
     model.network.inputs.push_back(read_input(in));
   } else if (key == "hidden") {
     model.network.hidden = read_layer(in, static_cast<Eigen::Index>(model.network.inputs.size()));
@@ -238,7 +241,7 @@ std::string model_text(const Model& model) {
   if (model.network.present()) {
     for (const RealInput& input : model.network.inputs) {
       out.word("input").word(name_of(input.signal)).number(input.centre).number(input.half_range);
-      out.end_line();
+      out.number(input.tau_s).end_line();
     }
     write_layer(out, "hidden", model.network.hidden);
     write_layer(out, "output", model.network.output);

@@ -133,23 +133,49 @@ void write_layer(TableWriter& out, const RealLayer& layer, const char* name) {
   for (const double bias : layer.biases) out.real(bias, fraction, "a bias");
 }
 
-void write_network(TableWriter& out, const RealNetwork& network, int coefficient_fraction) {
+// What a signal of the network is held as on the board: fractional bits, and units of the host in
+// one of the board's.
+struct InputFormat {
+  int fraction;
+  double per_unit;
+};
+InputFormat format_of(fog::NetworkInput signal, double block_s) {
+  switch (signal) {
+    case fog::NetworkInput::temperature:
+    case fog::NetworkInput::lagged_temperature:
+      break;
+    case fog::NetworkInput::temperature_rate:
+      return {fog::TemperatureRate::fractional_bits, 1};
+    case fog::NetworkInput::elapsed:
+      return {fog::Elapsed::fractional_bits, block_s};
+    case fog::NetworkInput::input_rate:
+      return {fog::Rate::fractional_bits, 1};
+  }
+  return {fog::Temperature::fractional_bits, 1};
+}
+
+void write_input(TableWriter& out, const RealInput& input, double block_s) {
+  const std::string lag = input.tau_s > 0 ? format(" (tau %g s)", input.tau_s) : "";
+  out.note(format("input %s%s: (x - %.9g) / %.9g %s; signal, decay, centre, multiplier, shift",
+                  name_of(input.signal), lag.c_str(), input.centre, input.half_range,
+                  unit_of(input.signal)));
+  out.integer(static_cast<std::int32_t>(input.signal), "input signal");
+  out.real(input.tau_s > 0 ? RealNumbers::decay(block_s / input.tau_s) : 0, 31, "an input's decay");
+  const InputFormat board = format_of(input.signal, block_s);
+  out.real(input.centre / board.per_unit, board.fraction, "an input's centre");
+  out.gain(std::ldexp(board.per_unit / input.half_range,
+                      fog::ActivationOutput::fractional_bits - board.fraction),
+           "an input's gain");
+}
+
+void write_network(TableWriter& out, const RealNetwork& network, double block_s,
+                   int coefficient_fraction) {
   const std::size_t inputs = network.present() ? network.inputs.size() : 0;
   out.note("network: inputs, hidden neurons");
   out.integer(static_cast<std::int64_t>(inputs), "network inputs");
   out.integer(network.hidden.biases.size(), "hidden neurons");
   if (!network.present()) return;
-  for (const RealInput& input : network.inputs) {
-    out.note(format("input %s: (x - %.9g) / %.9g; signal, centre, multiplier, shift",
-                    name_of(input.signal), input.centre, input.half_range));
-    out.integer(static_cast<std::int32_t>(input.signal), "input signal");
-    const int fraction = input.signal == fog::NetworkInput::temperature
-                             ? fog::Temperature::fractional_bits
-                             : fog::TemperatureRate::fractional_bits;
-    out.real(input.centre, fraction, "an input's centre");
-    out.gain(std::ldexp(1 / input.half_range, fog::ActivationOutput::fractional_bits - fraction),
-             "an input's gain");
-  }
+  for (const RealInput& input : network.inputs) write_input(out, input, block_s);
   write_layer(out, network.hidden, "hidden layer");
   write_layer(out, network.output, "output layer");
   out.note(format("drift = %.9g + %.9g y deg/h", network.centre_dph, network.amplitude_dph));
@@ -297,7 +323,7 @@ BoardTable make_board_table(const Model& model, const BoardSettings& settings) {
   const int fraction = fraction_for(largest_coefficient(model), fog::kLeastCoefficientFraction,
                                     fog::kMostCoefficientFraction);
   write_effects(out, model, timing, fraction);
-  write_network(out, model.network, fraction);
+  write_network(out, model.network, timing.block_s, fraction);
   const std::size_t denoise_word = table.words.size();
   write_denoise(out, model, timing);
   check_noise_fits(table, denoise_word, model.denoise);

@@ -12,8 +12,8 @@ namespace fogcomp {
 QuantizationError verify_quantization(const Model& model, const fog::ModelParameters& parameters) {
   const double block_s =
       static_cast<double>(parameters.sample_period_us) * 1e-6 * parameters.samples_per_block;
-  fog::DriftModel<fog::kAllEffects> board(parameters.thermal, parameters.effects,
-                                          parameters.network, parameters.policy);
+  fog::DriftModel<fog::kAllEffects, fog::kAllNetworkInputs> board(
+      parameters.thermal, parameters.effects, parameters.network, parameters.policy);
   RealDriftModel real(model, block_s);
   QuantizationError error;
   const auto programme =

@@ -30,6 +30,8 @@ ActivationOutput neuron(const LayerParameters& layer, std::size_t row,
                   ActivationInput::from_raw(saturate<std::int32_t>(round_shift(sum, dropped))));
 }
 
+}  // namespace
+
 // The difference is clipped at the format of the signals, which are far inside it; the product is
 // below 2^62.
 ActivationOutput normalised(std::int32_t raw, const InputScaling& scaling) {
@@ -39,28 +41,12 @@ ActivationOutput normalised(std::int32_t raw, const InputScaling& scaling) {
   return clamp(ActivationOutput::from_raw(saturate<std::int32_t>(scaled)), -kOne, kOne);
 }
 
-ActivationOutput input(const InputScaling& scaling, const Signals<BoardNumbers>& signals) {
-  switch (scaling.signal) {
-    case NetworkInput::temperature:
-      return normalised(signals.temperature.raw(), scaling);
-    case NetworkInput::temperature_rate:
-      break;
-  }
-  return normalised(signals.temperature_rate.raw(), scaling);
-}
-
-}  // namespace
-
 DriftSum network_drift(const NetworkParameters& network, int coefficient_fraction,
-                       const Signals<BoardNumbers>& signals) {
-  std::array<ActivationOutput, kMostNetworkInputs> inputs;
-  for (std::size_t i = 0; i < network.input_count; ++i) {
-    inputs[i] = input(network.inputs[i], signals);
-  }
+                       const ActivationOutput* inputs) {
   std::array<ActivationOutput, kMostHidden> hidden;
   const std::size_t hidden_count = network.hidden.biases.size;
   for (std::size_t row = 0; row < hidden_count; ++row) {
-    hidden[row] = neuron(network.hidden, row, inputs.data(), network.input_count);
+    hidden[row] = neuron(network.hidden, row, inputs, network.input_count);
   }
   const ActivationOutput y = neuron(network.output, 0, hidden.data(), hidden_count);
   // |y| <= 2 (linear output) and centre, amplitude < 2^31: below 2^63.

@@ -42,6 +42,23 @@ TEST(ModelTable, IsRefusedForEveryFlippedBit) {
   }
 }
 
+TEST(ModelTable, IsRefusedWhereALaggedInputHasNoLagOrAnotherHasOne) {
+  for (const std::int32_t decay : {0, 1000}) {
+    for (const auto signal :
+         {fog::NetworkInput::temperature, fog::NetworkInput::lagged_temperature}) {
+      auto words = good_words();
+      std::size_t input = 0;  // the first one's words: signal, decay, centre...
+      const std::int32_t centre = 10 * 65536;
+      while (words[input] != 0 || words[input + 1] != 0 || words[input + 2] != centre) ++input;
+      words[input] = static_cast<std::int32_t>(signal);
+      words[input + 1] = decay;
+      repair_crc(words);
+      const bool right = (signal == fog::NetworkInput::lagged_temperature) == (decay > 0);
+      EXPECT_EQ(read(words), right ? ModelError::none : ModelError::out_of_range);
+    }
+  }
+}
+
 TEST(ModelTable, IsRefusedWhereItsFiltersAreNotOneFilter) {
   // From the end: CRC, output, 5 thresholds, then 16 words each of synthesis, high-pass, low-pass.
   const std::size_t last_synthesis = good_words().size() - 8;
@@ -59,17 +76,18 @@ TEST(ModelTable, SaysWhyItIsRefused) {
   words[0] ^= 1;
   EXPECT_EQ(read(words), ModelError::not_a_model);
   words = good_words();
-  words[1] = 2;
+  words[1] = fog::kModelLayout - 1;
   repair_crc(words);
   EXPECT_EQ(read(words), ModelError::other_layout);
   words = good_words();
   words.pop_back();
   EXPECT_EQ(read(words), ModelError::damaged);
   words = good_words();
-  EXPECT_EQ(read(words, {0x3, 16, 5}), ModelError::not_in_image);
-  EXPECT_EQ(read(words, {0x7, 16, 4}), ModelError::not_in_image);
-  EXPECT_EQ(read(words, {0x7, 14, 5}), ModelError::not_in_image);
-  EXPECT_EQ(read(words, {0x7, 16, 5}), ModelError::none);
+  EXPECT_EQ(read(words, {0x7, 0x3, 16, 5}), ModelError::none);
+  EXPECT_EQ(read(words, {0x3, 0x3, 16, 5}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 0x1, 16, 5}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 0x3, 16, 4}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 0x3, 14, 5}), ModelError::not_in_image);
 }
 
 // Whatever numbers a table with a good CRC holds, reading it ends in a verdict, and one that is
@@ -92,8 +110,8 @@ TEST(ModelTable, WithAGoodCrcAndAnyNumbersIsReadSafely) {
       continue;
     }
     ++accepted;
-    fog::DriftModel<fog::kAllEffects> model(parameters.thermal, parameters.effects,
-                                            parameters.network, parameters.policy);
+    fog::DriftModel<fog::kAllEffects, fog::kAllNetworkInputs> model(
+        parameters.thermal, parameters.effects, parameters.network, parameters.policy);
     model.start({fog::Temperature::from_raw(static_cast<std::int32_t>(random()))});
     for (int block = 0; block < 5; ++block) {
       model.step({fog::Temperature::from_raw(static_cast<std::int32_t>(random()))});

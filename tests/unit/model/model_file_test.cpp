@@ -26,6 +26,16 @@ TEST(ModelFile, ReadsBackToTheSameBits) {
   EXPECT_EQ(fogcomp::model_text(fogcomp::parse_model(text, "gyro.model")), text);
 }
 
+TEST(ModelFile, KeepsEveryInputThatANetworkCanHave) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  model.network = fog::test::network_of({{fog::NetworkInput::lagged_temperature, 10, 51, 300},
+                                         {fog::NetworkInput::elapsed, 30000, 30000, 0},
+                                         {fog::NetworkInput::input_rate, 8.5, 10, 0}});
+  const std::string text = fogcomp::model_text(model);
+  EXPECT_EQ(fogcomp::model_text(fogcomp::parse_model(text, "gyro.model")), text);
+  EXPECT_EQ(fogcomp::parse_model(text, "gyro.model").network.inputs[0].tau_s, 300);
+}
+
 TEST(ModelFile, RefusesEveryDamagedByte) {
   const std::string good = fogcomp::model_text(fog::test::paper_like_model());
   for (std::size_t i = 0; i < good.size(); ++i) {
@@ -43,7 +53,7 @@ TEST(ModelFile, NamesFileLineAndRemedy) {
             "gyro.model: is not a fogcomp model; fogcomp fit makes one");
   EXPECT_EQ(error_of("fogcomp-model 9\ncrc 0\n"),
             "gyro.model:1: is a model of another version ('fogcomp-model 9', this fogcomp reads "
-            "'fogcomp-model 1'); fit it again");
+            "'fogcomp-model 2'); fit it again");
 }
 
 TEST(Header, ReadsBackToTheSameTable) {
