@@ -5,6 +5,7 @@
 #include "cli/arguments.hpp"
 #include "cli/board_options.hpp"
 #include "export/header.hpp"
+#include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "quantization/verification.hpp"
 #include "support/input_error.hpp"
@@ -18,6 +19,16 @@ namespace {
 std::string file_name(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+// What the board does without, a sentence each.
+std::vector<std::string> left_out(const Model& model) {
+  std::vector<std::string> notes;
+  for (const EffectTerm& term : model.terms) {
+    const char* reason = find_effect(term.name).description.host_only;
+    if (reason != nullptr) notes.push_back(term.name + " is left out: " + reason);
+  }
+  return notes;
 }
 
 int run_export(const Arguments& arguments) {
@@ -39,12 +50,16 @@ int run_export(const Arguments& arguments) {
     Json result = Json::object();
     result.set("header", output).set("words", table.words.size());
     result.set("quantization_error_dph", error.worst_dph).set("blocks_compared", error.blocks);
+    Json notes = Json::array();
+    for (const std::string& note : left_out(model)) notes.push(note);
+    result.set("notes", std::move(notes));
     std::puts(result.text().c_str());
     return 0;
   }
   std::printf(
       "%s: %zu words; integers against double: at most %.5f deg/h over %zu blocks (limit %.5f)\n",
       output.c_str(), table.words.size(), error.worst_dph, error.blocks, kQuantizationLimitDph);
+  for (const std::string& note : left_out(model)) std::printf("note: %s\n", note.c_str());
   return 0;
 }
 

@@ -11,6 +11,7 @@
 #include "dataset/data_hash.hpp"
 #include "dataset/recording.hpp"
 #include "dataset/recording_writer.hpp"
+#include "dataset/segments.hpp"
 #include "evaluation/white_noise.hpp"
 #include "identification/effect_list.hpp"
 #include "identification/identify.hpp"
@@ -60,6 +61,25 @@ std::optional<DenoiseMethod> row_denoising(const Arguments& arguments) {
   return method;
 }
 
+// Which part of its recording a time lies in.
+struct NamedPart {
+  std::string name;
+  double end_s;
+};
+std::vector<NamedPart> parts_of(const Recording& recording) {
+  std::vector<NamedPart> parts;
+  for (const Segment& segment : find_segments(recording)) {
+    parts.push_back({segment.name, recording.time_s[segment.end_row - 1]});
+  }
+  return parts;
+}
+std::string part_at(const std::vector<NamedPart>& parts, double time_s) {
+  for (const NamedPart& part : parts) {
+    if (time_s <= part.end_s) return part.name;
+  }
+  return parts.empty() ? "" : parts.back().name;
+}
+
 Json terms_json(const Model& model) {
   Json terms = Json::array();
   for (const EffectTerm& term : model.terms) {
@@ -73,7 +93,35 @@ Json terms_json(const Model& model) {
   return terms;
 }
 
-void print_identification(const Model& model, const Identification& identified) {
+struct Fit {
+  Model model;
+  Eigen::Index rows = 0;
+  double row_s = 0;
+  double raw_std_dph = 0;
+  Identification identified;
+  std::vector<std::string> step_places;  // of each step found: recording and segment
+  bool searched_steps = false;
+  double effective_weights = 0;  // of the network
+};
+
+void print_steps(const Fit& fit) {
+  const Identification& identified = fit.identified;
+  for (std::size_t i = 0; i < identified.steps.size(); ++i) {
+    const FoundStep& step = identified.steps[i];
+    std::printf("  bias step of %+.4f +- %.2g deg/h at %.6g +- %.2g s (%s)\n", step.size_dph,
+                step.size_sigma_dph, step.time_s, step.time_sigma_s, fit.step_places[i].c_str());
+  }
+  if (identified.masked > 0) {
+    std::printf("  %zu rows in which a step lies were left out\n", identified.masked);
+  }
+  if (fit.searched_steps && identified.steps.empty()) {
+    std::puts("  no bias step stands out of the noise (chi^2 above 60)");
+  }
+}
+
+void print_identification(const Fit& fit) {
+  const Model& model = fit.model;
+  const Identification& identified = fit.identified;
   const NoiseModel& noise = identified.noise;
   std::printf("  noise of a row %.4f white", noise.white_dph());
   if (!noise.components.empty()) std::printf(", %.4f slow", noise.wander_dph());
@@ -82,6 +130,7 @@ void print_identification(const Model& model, const Identification& identified) 
               identified.misfit);
   if (identified.outliers > 0) std::printf("; %zu outliers weighted down", identified.outliers);
   std::puts("");
+  print_steps(fit);
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     std::printf("  %-24s would show from a peak of %.2g deg/h on\n", model.terms[i].name.c_str(),
                 identified.visible_dph[i]);
@@ -112,7 +161,8 @@ Model model_settings(const Arguments& arguments) {
 }
 
 // Reads all recordings into `series`; sets what the model takes from them. Returns their hash.
-std::uint32_t read_runs(const Arguments& arguments, Model& model, SignalSeries& series) {
+std::uint32_t read_runs(const Arguments& arguments, Model& model, SignalSeries& series,
+                        std::vector<std::vector<NamedPart>>& parts) {
   // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
   ReadOptions reading = read_options(arguments);
   model.scale_factor = reading.scale_factor.value_or(kDefaultScaleFactor);
@@ -123,21 +173,13 @@ std::uint32_t read_runs(const Arguments& arguments, Model& model, SignalSeries& 
     const Recording recording = read_recording(file, reading);
     hash = data_hash(recording, hash);
     noise_square += std::pow(white_noise_dph_rthz(recording), 2);
+    parts.push_back(parts_of(recording));
     series.add(make_blocks(recording));
   }
   model.noise_dph_rthz =
       std::sqrt(noise_square / static_cast<double>(arguments.positionals().size()));
   return hash;
 }
-
-struct Fit {
-  Model model;
-  Eigen::Index rows = 0;
-  double row_s = 0;
-  double raw_std_dph = 0;
-  Identification identified;
-  double effective_weights = 0;  // of the network
-};
 
 Fit fit(const Arguments& arguments) {
   arguments.choice("trainer", {"lm"});
@@ -149,13 +191,19 @@ Fit fit(const Arguments& arguments) {
   Fit fit;
   Model& model = fit.model;
   model = model_settings(arguments);
+  fit.searched_steps = searches_steps(model.terms);
   SignalSeries series(model);
-  const std::uint32_t hash = read_runs(arguments, model, series);
+  std::vector<std::vector<NamedPart>> parts;
+  const std::uint32_t hash = read_runs(arguments, model, series, parts);
   const Rows& rows = series.rows();
   fit.rows = rows.size();
   fit.row_s = rows.row_s;
   fit.raw_std_dph = weighted_std(rows);
   fit.identified = identify(model, series, {arguments.has("run-offsets")});
+  for (const FoundStep& step : fit.identified.steps) {
+    fit.step_places.push_back(arguments.positionals()[step.run] + ", " +
+                              part_at(parts[step.run], step.time_s));
+  }
   model.history.push_back(
       {"fit " + arguments.text("effects"), hash, fit.raw_std_dph, model.residual_rms_dph});
   if (training.hidden == 0) return fit;
@@ -172,6 +220,20 @@ Fit fit(const Arguments& arguments) {
   return fit;
 }
 
+Json steps_json(const Fit& fit) {
+  Json steps = Json::array();
+  for (std::size_t i = 0; i < fit.identified.steps.size(); ++i) {
+    const FoundStep& step = fit.identified.steps[i];
+    steps.push(std::move(Json::object()
+                             .set("place", fit.step_places[i])
+                             .set("time_s", step.time_s)
+                             .set("time_sigma_s", step.time_sigma_s)
+                             .set("size_dph", step.size_dph)
+                             .set("size_sigma_dph", step.size_sigma_dph)));
+  }
+  return steps;
+}
+
 void print_json(const Fit& fit, const std::string& output) {
   const Identification& identified = fit.identified;
   Json notes = Json::array();
@@ -183,6 +245,7 @@ void print_json(const Fit& fit, const std::string& output) {
   result.set("noise_white_dph", identified.noise.white_dph());
   result.set("noise_slow_dph", identified.noise.wander_dph());
   result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
+  result.set("steps", steps_json(fit)).set("masked_rows", identified.masked);
   result.set("effects", terms_json(fit.model));
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
   result.set("network_effective_parameters", fit.effective_weights);
@@ -192,7 +255,7 @@ void print_json(const Fit& fit, const std::string& output) {
 void print_text(const Fit& fit, const std::string& output) {
   std::printf("%td rows of %g s, raw std %.4f deg/h\n\n%s\n", fit.rows, fit.row_s, fit.raw_std_dph,
               describe(fit.model).c_str());
-  print_identification(fit.model, fit.identified);
+  print_identification(fit);
   for (const HistoryEntry& step : fit.model.history) {
     std::printf("  %-44s %.4f -> %.4f deg/h rms\n", step.action.c_str(), step.rms_before_dph,
                 step.rms_after_dph);
@@ -229,7 +292,8 @@ Command fit_command() {
       "--network 6";
   command.options = {
       {"o", "MODEL", "model file to write", ""},
-      {"effects", "LIST", "a,b:parameter=value,c (fogcomp effects lists them)", ""},
+      {"effects", "LIST", "a,b:p=value,c:p=?[1,9] (? identifies p; fogcomp effects lists them)",
+       ""},
       {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
       {"trainer", "NAME", "lm (Levenberg-Marquardt, Bayesian regularisation)", "lm"},
       {"seed", "N", "of the network's first weights", "1"},

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/least_squares.hpp"
-#include "identification/quiet_rows.hpp"
-#include "identification/shape_search.hpp"
-#include "identification/whitening.hpp"
+#include "identification/robust_fit.hpp"
+#include "identification/step_search.hpp"
 #include "model/catalogue.hpp"
 #include "support/input_error.hpp"
-#include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -18,42 +15,9 @@ namespace {
 // Beyond the coldest and warmest training row, so that sensor noise at the end of a range is not
 // yet outside it.
 constexpr double kRangeMarginDegc = 1;
-constexpr int kRounds = 3;          // of noise, outlier weights and solution
-constexpr double kOutlier = 4;      // standard deviations
 constexpr double kConfused = 0.95;  // correlation of two effects' coefficients worth a sentence
 constexpr double kVisible = 5;      // standard deviations
-
-Eigen::MatrixXd all_regressors(const SignalSeries& series, const std::vector<EffectTerm>& terms) {
-  std::vector<Eigen::MatrixXd> parts;
-  Eigen::Index width = 0;
-  for (const EffectTerm& term : terms) {
-    parts.push_back(series.regressors(term));
-    width += parts.back().cols();
-  }
-  Eigen::MatrixXd all(series.rows().size(), width);
-  Eigen::Index at = 0;
-  for (const Eigen::MatrixXd& part : parts) {
-    all.middleCols(at, part.cols()) = part;
-    at += part.cols();
-  }
-  return all;
-}
-
-NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
-  const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, residual);
-  return quiet.empty() ? white_noise_of(residual, rows.row_s) : fit_noise(quiet, rows.row_s);
-}
-
-// Rows that stand out from the others count less the further out they are. "Others" by the median,
-// so that where the model itself does not fit, its misfit is no outlier.
-Eigen::VectorXd outlier_weights(const Eigen::VectorXd& whitened_residual) {
-  const double typical = sigma_by_median({whitened_residual.begin(), whitened_residual.end()});
-  const double most = kOutlier * std::max(1.0, typical);
-  return whitened_residual.unaryExpr([most](double e) {
-    const double beyond = std::abs(e) / most;
-    return beyond <= 1 ? 1.0 : 1 / (beyond * beyond);
-  });
-}
+constexpr double kRampDegcPerMin = 0.1;
 
 // Columns of each term within the matrix of all.
 struct Columns {
@@ -113,20 +77,6 @@ Eigen::MatrixXd offset_columns(const Rows& rows, bool wanted) {
   return columns;
 }
 
-void check_size(const Rows& rows, Eigen::Index unknowns) {
-  if (rows.size() > unknowns) return;
-  throw InputError("fit", format("%td rows of %g s are too few for %td unknowns; use a longer "
-                                 "recording, fewer effects or a shorter --average",
-                                 rows.size(), rows.row_s, unknowns));
-}
-
-void check_rank(const LinearFit& fit, Eigen::Index columns) {
-  if (fit.rank == columns) return;
-  throw InputError("fit", format("these recordings determine only %td of %td coefficients; leave "
-                                 "out an effect or lower an order",
-                                 fit.rank, columns));
-}
-
 void set_range(Model& model, const Rows& rows) {
   const auto range = std::minmax_element(
       rows.signals.begin(), rows.signals.end(),
@@ -135,77 +85,95 @@ void set_range(Model& model, const Rows& rows) {
   model.most_degc = range.second->temperature + kRangeMarginDegc;
 }
 
+bool is_sought(const EffectTerm& term) {
+  return is_event(term) && term.identified[0];
+}
+
+// A step without its time leaves the list: it has no regressors before it is found.
+void take_out_steps(std::vector<EffectTerm>& terms) {
+  terms.erase(std::remove_if(terms.begin(), terms.end(), is_sought), terms.end());
+  if (terms.empty()) throw InputError("--effects", "names no effect beside bias_step; add bias");
+}
+
+// A step as a term of the model and as an event of its recording.
+void add_step(Model& model, Identification& result, const Rows& rows, const ChangePoint& change,
+              double size_dph, double sigma_dph) {
+  const auto after = std::upper_bound(rows.run_starts.begin(), rows.run_starts.end(),
+                                      static_cast<std::size_t>(change.row));
+  result.steps.push_back({static_cast<std::size_t>(after - rows.run_starts.begin()) - 1,
+                          change.time_s, change.time_sigma_s, size_dph, sigma_dph});
+  model.terms.push_back(
+      {kBiasStep, {change.time_s}, {true}, {change.time_sigma_s}, {size_dph}, {sigma_dph}});
+  result.visible_dph.push_back(kVisible * sigma_dph);
+  const auto& signals = rows.signals[static_cast<std::size_t>(change.row)];
+  if (std::abs(signals.temperature_rate) < kRampDegcPerMin) return;
+  result.warnings.push_back(
+      format("the bias step at %.6g s lies in a ramp: an effect that this "
+             "model lacks can look like it",
+             change.time_s));
+}
+
 }  // namespace
+
+bool searches_steps(const std::vector<EffectTerm>& terms) {
+  return std::any_of(terms.begin(), terms.end(), is_sought);
+}
 
 Identification identify(Model& model, const SignalSeries& series,
                         const IdentifySettings& settings) {
   const Rows& rows = series.rows();
-  const std::vector<ShapeParameter> shapes = shape_parameters(model.terms);
-  const std::vector<Columns> columns = columns_of(series, model.terms);
+  const bool find_steps = searches_steps(model.terms);
+  take_out_steps(model.terms);
   const Eigen::MatrixXd offsets = offset_columns(rows, settings.run_offsets);
-  const Eigen::Index coefficients = columns.back().first + columns.back().count;
-  const Eigen::Index linear = coefficients + offsets.cols();
-  check_size(rows, linear + static_cast<Eigen::Index>(shapes.size()));
-
-  const auto all_columns = [&] {
-    Eigen::MatrixXd all(rows.size(), linear);
-    all << all_regressors(series, model.terms), offsets;
-    return all;
-  };
-  const LinearFit first = solve_linear(all_columns(), rows.drift_dph);
-  check_rank(first, linear);
+  const FitWithSteps found = find_steps
+                                 ? fit_with_steps(series, model.terms, offsets)
+                                 : FitWithSteps{fit_robustly(series, model.terms, offsets,
+                                                             Eigen::VectorXd::Ones(rows.size())),
+                                                {},
+                                                0};
+  const RobustFit& fit = found.fit;
+  model.terms = fit.terms;
 
   Identification result;
-  result.residual_dph = first.residual;
-  Eigen::VectorXd robust = Eigen::VectorXd::Ones(rows.size());
-  LinearFit fit;
-  for (int round = 0; round < kRounds; ++round) {
-    result.noise = noise_of(rows, result.residual_dph);
-    const Whitening whitening(result.noise, rows, rows.weights.cwiseProduct(robust));
-    WhitenedProblem problem(series, whitening, model.terms, offsets);
-    search_shapes(problem, shapes);
-    model.terms = problem.terms();
-    fit = solve_linear(problem.jacobian(shapes), problem.measured());
-    const LinearFit solved = solve_linear(problem.matrix(), problem.measured());
-    check_rank(solved, linear);
-    fit.coefficients.head(linear) = solved.coefficients;
-    fit.residual = solved.residual;
-    result.residual_dph = rows.drift_dph - all_columns() * solved.coefficients;
-    const Whitening plain(result.noise, rows, rows.weights);
-    robust = outlier_weights(plain.apply(result.residual_dph));
-  }
-
-  const auto freedom = static_cast<double>(rows.size() - fit.covariance.cols());
-  result.misfit = std::sqrt(fit.residual.squaredNorm() / std::max(1.0, freedom));
-  result.outliers = static_cast<std::size_t>((robust.array() < 1).count());
-  const Eigen::VectorXd sigma =
-      fit.covariance.diagonal().cwiseSqrt() * std::max(1.0, result.misfit);
-  const auto offset_values = fit.coefficients.segment(coefficients, offsets.cols());
+  result.residual_dph = fit.residual_dph;
+  result.noise = fit.noise;
+  result.misfit = fit.misfit();
+  result.masked = found.masked;
+  result.outliers = static_cast<std::size_t>((fit.robust.array() < 1).count()) - found.masked;
+  const double widening = std::max(1.0, result.misfit);
+  const Eigen::VectorXd sigma = fit.fit.covariance.diagonal().cwiseSqrt() * widening;
+  const std::vector<Columns> columns = columns_of(series, model.terms);
+  const Eigen::Index coefficients = columns.back().first + columns.back().count;
+  const auto offset_values = fit.fit.coefficients.segment(coefficients, offsets.cols());
   result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());
-  const Eigen::MatrixXd matrix = all_regressors(series, model.terms);
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     EffectTerm& term = model.terms[i];
-    const auto values = fit.coefficients.segment(columns[i].first, columns[i].count);
+    const auto values = fit.fit.coefficients.segment(columns[i].first, columns[i].count);
     const auto sigmas = sigma.segment(columns[i].first, columns[i].count);
     term.coefficients_dph.assign(values.begin(), values.end());
     term.sigma_dph.assign(sigmas.begin(), sigmas.end());
-    const Eigen::MatrixXd part = matrix.middleCols(columns[i].first, columns[i].count);
-    const Eigen::MatrixXd covariance = fit.covariance.block(columns[i].first, columns[i].first,
-                                                            columns[i].count, columns[i].count);
+    const Eigen::MatrixXd part = fit.matrix.middleCols(columns[i].first, columns[i].count);
+    const Eigen::MatrixXd covariance = fit.fit.covariance.block(columns[i].first, columns[i].first,
+                                                                columns[i].count, columns[i].count);
     const double largest_variance =
         (part * covariance).cwiseProduct(part).rowwise().sum().maxCoeff();
-    result.visible_dph.push_back(kVisible * std::max(1.0, result.misfit) *
-                                 std::sqrt(largest_variance));
+    result.visible_dph.push_back(kVisible * widening * std::sqrt(largest_variance));
   }
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    EffectTerm& term = model.terms[shapes[i].term];
-    term.parameter_sigma[shapes[i].index] = sigma[linear + static_cast<Eigen::Index>(i)] *
-                                            shapes[i].slope(term.parameters[shapes[i].index]);
+  for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
+    EffectTerm& term = model.terms[fit.shapes[i].term];
+    term.parameter_sigma[fit.shapes[i].index] =
+        sigma[fit.linear() + static_cast<Eigen::Index>(i)] *
+        fit.shapes[i].slope(term.parameters[fit.shapes[i].index]);
   }
-  result.warnings = confusions(model.terms, columns, fit.covariance);
+  result.warnings = confusions(model.terms, columns, fit.fit.covariance);
+  for (std::size_t i = 0; i < found.steps.size(); ++i) {
+    const Eigen::Index column = coefficients + offsets.cols() + static_cast<Eigen::Index>(i);
+    add_step(model, result, rows, found.steps[i], fit.fit.coefficients[column], sigma[column]);
+  }
   set_range(model, rows);
-  model.residual_rms_dph =
-      std::sqrt(result.residual_dph.cwiseAbs2().dot(rows.weights) / rows.weights.sum());
+  const Eigen::VectorXd counted = rows.weights.cwiseProduct(
+      fit.robust.unaryExpr([](double weight) { return weight > 0 ? 1.0 : 0.0; }));
+  model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());
   return result;
 }
 

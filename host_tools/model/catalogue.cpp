@@ -72,6 +72,12 @@ fog::InputMask needs_of(const Model& model) {
   return needs;
 }
 
+ShapeBounds catalogue_bounds(const fog::ParameterDescription& parameter) {
+  const double least = parameter.least_milli / 1000.0;
+  const double most = parameter.most_milli / 1000.0;
+  return {least == 0 ? most / 80 : least, most};
+}
+
 std::vector<std::string> effect_names() {
   std::vector<std::string> names;
   for (const CatalogueEntry& candidate : catalogue()) names.push_back(candidate.description.name);

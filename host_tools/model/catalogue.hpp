@@ -40,6 +40,16 @@ const CatalogueEntry& find_effect(const std::string& name);
 /// What the effects and the network of a model need beside the coil's temperature.
 fog::InputMask needs_of(const Model& model);
 
+/// Where a parameter is searched. One that may be 0, which leaves its part of the effect out, is
+/// searched from an eightieth of its most.
+ShapeBounds catalogue_bounds(const fog::ParameterDescription& parameter);
+
+/// The one effect that is an event of a recording rather than a property of the gyro.
+inline constexpr const char* kBiasStep = "bias_step";
+inline bool is_event(const EffectTerm& term) {
+  return term.name == kBiasStep;
+}
+
 /// Names of all effects.
 std::vector<std::string> effect_names();
 

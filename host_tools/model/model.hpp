@@ -10,6 +10,12 @@
 
 namespace fogcomp {
 
+/// Where a fit looks for a shape parameter.
+struct ShapeBounds {
+  double least = 0;
+  double most = 0;  ///< not above `least`: the catalogue's bounds
+};
+
 /// One effect of a model: its shape and what was identified.
 struct EffectTerm {
   std::string name;
@@ -18,6 +24,7 @@ struct EffectTerm {
   std::vector<double> parameter_sigma;   ///< one standard deviation, 0 where not identified
   std::vector<double> coefficients_dph;  ///< one per regressor (dimensionless, within +-8)
   std::vector<double> sigma_dph;         ///< one standard deviation of each coefficient
+  std::vector<ShapeBounds> bounds{};     ///< for the fit alone: of each parameter, or empty
 };
 
 /// Names of fog::ThresholdRule, in its order.

@@ -248,10 +248,6 @@ void write_denoise(TableWriter& out, const Model& model, const Timing& timing) {
 void require_board(const Model& model, const BoardSettings& settings) {
   for (const EffectTerm& term : model.terms) {
     const fog::EffectDescription& effect = find_effect(term.name).description;
-    if (effect.host_only != nullptr) {
-      throw InputError("effect '" + term.name + "'", std::string("cannot go to the board: ") +
-                                                         effect.host_only + "; fit without it");
-    }
     for (std::size_t i = 0; i < fog::kExtensionInputs && !settings.extension; ++i) {
       const auto input = static_cast<fog::Input>(i);
       if (!has(effect.needs, input)) continue;
@@ -299,13 +295,23 @@ std::int32_t as_signed(std::uint32_t word) {
 
 }  // namespace
 
-BoardTable make_board_table(const Model& model, const BoardSettings& settings) {
+Model board_model(const Model& model) {
+  Model result = model;
+  const auto end = std::remove_if(result.terms.begin(), result.terms.end(), [](const auto& term) {
+    return find_effect(term.name).description.host_only != nullptr;
+  });
+  result.terms.erase(end, result.terms.end());
+  return result;
+}
+
+BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
+  const Model model = board_model(whole);
   require_board(model, settings);
   const Timing timing = timing_of(settings);
   if (timing.period_us < 1) {
     throw InputError("--sample-rate", format("%g Hz is beyond 1 MHz", settings.sample_rate_hz));
   }
-  const std::string text = model_text(model);
+  const std::string text = model_text(whole);
   BoardTable table;
   TableWriter out(table);
   out.note("magic number, layout version");

@@ -5,6 +5,7 @@
 
 #include "core/compensation/drift_model.hpp"
 #include "model/drift_model.hpp"
+#include "quantization/board_table.hpp"
 #include "quantization/verification_programme.hpp"
 
 namespace fogcomp {
@@ -14,7 +15,8 @@ QuantizationError verify_quantization(const Model& model, const fog::ModelParame
       static_cast<double>(parameters.sample_period_us) * 1e-6 * parameters.samples_per_block;
   fog::DriftModel<fog::kAllEffects, fog::kAllNetworkInputs> board(
       parameters.thermal, parameters.effects, parameters.network, parameters.policy);
-  RealDriftModel real(model, block_s);
+  const Model real_model = board_model(model);
+  RealDriftModel real(real_model, block_s);
   QuantizationError error;
   const auto programme =
       verification_programme(parameters.thermal.least, parameters.thermal.most, block_s);
