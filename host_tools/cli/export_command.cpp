@@ -25,7 +25,7 @@ std::string file_name(const std::string& path) {
 std::vector<std::string> left_out(const Model& model) {
   std::vector<std::string> notes;
   for (const EffectTerm& term : model.terms) {
-    const char* reason = find_effect(term.name).description.host_only;
+    const char* reason = info_of(term).host_only;
     if (reason != nullptr) notes.push_back(term.name + " is left out: " + reason);
   }
   return notes;

@@ -145,10 +145,19 @@ void print_identification(const Fit& fit) {
   std::puts("");
 }
 
+std::string fitted(const Arguments& arguments) {
+  std::string text = arguments.text("effects");
+  for (const std::string& definition : arguments.all("effect-expr")) text += ", " + definition;
+  return text;
+}
+
 // What the options ask for, as a model without coefficients.
 Model model_settings(const Arguments& arguments) {
   Model model;
   model.terms = parse_effects(arguments.required("effects"));
+  for (const std::string& definition : arguments.all("effect-expr")) {
+    add_expression(model.terms, definition);
+  }
   model.average_s = arguments.number("average", 1e-3, 1e6);
   model.derivative_tau_s = arguments.number("derivative-tau", 1e-3, 1e5);
   model.denoise.wavelet = arguments.choice("wavelet", wavelet_names());
@@ -205,7 +214,7 @@ Fit fit(const Arguments& arguments) {
                               part_at(parts[step.run], step.time_s));
   }
   model.history.push_back(
-      {"fit " + arguments.text("effects"), hash, fit.raw_std_dph, model.residual_rms_dph});
+      {"fit " + fitted(arguments), hash, fit.raw_std_dph, model.residual_rms_dph});
   if (training.hidden == 0) return fit;
 
   Eigen::VectorXd target = fit.identified.residual_dph;
@@ -294,6 +303,8 @@ Command fit_command() {
       {"o", "MODEL", "model file to write", ""},
       {"effects", "LIST", "a,b:p=value,c:p=?[1,9] (? identifies p; fogcomp effects lists them)",
        ""},
+      {"effect-expr", "NAME = EXPRESSION",
+       "a term of your own, e.g. 'burst = T*T*dTdt' or 'late = lag(T,?tau[60,900]) - T'", "", true},
       {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
       {"trainer", "NAME", "lm (Levenberg-Marquardt, Bayesian regularisation)", "lm"},
       {"seed", "N", "of the network's first weights", "1"},

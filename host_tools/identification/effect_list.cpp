@@ -118,7 +118,18 @@ std::vector<std::vector<std::string>> split_effects(const std::string& list) {
   return effects;
 }
 
+void add_once(std::vector<EffectTerm>& terms, const EffectTerm& term) {
+  const bool twice = std::any_of(terms.begin(), terms.end(),
+                                 [&](const EffectTerm& other) { return other.name == term.name; });
+  if (twice) throw InputError("effect '" + term.name + "'", "is listed twice; list it once");
+  terms.push_back(term);
+}
+
 }  // namespace
+
+void add_expression(std::vector<EffectTerm>& terms, const std::string& definition) {
+  add_once(terms, expression_term(definition));
+}
 
 std::vector<EffectTerm> parse_effects(const std::string& list) {
   std::vector<EffectTerm> terms;
@@ -133,11 +144,7 @@ std::vector<EffectTerm> parse_effects(const std::string& list) {
       term.parameter_sigma.push_back(0);
     }
     for (std::size_t i = 1; i < words.size(); ++i) set_parameter(term, entry, words[i]);
-    const bool twice = std::any_of(terms.begin(), terms.end(), [&](const EffectTerm& other) {
-      return other.name == term.name;
-    });
-    if (twice) throw InputError("effect '" + term.name + "'", "is listed twice; list it once");
-    terms.push_back(term);
+    add_once(terms, term);
   }
   if (terms.empty()) throw InputError("--effects", "names no effect; try --effects bias");
   return terms;

@@ -15,4 +15,8 @@ namespace fogcomp {
 /// and values out of bounds.
 std::vector<EffectTerm> parse_effects(const std::string& list);
 
+/// Adds the term `NAME = EXPRESSION`. Throws InputError as expression_term() does, and for a name
+/// that one of the terms has.
+void add_expression(std::vector<EffectTerm>& terms, const std::string& definition);
+
 }  // namespace fogcomp

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/expression_survey.hpp"
 #include "identification/robust_fit.hpp"
 #include "identification/step_search.hpp"
 #include "model/catalogue.hpp"
@@ -124,6 +125,7 @@ Identification identify(Model& model, const SignalSeries& series,
   const Rows& rows = series.rows();
   const bool find_steps = searches_steps(model.terms);
   take_out_steps(model.terms);
+  set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = offset_columns(rows, settings.run_offsets);
   const FitWithSteps found = find_steps
                                  ? fit_with_steps(series, model.terms, offsets)
@@ -170,6 +172,7 @@ Identification identify(Model& model, const SignalSeries& series,
     const Eigen::Index column = coefficients + offsets.cols() + static_cast<Eigen::Index>(i);
     add_step(model, result, rows, found.steps[i], fit.fit.coefficients[column], sigma[column]);
   }
+  for (EffectTerm& term : model.terms) set_expression_scale(term, series);
   set_range(model, rows);
   const Eigen::VectorXd counted = rows.weights.cwiseProduct(
       fit.robust.unaryExpr([](double weight) { return weight > 0 ? 1.0 : 0.0; }));

@@ -31,7 +31,7 @@ void require(const std::string& who, fog::InputMask needs, const BlockSeries& se
 
 void require_inputs(const Model& model, const BlockSeries& series) {
   for (const EffectTerm& term : model.terms) {
-    require(term.name, find_effect(term.name).description.needs, series);
+    require(term.name, info_of(term).needs, series);
   }
   require("the network", model.network.needs(), series);
 }

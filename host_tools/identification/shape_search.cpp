@@ -88,12 +88,12 @@ std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& term
   std::vector<ShapeParameter> parameters;
   for (std::size_t term = 0; term < terms.size(); ++term) {
     if (is_event(terms[term])) continue;
-    const CatalogueEntry& entry = find_effect(terms[term].name);
+    const TermInfo entry = info_of(terms[term]);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
       if (!terms[term].identified[i]) continue;
       const auto& own = terms[term].bounds;
       const bool bounded = i < own.size() && own[i].most > own[i].least;
-      const ShapeBounds bounds = bounded ? own[i] : catalogue_bounds(entry.parameters[i]);
+      const ShapeBounds bounds = bounded ? own[i] : entry.parameters[i].bounds;
       const bool logarithmic = bounds.least > 0 && bounds.most / bounds.least >= kRatioForLogarithm;
       parameters.push_back({term, i, bounds.least, bounds.most, logarithmic});
     }

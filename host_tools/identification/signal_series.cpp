@@ -127,6 +127,21 @@ Eigen::MatrixXd SignalSeries::regressors(const EffectTerm& term) const {
       [&](double block_s) { return Part{entry.make(entry.constants(term.parameters, block_s))}; });
 }
 
+SignalRanges SignalSeries::signal_ranges() const {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  SignalRanges ranges;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    ranges[i] = {kInfinite, -kInfinite};
+    for (const Run& run : runs_) {
+      for (const Block& block : run.blocks) {
+        const double value = value_of(static_cast<ExpressionSignal>(i), block.signals, run.block_s);
+        ranges[i] = {std::min(ranges[i].least, value), std::max(ranges[i].most, value)};
+      }
+    }
+  }
+  return ranges;
+}
+
 Eigen::MatrixXd SignalSeries::network_inputs(const std::vector<RealInput>& inputs) const {
   struct Part : NetworkSignals {
     using NetworkSignals::NetworkSignals;

@@ -39,6 +39,9 @@ class SignalSeries {
   /// The row means of an effect's regressors, rows x regressors of the effect.
   Eigen::MatrixXd regressors(const EffectTerm& term) const;
 
+  /// Least and most of each signal that an expression can have, over all blocks.
+  SignalRanges signal_ranges() const;
+
   /// The row means of what a network would see, rows x inputs, in the inputs' units: what it is
   /// trained on. Normalisation is not used. The recordings must have what the inputs need, which
   /// add() has seen to where the model's network already lists them.

@@ -30,8 +30,7 @@ fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, doubl
 RegressorBank::RegressorBank(const std::vector<EffectTerm>& terms, double block_s) {
   std::size_t size = 0;
   for (const EffectTerm& term : terms) {
-    const CatalogueEntry& entry = find_effect(term.name);
-    effects_.push_back(entry.make(entry.constants(term.parameters, block_s)));
+    effects_.push_back(make_effect(term, block_s));
     size += effects_.back()->regressor_count();
   }
   values_.resize(size);

@@ -141,6 +141,52 @@ EffectTerm read_effect(Reader& in) {
   return term;
 }
 
+// The text is the last on the line, so that it may hold spaces.
+EffectTerm read_expression(Reader& in) {
+  const std::string name = in.word();
+  const int scale_log2 = static_cast<int>(in.number());
+  const std::vector<double> parameters = in.numbers(in.count(16));
+  const std::vector<double> sigma = in.numbers(parameters.size());
+  const double coefficient = in.number();
+  const double coefficient_sigma = in.number();
+  const std::vector<double> ranges = in.numbers(in.count(2 * kExpressionSignals));
+  EffectTerm term;
+  try {
+    term = expression_term(name + " = " + in.rest_of_line());
+  } catch (const InputError& error) {
+    in.fail(error.what());
+  }
+  if (term.parameters.size() != parameters.size()) in.fail("wrong number of parameters");
+  term.parameters = parameters;
+  term.parameter_sigma = sigma;
+  term.coefficients_dph = {coefficient};
+  term.sigma_dph = {coefficient_sigma};
+  term.expression->scale_log2 = scale_log2;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < kExpressionSignals; ++i) {
+    if (!term.expression->expression.uses(static_cast<ExpressionSignal>(i))) continue;
+    if (next + 1 >= ranges.size() || ranges[next] > ranges[next + 1]) in.fail("a range is wrong");
+    term.expression->ranges[i] = {ranges[next], ranges[next + 1]};
+    next += 2;
+  }
+  return term;
+}
+
+void write_expression(Writer& out, const EffectTerm& term) {
+  const ExpressionTerm& written = *term.expression;
+  out.word("expression").word(term.name).number(written.scale_log2);
+  out.number(static_cast<double>(term.parameters.size())).numbers(term.parameters);
+  out.numbers(term.parameter_sigma).numbers(term.coefficients_dph).numbers(term.sigma_dph);
+  std::vector<double> ranges;
+  for (std::size_t i = 0; i < kExpressionSignals; ++i) {
+    if (!written.expression.uses(static_cast<ExpressionSignal>(i))) continue;
+    ranges.push_back(written.ranges[i].least);
+    ranges.push_back(written.ranges[i].most);
+  }
+  out.number(static_cast<double>(ranges.size())).numbers(ranges);
+  out.word(written.expression.text).end_line();
+}
+
 RealLayer read_layer(Reader& in, Eigen::Index columns) {
   constexpr std::array<fog::Activation, 3> kActivations{
       fog::Activation::logsig, fog::Activation::tansig, fog::Activation::linear};
@@ -196,6 +242,8 @@ void read_line(Reader& in, Model& model) {
     model.denoise.hard = in.word() == "hard";
   } else if (key == "effect") {
     model.terms.push_back(read_effect(in));
+  } else if (key == "expression") {
+    model.terms.push_back(read_expression(in));
   } else if (key == "input") {
     if (model.network.inputs.size() == fog::kMostNetworkInputs) in.fail("too many inputs");
     model.network.inputs.push_back(read_input(in));
@@ -233,6 +281,10 @@ std::string model_text(const Model& model) {
   out.word(kBoardRules[static_cast<std::size_t>(model.denoise.rule)]);
   out.word(model.denoise.hard ? "hard" : "soft").end_line();
   for (const EffectTerm& term : model.terms) {
+    if (term.expression) {
+      write_expression(out, term);
+      continue;
+    }
     out.word("effect").word(term.name).number(static_cast<double>(term.parameters.size()));
     out.numbers(term.parameters).numbers(term.identified).numbers(term.parameter_sigma);
     out.number(static_cast<double>(term.coefficients_dph.size()));

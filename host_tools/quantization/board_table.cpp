@@ -247,10 +247,10 @@ void write_denoise(TableWriter& out, const Model& model, const Timing& timing) {
 // Whether every effect can run on a board that is fed like this one.
 void require_board(const Model& model, const BoardSettings& settings) {
   for (const EffectTerm& term : model.terms) {
-    const fog::EffectDescription& effect = find_effect(term.name).description;
+    const fog::InputMask needs = info_of(term).needs;
     for (std::size_t i = 0; i < fog::kExtensionInputs && !settings.extension; ++i) {
       const auto input = static_cast<fog::Input>(i);
-      if (!has(effect.needs, input)) continue;
+      if (!has(needs, input)) continue;
       throw InputError("effect '" + term.name + "'",
                        "needs " + std::string(input_column(input).name) +
                            ", which the sensor stream has in extension records only; give "
@@ -298,7 +298,7 @@ std::int32_t as_signed(std::uint32_t word) {
 Model board_model(const Model& model) {
   Model result = model;
   const auto end = std::remove_if(result.terms.begin(), result.terms.end(), [](const auto& term) {
-    return find_effect(term.name).description.host_only != nullptr;
+    return info_of(term).host_only != nullptr;
   });
   result.terms.erase(end, result.terms.end());
   return result;
