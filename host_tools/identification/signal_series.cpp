@@ -122,9 +122,7 @@ Eigen::MatrixXd SignalSeries::regressors(const EffectTerm& term) const {
       effect->step(signals, values);
     }
   };
-  const CatalogueEntry& entry = find_effect(term.name);
-  return row_means(
-      [&](double block_s) { return Part{entry.make(entry.constants(term.parameters, block_s))}; });
+  return row_means([&](double block_s) { return Part{make_effect(term, block_s)}; });
 }
 
 SignalRanges SignalSeries::signal_ranges() const {

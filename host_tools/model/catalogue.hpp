@@ -59,7 +59,7 @@ ShapeBounds catalogue_bounds(const fog::ParameterDescription& parameter);
 /// The one effect that is an event of a recording rather than a property of the gyro.
 inline constexpr const char* kBiasStep = "bias_step";
 inline bool is_event(const EffectTerm& term) {
-  return term.name == kBiasStep;
+  return term.name == kBiasStep && !term.expression;
 }
 
 /// Names of all effects.
