@@ -8,16 +8,17 @@
 
 #define FOG_MODEL_LAYOUT 2
 #define FOG_MODEL_EFFECTS 0x7u /* bit = effect id */
+#define FOG_MODEL_EXPRESSIONS 0x0u /* operations and signals; 0: none */
 #define FOG_MODEL_NETWORK_INPUTS 0x3u /* bit = input; 0: no network */
 #define FOG_MODEL_TAPS 16
 #define FOG_MODEL_LEVELS 5
-#define FOG_MODEL_WORDS 134
+#define FOG_MODEL_WORDS 136
 
 static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* magic number, layout version */
   1179600717, 2,
   /* words in this table */
-  134,
+  136,
   /* CRC-32 of the model file */
   1161094726,
   /* sample period, us (200 Hz) */
@@ -58,6 +59,10 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   2, 0, 1,
   /* K = 0.147908965 deg/h per (degC/min) */
   1270528333,
+  /* expressions: coefficients */
+  0,
+  /* expressions: words of the program */
+  0,
   /* network: inputs, hidden neurons */
   2, 6,
   /* input temperature: (x - 11.6) / 50.00625 degC; signal, decay, centre, multiplier, shift */
@@ -95,7 +100,7 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* output: 0 KVH format A, 1 compact, 2 both */
   0,
   /* CRC-32 of the words above */
-  84390170,
+  824479433,
 };
 
 #endif

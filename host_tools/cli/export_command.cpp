@@ -50,6 +50,14 @@ int run_export(const Arguments& arguments) {
     Json result = Json::object();
     result.set("header", output).set("words", table.words.size());
     result.set("quantization_error_dph", error.worst_dph).set("blocks_compared", error.blocks);
+    Json expressions = Json::array();
+    for (const auto& expression : error.expressions) {
+      expressions.push(std::move(Json::object()
+                                     .set("name", expression.name)
+                                     .set("bound_dph", expression.bound_dph)
+                                     .set("worst_dph", expression.worst_dph)));
+    }
+    result.set("expressions", std::move(expressions));
     Json notes = Json::array();
     for (const std::string& note : left_out(model)) notes.push(note);
     result.set("notes", std::move(notes));
@@ -59,6 +67,10 @@ int run_export(const Arguments& arguments) {
   std::printf(
       "%s: %zu words; integers against double: at most %.5f deg/h over %zu blocks (limit %.5f)\n",
       output.c_str(), table.words.size(), error.worst_dph, error.blocks, kQuantizationLimitDph);
+  for (const auto& expression : error.expressions) {
+    std::printf("  %s: at most %.2g deg/h from double there, %.2g by its bound\n",
+                expression.name.c_str(), expression.worst_dph, expression.bound_dph);
+  }
   for (const std::string& note : left_out(model)) std::printf("note: %s\n", note.c_str());
   return 0;
 }

@@ -137,6 +137,14 @@ class Parser {
       fail_at(place, kind == Kind::power ? "an exponent must not depend on a signal"
                                          : "the second argument must not depend on a signal");
     }
+    const ExpressionNode& second = result_.nodes[right];
+    const bool positive = second.kind == Kind::number ? second.value > 0
+                          : second.kind == Kind::parameter
+                              ? result_.parameters[second.parameter].least > 0
+                              : true;
+    if (!positive && (kind == Kind::lag || kind == Kind::play)) {
+      fail_at(place, "a time constant or radius must be above 0");
+    }
     if (node.constant && (kind == Kind::lag || kind == Kind::play)) {
       fail_at(place, "the first argument must depend on a signal");
     }
@@ -275,27 +283,6 @@ class Parser {
   Expression result_;
 };
 
-fog::InputMask needs_of(ExpressionSignal signal) {
-  switch (signal) {
-    case ExpressionSignal::temperature:
-    case ExpressionSignal::temperature_rate:
-      return 0;
-    case ExpressionSignal::elapsed:
-      return bit_of(fog::Input::elapsed);
-    case ExpressionSignal::input_rate:
-      return bit_of(fog::Input::input_rate);
-    case ExpressionSignal::temperature2:
-      return bit_of(fog::Input::temperature2);
-    case ExpressionSignal::magnetic:
-      return bit_of(fog::Input::magnetic);
-    case ExpressionSignal::light_power:
-      return bit_of(fog::Input::light_power);
-    case ExpressionSignal::supply:
-      break;
-  }
-  return bit_of(fog::Input::supply);
-}
-
 }  // namespace
 
 double apply(ExpressionNode::Kind kind, double left, double right) {
@@ -361,7 +348,7 @@ bool Expression::uses(ExpressionSignal signal) const {
 fog::InputMask Expression::needs() const {
   fog::InputMask needs = 0;
   for (const ExpressionNode& node : nodes) {
-    if (node.kind == Kind::signal) needs |= needs_of(node.signal);
+    if (node.kind == Kind::signal) needs |= fog::needs_of(node.signal);
   }
   return needs;
 }

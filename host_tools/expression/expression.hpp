@@ -5,22 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "core/expression/expression_program.hpp"
 #include "core/signal/inputs.hpp"
 
 namespace fogcomp {
 
-/// What an expression can be made of. The order is that of fog::ExpressionSignal.
-enum class ExpressionSignal : std::uint8_t {
-  temperature,       ///< T, degC
-  temperature_rate,  ///< dTdt, degC/min
-  elapsed,           ///< t, s since power-on
-  input_rate,        ///< W, deg/h
-  temperature2,      ///< T2, degC
-  magnetic,          ///< B, uT
-  light_power,       ///< P, uW
-  supply,            ///< V, V
-};
-constexpr std::size_t kExpressionSignals = 8;
+using fog::ExpressionSignal;
+using fog::kExpressionSignals;
 
 /// One operation. Operands are nodes before it.
 struct ExpressionNode {

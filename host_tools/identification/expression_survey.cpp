@@ -10,14 +10,15 @@ namespace fogcomp {
 namespace {
 
 constexpr double kWidening = 0.25;
-constexpr double kTimes = 16;  // longer than any recording that was fitted
+constexpr double kTimes = 16;   // longer than any recording that was fitted
+constexpr double kHour = 3600;  // in s: a whole number of blocks
 
 SignalRange widened(ExpressionSignal signal, const SignalRange& seen) {
   switch (signal) {
     case ExpressionSignal::temperature_rate:
       return {-fog::kMostRateDegcPerMin, fog::kMostRateDegcPerMin};
     case ExpressionSignal::elapsed:
-      return {0, kTimes * seen.most};
+      return {0, kHour * std::ceil(kTimes * seen.most / kHour)};
     default:
       break;
   }

@@ -12,6 +12,7 @@
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
 #include "model/model_file.hpp"
+#include "quantization/expression_code.hpp"
 #include "quantization/table_writer.hpp"
 #include "support/input_error.hpp"
 #include "wavelet/filters.hpp"
@@ -95,8 +96,11 @@ void write_effects(TableWriter& out, const Model& model, const Timing& timing, i
   out.note("fractional bits of all coefficients");
   out.integer(fraction, "coefficient fraction");
   out.note("number of effects");
-  out.integer(static_cast<std::int64_t>(model.terms.size()), "number of effects");
+  out.integer(std::count_if(model.terms.begin(), model.terms.end(),
+                            [](const EffectTerm& term) { return !term.expression; }),
+              "number of effects");
   for (const EffectTerm& term : model.terms) {
+    if (term.expression) continue;
     const CatalogueEntry& entry = find_effect(term.name);
     const std::vector<double> constants = entry.constants(term.parameters, timing.block_s);
     out.note(format("%s: %s; id, constants, coefficients", term.name.c_str(),
@@ -112,6 +116,35 @@ void write_effects(TableWriter& out, const Model& model, const Timing& timing, i
                       entry.coefficients[i].unit));
       out.real(term.coefficients_dph[i], fraction, term.name.c_str());
     }
+  }
+}
+
+// One program of all expressions; each of its parts ends with that expression's output.
+void write_expressions(TableWriter& out, const Model& model, const Timing& timing, int fraction) {
+  std::vector<const EffectTerm*> terms;
+  for (const EffectTerm& term : model.terms) {
+    if (term.expression) terms.push_back(&term);
+  }
+  out.note("expressions: coefficients");
+  out.integer(static_cast<std::int64_t>(terms.size()), "expressions");
+  for (const EffectTerm* term : terms) {
+    out.note(format("%s = %.9g deg/h per unit", term->name.c_str(), natural_coefficient(*term, 0)));
+    out.real(term->coefficients_dph[0], fraction, term->name.c_str());
+  }
+  std::vector<ExpressionCode> codes;
+  std::size_t words = 0;
+  for (const EffectTerm* term : terms) {
+    codes.push_back(compile_expression(*term, model, timing.block_s));
+    words += codes.back().words.size();
+  }
+  out.note("expressions: words of the program");
+  out.integer(static_cast<std::int64_t>(words), "words of expressions");
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const ExpressionTerm& written = *terms[i]->expression;
+    out.note(format("%s: (%s) / 2^%d, within %.2g of it in double: %.2g deg/h",
+                    terms[i]->name.c_str(), written.expression.text.c_str(), written.scale_log2,
+                    codes[i].error, codes[i].error * std::abs(terms[i]->coefficients_dph[0])));
+    for (const std::int32_t word : codes[i].words) out.integer(word, "an operation");
   }
 }
 
@@ -281,6 +314,24 @@ void check_noise_fits(const BoardTable& table, std::size_t first, const DenoiseS
                           settings.wavelet.c_str(), settings.levels));
 }
 
+// Throws where the program as a whole is more than an image has room for: `first` is the first word
+// that write_expressions() wrote.
+void check_expressions(const BoardTable& table, std::size_t first) {
+  const std::int32_t* next = table.words.data() + first;
+  const auto count = static_cast<std::size_t>(*next++);
+  fog::ExpressionParameters expressions;
+  expressions.coefficients = {next, count};
+  next += count;
+  const auto words = static_cast<std::size_t>(*next++);
+  expressions.program = {next, words};
+  if (words <= fog::kMostExpressionWords && fog::expressions_fit(expressions)) return;
+  throw InputError("export", format("the expressions are more than a board takes (%zu of them, %zu "
+                                    "lags and plays, a stack of %zu, %zu words at most); fit with "
+                                    "fewer or shorter ones",
+                                    fog::kMostExpressions, fog::kMostExpressionStates,
+                                    fog::kMostExpressionStack, fog::kMostExpressionWords));
+}
+
 std::uint32_t crc_of_words(const std::vector<std::int32_t>& words) {
   std::vector<std::uint8_t> bytes(words.size() * 4);
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -329,6 +380,9 @@ BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
   const int fraction = fraction_for(largest_coefficient(model), fog::kLeastCoefficientFraction,
                                     fog::kMostCoefficientFraction);
   write_effects(out, model, timing, fraction);
+  const std::size_t first_expression_word = table.words.size();
+  write_expressions(out, model, timing, fraction);
+  check_expressions(table, first_expression_word);
   write_network(out, model.network, timing.block_s, fraction);
   const std::size_t denoise_word = table.words.size();
   write_denoise(out, model, timing);

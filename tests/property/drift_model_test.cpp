@@ -19,8 +19,9 @@ double worst_difference(const fogcomp::Model& model, std::uint64_t seed, int hou
   const fogcomp::BoardTable table =
       fogcomp::make_board_table(model, {200, fog::OutputSelection::kvh, true});
   const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
-  fog::DriftModel<fog::kAllEffects, fog::kAllNetworkInputs> board(
-      parameters.thermal, parameters.effects, parameters.network, parameters.policy);
+  fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs> board(
+      parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
+      parameters.policy);
   fogcomp::RealDriftModel real(model, 1);
   // Beyond the trained range too: both must clamp alike.
   fog::test::RandomHistory history(seed, -60, 100);

@@ -1,6 +1,6 @@
-// make_model OUT.model INPUTS [EFFECT...]: a model of these effects at their typical size, without
-// any of all that a board can have, and of a network with so many inputs (0: no network) and 10
-// neurons. For the images of the target tests and of tests/bench.
+// make_model OUT.model INPUTS [EFFECT|NAME=EXPRESSION...]: a model of these effects at their
+// typical size, without any of all that a board can have, and of a network with so many inputs (0:
+// no network) and 10 neurons. For the images of the target tests and of tests/bench.
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -22,6 +22,7 @@ fogcomp::EffectTerm typical_term(const std::string& name) {
   for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
     if (term.name == name) return term;
   }
+  if (name.find('=') != std::string::npos) return fog::test::written_term(name);
   throw std::invalid_argument("no effect '" + name + "' that a board can have");
 }
 
@@ -32,8 +33,10 @@ void run(const std::string& output, int inputs, const std::vector<std::string>& 
     model.network = fog::test::network_of({kInputs.begin(), kInputs.begin() + inputs});
   }
   if (!effects.empty()) {
-    model.terms.clear();
-    for (const std::string& effect : effects) model.terms.push_back(typical_term(effect));
+    if (effects[0] != "all") model.terms.clear();
+    for (const std::string& effect : effects) {
+      if (effect != "all") model.terms.push_back(typical_term(effect));
+    }
   }
   fogcomp::save_model(model, output);
 }

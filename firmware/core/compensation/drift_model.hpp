@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/effects/effect_bank.hpp"
+#include "core/expression/expression_bank.hpp"
 #include "core/fixed_point/fixed.hpp"
 #include "core/network/drift_network.hpp"
 #include "core/signal/quantities.hpp"
@@ -17,15 +18,17 @@ struct DriftPolicy {
   std::uint32_t settle_blocks = 0;  ///< after (re)start the temperature rate is not yet known
 };
 
-/// The frozen drift model: thermal state, effects and network, once per block.
-template <EffectMask kEffects, NetworkInputMask kNetworkInputs>
+/// The frozen drift model: thermal state, effects, expressions and network, once per block.
+template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs>
 class DriftModel {
  public:
   DriftModel(const ThermalParameters<BoardNumbers>& thermal, const EffectsParameters& effects,
-             const NetworkParameters& network, const DriftPolicy& policy)
+             const ExpressionParameters& expressions, const NetworkParameters& network,
+             const DriftPolicy& policy)
       : thermal_(thermal),
         limits_(thermal),
         effects_(effects),
+        expressions_(expressions, effects.coefficient_fraction),
         network_(network, effects.coefficient_fraction),
         policy_(policy) {}
 
@@ -33,6 +36,7 @@ class DriftModel {
   void start(const BlockMeans<BoardNumbers>& block) {
     const Signals<BoardNumbers> signals = thermal_.reset(block);
     effects_.reset(signals);
+    expressions_.reset(signals);
     network_.reset(signals);
     started_ = true;
     settled_blocks_ = 0;
@@ -69,12 +73,14 @@ class DriftModel {
     held_blocks_ = 0;
     clamped_ = status_if(temperature < limits_.least || temperature > limits_.most,
                          Status::temperature_clamped);
-    drift_ = saturate_to<Rate>(effects_.step(signals) + network_.step(signals));
+    drift_ = saturate_to<Rate>(effects_.step(signals) + expressions_.step(signals) +
+                               network_.step(signals));
   }
 
   ThermalState<BoardNumbers> thermal_;
   ThermalParameters<BoardNumbers> limits_;
   EffectBank<kEffects> effects_;
+  ExpressionBank<kExpressions> expressions_;
   DriftNetwork<kNetworkInputs> network_;
   DriftPolicy policy_;
 

@@ -23,13 +23,14 @@ constexpr std::size_t kMostOutputBytes = kKvhFrameBytes + kCompactFrameBytes;
 
 /// The whole pipeline: bytes of the sensor stream in, bytes of the output stream out. The order of
 /// the stages is that of process(). Shape limits are template parameters so that an image holds
-/// just what its model needs: `kEffects` of the registry, a network of `kNetworkInputs`, filters up
-/// to `kTaps` x `kLevels`.
-template <EffectMask kEffects, NetworkInputMask kNetworkInputs, std::size_t kTaps,
-          std::size_t kLevels>
+/// just what its model needs: `kEffects` of the registry, `kExpressions`, a network of
+/// `kNetworkInputs`, filters up to `kTaps` x `kLevels`.
+template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs,
+          std::size_t kTaps, std::size_t kLevels>
 class Compensator {
  public:
-  static constexpr ModelShape room{kEffects, kNetworkInputs, kTaps, kLevels, effect_fits<kEffects>};
+  static constexpr ModelShape room{kEffects, kExpressions, kNetworkInputs,
+                                   kTaps,    kLevels,      effect_fits<kEffects>};
 
   /// `parameters` must have been read with this class's room; parameters of a refused table make a
   /// pipeline that answers every sample and marks none valid.
@@ -41,7 +42,8 @@ class Compensator {
         block_clock_(parameters.samples_per_block),
         collector_(parameters.needs()),
         pending_(parameters.needs()),
-        drift_model_(parameters.thermal, parameters.effects, parameters.network, parameters.policy),
+        drift_model_(parameters.thermal, parameters.effects, parameters.expressions,
+                     parameters.network, parameters.policy),
         denoiser_(parameters.denoise) {}
 
   /// Takes one byte of the sensor stream. Where it completes a sample, writes the frames that
@@ -106,7 +108,8 @@ class Compensator {
   }
 
  private:
-  using Collector = BlockCollector<needs_of(kEffects) | needs_of_network(kNetworkInputs)>;
+  using Collector = BlockCollector<needs_of(kEffects) | needs_of_expressions(kExpressions) |
+                                   needs_of_network(kNetworkInputs)>;
 
   static Fixed<std::int64_t, Rate::fractional_bits> difference(Rate a, Rate b) {
     using Wide = Fixed<std::int64_t, Rate::fractional_bits>;
@@ -154,7 +157,7 @@ class Compensator {
   Collector collector_;
   typename Collector::Extension pending_;  // what came since the last sample
   Status input_missing_ = Status::none;
-  DriftModel<kEffects, kNetworkInputs> drift_model_;
+  DriftModel<kEffects, kExpressions, kNetworkInputs> drift_model_;
   Denoiser<kTaps, kLevels> denoiser_;
   Temperature last_temperature_{};
   OutputSample last_;

@@ -68,6 +68,13 @@ EffectMask read_effects(TableReader& table, EffectCheck effect_fits, EffectsPara
   return enabled;
 }
 
+void read_expressions(TableReader& table, ExpressionParameters& expressions) {
+  expressions.coefficients = table.next_words(next_count(table, kMostExpressions));
+  expressions.program = table.next_words(next_count(table, kMostExpressionWords));
+  if (!table.good()) return;
+  table.require(expressions_fit(expressions));
+}
+
 void read_layer(TableReader& table, std::size_t inputs, std::size_t outputs,
                 LayerParameters& layer) {
   layer.activation = static_cast<Activation>(table.next(0, 2));
@@ -159,10 +166,12 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   read_calibration(table, parameters);
   read_thermal(table, parameters);
   const EffectMask enabled = read_effects(table, room.effect_fits, parameters.effects);
+  read_expressions(table, parameters.expressions);
   read_network(table, parameters.network);
   read_denoise(table, parameters.denoise);
   parameters.output = static_cast<OutputSelection>(table.next(0, 2));
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
+  if ((parameters.expressions.used() & ~room.expressions) != 0U) return ModelError::not_in_image;
   if ((enabled & ~room.effects) != 0U || (parameters.network.used() & ~room.network_inputs) != 0U ||
       parameters.denoise.levels() > room.levels ||
       (room.taps != kAnyTaps && parameters.denoise.taps() != room.taps)) {
@@ -202,7 +211,8 @@ const char* describe(ModelError error) {
     case ModelError::out_of_range:
       return "model table holds a value out of range";
     case ModelError::not_in_image:
-      return "model uses an effect, network input or filter that this image was not built with";
+      return "model uses an effect, operation, network input or filter that this image was not "
+             "built with";
   }
   return "unknown";
 }

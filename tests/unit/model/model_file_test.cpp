@@ -7,6 +7,7 @@
 #include "export/header.hpp"
 #include "support/input_error.hpp"
 #include "support/sample_models.hpp"
+#include "support/typical_effects.hpp"
 
 namespace {
 
@@ -34,6 +35,16 @@ TEST(ModelFile, KeepsEveryInputThatANetworkCanHave) {
   const std::string text = fogcomp::model_text(model);
   EXPECT_EQ(fogcomp::model_text(fogcomp::parse_model(text, "gyro.model")), text);
   EXPECT_EQ(fogcomp::parse_model(text, "gyro.model").network.inputs[0].tau_s, 300);
+}
+
+TEST(ModelFile, KeepsExpressions) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  model.terms.push_back(fog::test::written_term("late = lag(T, ?tau[60, 900]) -  T2 * exp(-t/7)"));
+  const std::string text = fogcomp::model_text(model);
+  const fogcomp::Model read = fogcomp::parse_model(text, "gyro.model");
+  EXPECT_EQ(fogcomp::model_text(read), text);
+  EXPECT_EQ(read.terms.back().expression->ranges[4].most, 110);
+  EXPECT_EQ(read.terms.back().expression->scale_log2, model.terms.back().expression->scale_log2);
 }
 
 TEST(ModelFile, RefusesEveryDamagedByte) {
