@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # effect_sizes.sh [FOGCOMP MAKE_MODEL]: what each effect costs on the STM32F405: bytes of flash of the product
 # image and instructions per block (of a second) in the drift model that it adds to an image with `bias` alone,
-# and what networks of 10 neurons add; then the same for all effects and a 3-10-1 network. Instructions are counted by QEMU's -icount with
+# and what networks of 10 neurons and some expressions add; then the same for all effects and a 3-10-1 network. Instructions are counted by QEMU's -icount with
 # TIM2, one tick each; they are not cycles. Prints a table of Markdown.
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/../..")
@@ -39,6 +39,10 @@ done
 for inputs in 2 3 4; do
   read -r flash mean most < <(measure "$inputs" bias)
   row "network $inputs-10-1" "+$((flash - base_flash))" "$((mean - base_mean))" "$((most - base_most))"
+done
+for expression in 'x=T*T*dTdt' 'x=lag(T,300)-T' 'x=play(T,6)' 'x=exp(-t/1200)' 'x=sin(T/3)' 'x=tanh(T/20)' 'x=dTdt/(300+T)'; do
+  read -r flash mean most < <(measure 0 bias "$expression")
+  row "expression ${expression#x=}" "+$((flash - base_flash))" "$((mean - base_mean))" "$((most - base_most))"
 done
 read -r flash mean most < <(measure 3)
 row "all and a 3-10-1 network" "$flash" "$mean" "$most"

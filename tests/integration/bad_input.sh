@@ -109,6 +109,20 @@ fit_effect "^effect 'thermal_hysteresis': bounds of radius2 must be \?\[least,mo
 fit_effect '^effect .bias_step.: is searched for in the whole recording; leave the bounds out' 'bias_step:at=?[1,9]'
 refuses '^--effects: names no effect beside bias_step; add bias' fit good.csv -o kept --effects bias_step
 
+# Expressions: where the text is wrong, and what no board can do.
+fit_expression() { refuses "$1" fit good.csv -o kept --effects bias --effect-expr "$2"; }
+fit_expression "^expression 'x = T \* ': column 9: it ends too early" 'x = T * '
+fit_expression "column 9: there is no function 'sqrt'; there are sin" 'x = T + sqrt(T)'
+fit_expression "column 5: there is no signal 'Q'; there are T" 'x = Q'
+fit_expression "column 15: '\[' is missing" 'x = lag(T,?tau)'
+fit_expression 'column 5: it depends on no signal' 'x = 3*4'
+fit_expression 'column 6: an exponent must not depend on a signal' 'x = T^T'
+fit_expression 'has the name of an effect of the catalogue' 'bias = T'
+fit_expression "^expression 'x': is not finite over these recordings" 'x = T^0.5'
+fit_expression '^good\.csv: x needs the column magnetic_ut' 'x = B*T'
+"$fogcomp" fit good.csv -o divided.model --effects bias --effect-expr 'x = 1/(dTdt+5)' >/dev/null
+refuses "^expression 'x': cannot go to the board: a divisor goes from" export divided.model -o kept
+
 # Noise beyond the board's denoiser.
 "$fogcomp" simulate -o noisy.csv --noise white=1 >/dev/null
 "$fogcomp" fit noisy.csv -o noisy.model --effects bias >/dev/null

@@ -44,7 +44,7 @@ Outcome run(const EffectTerm& term, std::uint64_t seed, int blocks) {
   model.terms.push_back(term);
   const fogcomp::ExpressionCode code = fogcomp::compile_expression(term, model, 1);
   const std::int32_t one = 1 << 10;
-  const fog::ExpressionParameters parameters{{code.words.data(), code.words.size()}, {&one, 1}};
+  fog::ExpressionParameters parameters{{code.words.data(), code.words.size()}, {&one, 1}, 0};
   EXPECT_TRUE(fog::expressions_fit(parameters));
   fog::ExpressionBank<fog::kAllExpressions> board(parameters, 10);
 

@@ -84,28 +84,21 @@ std::size_t words_of(ExpressionOp op) {
   }
 }
 
-ExpressionMask ExpressionParameters::used() const {
-  ExpressionMask mask = 0;
-  for (std::size_t at = 0; at < program.size; at += words_of(op_of(program[at]))) {
-    const ExpressionOp op = op_of(program[at]);
-    mask |= bit_of(op);
-    if (op == ExpressionOp::signal) {
-      mask |= bit_of(static_cast<ExpressionSignal>(floor_shift(program[at], 8)));
-    }
-  }
-  return mask;
-}
-
-bool expressions_fit(const ExpressionParameters& expressions) {
+bool expressions_fit(ExpressionParameters& expressions) {
   const Span<const std::int32_t> program = expressions.program;
   std::size_t depth = 0;
   std::size_t states = 0;
   std::size_t outputs = 0;
   std::size_t at = 0;
+  expressions.used = 0;
   while (at < program.size) {
     const ExpressionOp op = op_of(program[at]);
     if (static_cast<std::size_t>(op) >= kExpressionOps) return false;
     if (words_of(op) > program.size - at || !operands_fit(op, program.data + at)) return false;
+    expressions.used |= bit_of(op);
+    if (op == ExpressionOp::signal) {
+      expressions.used |= bit_of(static_cast<ExpressionSignal>(floor_shift(program[at], 8)));
+    }
     const Effect effect = effect_of(op);
     if (depth < effect.takes) return false;
     depth = depth - effect.takes + effect.leaves;

@@ -104,13 +104,27 @@ struct ExpressionParameters {
   Span<const std::int32_t> program;
   Span<const std::int32_t> coefficients;  ///< deg/h, EffectsParameters::coefficient_fraction bits
 
-  ExpressionMask used() const;
+  ExpressionMask used = 0;  ///< by the program; set by the check
 };
 
-/// Whether a program can be run without a further check: known operations with their words and
-/// arguments in range, a stack that neither runs empty nor over, states in number, as many outputs
-/// as coefficients.
-bool expressions_fit(const ExpressionParameters& expressions);
+/// Whether a program can be run as far as the image has expressions. Sets `used`.
+using ExpressionCheck = bool (*)(ExpressionParameters& expressions);
+
+/// For images with expressions: known operations with their words and arguments in range, a stack
+/// that neither runs empty nor over, states in number, as many outputs as coefficients.
+bool expressions_fit(ExpressionParameters& expressions);
+
+/// For images without: whatever is there needs more than there is.
+inline bool expressions_unknown(ExpressionParameters& expressions) {
+  expressions.used = expressions.program.size == 0 ? 0U : kAllExpressions;
+  return expressions.program.size != 0 || expressions.coefficients.size == 0;
+}
+
+/// The check for an image with kCompiled.
+template <ExpressionMask kCompiled>
+constexpr ExpressionCheck expression_check() {
+  return kCompiled == 0U ? expressions_unknown : expressions_fit;
+}
 
 /// Words of an operation, its own included.
 std::size_t words_of(ExpressionOp op);

@@ -29,8 +29,13 @@ template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNe
           std::size_t kTaps, std::size_t kLevels>
 class Compensator {
  public:
-  static constexpr ModelShape room{kEffects, kExpressions, kNetworkInputs,
-                                   kTaps,    kLevels,      effect_fits<kEffects>};
+  static constexpr ModelShape room{kEffects,
+                                   kExpressions,
+                                   kNetworkInputs,
+                                   kTaps,
+                                   kLevels,
+                                   effect_fits<kEffects>,
+                                   expression_check<kExpressions>()};
 
   /// `parameters` must have been read with this class's room; parameters of a refused table make a
   /// pipeline that answers every sample and marks none valid.

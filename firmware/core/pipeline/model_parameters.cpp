@@ -68,7 +68,8 @@ EffectMask read_effects(TableReader& table, EffectCheck effect_fits, EffectsPara
   return enabled;
 }
 
-void read_expressions(TableReader& table, ExpressionParameters& expressions) {
+void read_expressions(TableReader& table, ExpressionCheck expressions_fit,
+                      ExpressionParameters& expressions) {
   expressions.coefficients = table.next_words(next_count(table, kMostExpressions));
   expressions.program = table.next_words(next_count(table, kMostExpressionWords));
   if (!table.good()) return;
@@ -166,12 +167,12 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   read_calibration(table, parameters);
   read_thermal(table, parameters);
   const EffectMask enabled = read_effects(table, room.effect_fits, parameters.effects);
-  read_expressions(table, parameters.expressions);
+  read_expressions(table, room.expressions_fit, parameters.expressions);
   read_network(table, parameters.network);
   read_denoise(table, parameters.denoise);
   parameters.output = static_cast<OutputSelection>(table.next(0, 2));
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
-  if ((parameters.expressions.used() & ~room.expressions) != 0U) return ModelError::not_in_image;
+  if ((parameters.expressions.used & ~room.expressions) != 0U) return ModelError::not_in_image;
   if ((enabled & ~room.effects) != 0U || (parameters.network.used() & ~room.network_inputs) != 0U ||
       parameters.denoise.levels() > room.levels ||
       (room.taps != kAnyTaps && parameters.denoise.taps() != room.taps)) {

@@ -30,6 +30,7 @@ struct ModelShape {
   std::size_t taps = 0;    ///< exactly, or kAnyTaps
   std::size_t levels = 0;  ///< at most
   EffectCheck effect_fits = fog::effect_fits<kAllEffects>;
+  ExpressionCheck expressions_fit = fog::expressions_fit;
 };
 
 /// Room for any model.
@@ -55,7 +56,7 @@ struct ModelParameters {
 
   /// What the model needs beside the coil's temperature.
   InputMask needs() const {
-    return needs_of(effects.enabled()) | needs_of_expressions(expressions.used()) |
+    return needs_of(effects.enabled()) | needs_of_expressions(expressions.used) |
            needs_of_network(network.used());
   }
 };
