@@ -118,7 +118,7 @@ class ExpressionBank {
 
   // expressions_fit() has seen to it that neither words nor stack nor states run out.
   void run(const BoardSignals& signals, bool restart) {
-    std::array<std::int32_t, kMostExpressionStack + 1> stack{};  // the top is in `x`
+    std::array<std::int32_t, kMostExpressionStack + 1> stack;  // the top is in `x`
     std::int32_t* below = stack.data();
     std::int32_t x = 0;
     State* state = states_.data();

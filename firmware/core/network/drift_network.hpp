@@ -61,9 +61,9 @@ class DriftNetwork {
   /// Advances all states by one block and returns the network's drift, 0 without a network.
   DriftSum step(const BoardSignals& signals) {
     if (!parameters_.present()) return {};
-    std::array<ActivationOutput, kMostNetworkInputs> inputs;
+    std::array<std::int32_t, kMostNetworkInputs> inputs;
     for (std::size_t i = 0; i < parameters_.input_count; ++i) {
-      inputs[i] = normalised(value(i, signals), parameters_.inputs[i]);
+      inputs[i] = normalised(value(i, signals), parameters_.inputs[i]).raw();
     }
     return network_drift(parameters_, coefficient_fraction_, inputs.data());
   }

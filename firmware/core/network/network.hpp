@@ -54,10 +54,11 @@ struct NetworkParameters {
 /// The raw value of a signal as the network takes it, within +-1.
 ActivationOutput normalised(std::int32_t raw, const InputScaling& scaling);
 
-/// The drift of a network that is present, from its normalised inputs. Stateless; least = most work
-/// for a given shape, but for the branches of the activation functions.
+/// The drift of a network that is present, from the raw numbers of its normalised inputs.
+/// Stateless; least = most work for a given shape, but for the branches of the activation
+/// functions.
 DriftSum network_drift(const NetworkParameters& network, int coefficient_fraction,
-                       const ActivationOutput* inputs);
+                       const std::int32_t* inputs);
 
 /// Whether every neuron's sum fits: for each row, sum |weight| + |bias| must be at most 2^31 in
 /// raw, so that with inputs within +-1 at 30 fractional bits it stays below 2^61.
