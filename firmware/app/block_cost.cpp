@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kBlocks = 2000;
 
-using Drift = DriftModel<FOG_MODEL_EFFECTS>;
+using Drift = DriftModel<FOG_MODEL_EFFECTS, FOG_MODEL_EXPRESSIONS, FOG_MODEL_NETWORK_INPUTS>;
 using Means = BlockMeans<BoardNumbers>;
 
 Means block_at(std::uint32_t index, const ThermalParameters<BoardNumbers>& thermal) {
@@ -46,7 +46,8 @@ void run() {
   platform::start_instruction_counter();
   asm volatile("cpsid i");  // the millisecond tick is not part of a block
   const ModelParameters& parameters = model().parameters;
-  static Drift drift(parameters.thermal, parameters.effects, parameters.network, parameters.policy);
+  static Drift drift(parameters.thermal, parameters.effects, parameters.expressions,
+                     parameters.network, parameters.policy);
   drift.start(block_at(0, parameters.thermal));
   const std::uint32_t overhead = ticks_of_nothing();
   std::uint32_t sum = 0;

@@ -6,11 +6,20 @@
 namespace fogcomp::cli {
 namespace {
 
-std::string range(const fog::ParameterDescription& parameter) {
+std::string without_value(const CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
+  if (entry.description.name == std::string(kBiasStep)) return "searched for";
+  const std::string start = format("%g", parameter.default_milli / 1000.0);
+  if (parameter.whole) return start;
+  if (parameter.default_milli == 0) return format("left out; %s=? identifies it", parameter.name);
+  return "identified, from " + start;
+}
+
+std::string range(const CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
   const std::string unit =
       std::string(parameter.unit) == "1" ? "" : std::string(" ") + parameter.unit;
-  return format("%g to %g%s, default %g", parameter.least_milli / 1000.0,
-                parameter.most_milli / 1000.0, unit.c_str(), parameter.default_milli / 1000.0);
+  return format("%g to %g%s; not given: %s", parameter.least_milli / 1000.0,
+                parameter.most_milli / 1000.0, unit.c_str(),
+                without_value(entry, parameter).c_str());
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -30,7 +39,7 @@ std::string entry_text(const CatalogueEntry& entry) {
   if (!needs.empty()) text += "  needs      " + joined(needs) + "\n";
   if (effect.host_only != nullptr) text += format("  host only  %s\n", effect.host_only);
   for (const auto& parameter : entry.parameters) {
-    text += format("  parameter  %s: %s\n", parameter.name, range(parameter).c_str());
+    text += format("  parameter  %s: %s\n", parameter.name, range(entry, parameter).c_str());
   }
   for (const auto& coefficient : entry.coefficients) {
     text += format("  identified %s, %s\n", coefficient.symbol, coefficient.unit);
@@ -49,7 +58,7 @@ std::string entry_markdown(const CatalogueEntry& entry) {
   row("typical size", effect.typical);
   row("signature", effect.signature);
   for (const auto& parameter : entry.parameters) {
-    row(format("parameter `%s`", parameter.name), range(parameter));
+    row(format("parameter `%s`", parameter.name), range(entry, parameter));
   }
   for (const auto& coefficient : entry.coefficients) {
     row(format("identified `%s`", coefficient.symbol), coefficient.unit);
@@ -91,6 +100,8 @@ std::string effects_markdown(const std::vector<const CatalogueEntry*>& entries) 
       "(`fit --derivative-tau`), t the time since power-on. `time_s` is needed as time since "
       "power-on; `input_rate_dph` on the board is what the gyro itself measures; the other columns "
       "reach the board in extension records (`export --extension`).\n\n"
+      "In `fit --effects`, `NAME:parameter=value` gives a shape parameter, `parameter=?` or "
+      "`parameter=?[least,most]` identifies one.\n\n"
       "| effect | equation | needs |\n|---|---|---|\n";
   for (const CatalogueEntry* entry : entries) {
     text += format("| [`%s`](#%s) | %s | %s |\n", entry->description.name, entry->description.name,

@@ -5,6 +5,7 @@
 #include "cli/arguments.hpp"
 #include "cli/board_options.hpp"
 #include "export/header.hpp"
+#include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "quantization/verification.hpp"
 #include "support/input_error.hpp"
@@ -18,6 +19,16 @@ namespace {
 std::string file_name(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+// What the board does without, a sentence each.
+std::vector<std::string> left_out(const Model& model) {
+  std::vector<std::string> notes;
+  for (const EffectTerm& term : model.terms) {
+    const char* reason = info_of(term).host_only;
+    if (reason != nullptr) notes.push_back(term.name + " is left out: " + reason);
+  }
+  return notes;
 }
 
 int run_export(const Arguments& arguments) {
@@ -39,12 +50,28 @@ int run_export(const Arguments& arguments) {
     Json result = Json::object();
     result.set("header", output).set("words", table.words.size());
     result.set("quantization_error_dph", error.worst_dph).set("blocks_compared", error.blocks);
+    Json expressions = Json::array();
+    for (const auto& expression : error.expressions) {
+      expressions.push(std::move(Json::object()
+                                     .set("name", expression.name)
+                                     .set("bound_dph", expression.bound_dph)
+                                     .set("worst_dph", expression.worst_dph)));
+    }
+    result.set("expressions", std::move(expressions));
+    Json notes = Json::array();
+    for (const std::string& note : left_out(model)) notes.push(note);
+    result.set("notes", std::move(notes));
     std::puts(result.text().c_str());
     return 0;
   }
   std::printf(
       "%s: %zu words; integers against double: at most %.5f deg/h over %zu blocks (limit %.5f)\n",
       output.c_str(), table.words.size(), error.worst_dph, error.blocks, kQuantizationLimitDph);
+  for (const auto& expression : error.expressions) {
+    std::printf("  %s: at most %.2g deg/h from double there, %.2g by its bound\n",
+                expression.name.c_str(), expression.worst_dph, expression.bound_dph);
+  }
+  for (const std::string& note : left_out(model)) std::printf("note: %s\n", note.c_str());
   return 0;
 }
 

@@ -45,7 +45,41 @@ Json terms_json(const Model& model) {
   return terms;
 }
 
-void print_identification(const Model& model, const Identification& identified) {
+struct Fit {
+  Model model;
+  Eigen::Index rows = 0;
+  double row_s = 0;
+  FitResult result;
+  std::vector<std::string> step_places;  // of each step found: recording and segment
+  bool searched_steps = false;
+};
+
+// The segment of a recording in which a time lies.
+std::string segment_at(const RunInBlocks& run, double time_s) {
+  for (const RunInBlocks::TimedSegment& segment : run.segments) {
+    if (time_s < segment.end_s) return segment.name;
+  }
+  return "";
+}
+
+void print_steps(const Fit& fit) {
+  const Identification& identified = fit.result.identified;
+  for (std::size_t i = 0; i < identified.steps.size(); ++i) {
+    const FoundStep& step = identified.steps[i];
+    std::printf("  bias step of %+.4f +- %.2g deg/h at %.6g +- %.2g s (%s)\n", step.size_dph,
+                step.size_sigma_dph, step.time_s, step.time_sigma_s, fit.step_places[i].c_str());
+  }
+  if (identified.masked > 0) {
+    std::printf("  %zu rows in which a step lies were left out\n", identified.masked);
+  }
+  if (fit.searched_steps && identified.steps.empty()) {
+    std::puts("  no bias step stands out of the noise (chi^2 above 60)");
+  }
+}
+
+void print_identification(const Fit& fit) {
+  const Model& model = fit.model;
+  const Identification& identified = fit.result.identified;
   const NoiseModel& noise = identified.noise;
   std::printf("  noise of a row %.4f white", noise.white_dph());
   if (!noise.components.empty()) std::printf(", %.4f slow", noise.wander_dph());
@@ -54,6 +88,7 @@ void print_identification(const Model& model, const Identification& identified) 
               identified.misfit);
   if (identified.outliers > 0) std::printf("; %zu outliers weighted down", identified.outliers);
   std::puts("");
+  print_steps(fit);
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     std::printf("  %-24s would show from a peak of %.2g deg/h on\n", model.terms[i].name.c_str(),
                 identified.visible_dph[i]);
@@ -68,10 +103,19 @@ void print_identification(const Model& model, const Identification& identified) 
   std::puts("");
 }
 
+std::string fitted(const Arguments& arguments) {
+  std::string text = arguments.text("effects");
+  for (const std::string& definition : arguments.all("effect-expr")) text += ", " + definition;
+  return text;
+}
+
 // What the options ask for, as a model without coefficients.
 Model model_settings(const Arguments& arguments) {
   Model model;
   model.terms = parse_effects(arguments.required("effects"));
+  for (const std::string& definition : arguments.all("effect-expr")) {
+    add_expression(model.terms, definition);
+  }
   model.average_s = arguments.number("average", 1e-3, 1e6);
   model.derivative_tau_s = arguments.number("derivative-tau", 1e-3, 1e5);
   model.denoise.wavelet = arguments.choice("wavelet", wavelet_names());
@@ -82,13 +126,6 @@ Model model_settings(const Arguments& arguments) {
   model.denoise.hard = arguments.choice("mode", {"soft", "hard"}) == "hard";
   return model;
 }
-
-struct Fit {
-  Model model;
-  Eigen::Index rows = 0;
-  double row_s = 0;
-  FitResult result;
-};
 
 Fit fit(const Arguments& arguments) {
   arguments.choice("trainer", {"lm"});
@@ -101,6 +138,7 @@ Fit fit(const Arguments& arguments) {
   Fit fit;
   Model& model = fit.model;
   model = model_settings(arguments);
+  fit.searched_steps = searches_steps(model.terms);
   // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
   ReadOptions reading = read_options(arguments);
   model.scale_factor = reading.scale_factor.value_or(kDefaultScaleFactor);
@@ -113,15 +151,33 @@ Fit fit(const Arguments& arguments) {
   fit.rows = series.rows().size();
   fit.row_s = series.rows().row_s;
   fit.result = fit_model(model, series, settings);
+  for (const FoundStep& step : fit.result.identified.steps) {
+    const RunInBlocks& run = training.runs[step.run];
+    fit.step_places.push_back(run.file + ", " + segment_at(run, step.time_s));
+  }
 
   const double effects_rms_dph = fit.result.effects_rms_dph;
-  model.history.push_back({"fit " + arguments.text("effects"), training.data_hash,
-                           fit.result.raw_std_dph, effects_rms_dph, training.noise_floor_dph});
+  model.history.push_back({"fit " + fitted(arguments), training.data_hash, fit.result.raw_std_dph,
+                           effects_rms_dph, training.noise_floor_dph});
   if (model.network.present()) {
     model.history.push_back({format("network %d", settings.training.hidden), training.data_hash,
                              effects_rms_dph, model.residual_rms_dph, training.noise_floor_dph});
   }
   return fit;
+}
+
+Json steps_json(const Fit& fit) {
+  Json steps = Json::array();
+  for (std::size_t i = 0; i < fit.result.identified.steps.size(); ++i) {
+    const FoundStep& step = fit.result.identified.steps[i];
+    steps.push(std::move(Json::object()
+                             .set("place", fit.step_places[i])
+                             .set("time_s", step.time_s)
+                             .set("time_sigma_s", step.time_sigma_s)
+                             .set("size_dph", step.size_dph)
+                             .set("size_sigma_dph", step.size_sigma_dph)));
+  }
+  return steps;
 }
 
 void print_json(const Fit& fit, const std::string& output) {
@@ -136,6 +192,7 @@ void print_json(const Fit& fit, const std::string& output) {
   result.set("noise_white_dph", identified.noise.white_dph());
   result.set("noise_slow_dph", identified.noise.wander_dph());
   result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
+  result.set("steps", steps_json(fit)).set("masked_rows", identified.masked);
   result.set("effects", terms_json(fit.model));
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
   result.set("network_effective_parameters", fit.result.effective_weights);
@@ -145,7 +202,7 @@ void print_json(const Fit& fit, const std::string& output) {
 void print_text(const Fit& fit, const std::string& output) {
   std::printf("%td rows of %g s, raw std %.4f deg/h\n\n%s\n", fit.rows, fit.row_s,
               fit.result.raw_std_dph, describe(fit.model).c_str());
-  print_identification(fit.model, fit.result.identified);
+  print_identification(fit);
   for (const HistoryEntry& step : fit.model.history) {
     std::printf("  %-44s %.4f -> %.4f deg/h rms\n", step.action.c_str(), step.rms_before_dph,
                 step.rms_after_dph);
@@ -183,7 +240,10 @@ Command fit_command() {
       "--network 6";
   command.options = {
       {"o", "MODEL", "model file to write", ""},
-      {"effects", "LIST", "a,b:parameter=value,c (fogcomp effects lists them)", ""},
+      {"effects", "LIST", "a,b:p=value,c:p=?[1,9] (? identifies p; fogcomp effects lists them)",
+       ""},
+      {"effect-expr", "NAME = EXPRESSION",
+       "a term of your own, e.g. 'burst = T*T*dTdt' or 'late = lag(T,?tau[60,900]) - T'", "", true},
       {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
       {"trainer", "NAME", "lm (Levenberg-Marquardt, Bayesian regularisation)", "lm"},
       {"seed", "N", "of the network's first weights", "1"},

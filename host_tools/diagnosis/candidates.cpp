@@ -135,31 +135,13 @@ std::vector<Candidate::Shape> step_shapes(const Rows& rows, const ToVisible& to_
           .setOnes();
       VisiblePart part = to_visible(step);
       if (part.visible[0] < kLeastVisible) continue;
-      EffectTerm term = parse_effects("bias_step")[0];
+      EffectTerm term = parse_effects(kBiasStep)[0];
       term.parameters[0] = rows.time_s[at];
+      term.identified[0] = false;
       shapes.push_back({term, part.columns.colwise().normalized()});
     }
   }
   return shapes;
-}
-
-// What the term of the model could become.
-std::vector<EffectTerm> grown(const EffectTerm& own) {
-  std::vector<EffectTerm> more;
-  const CatalogueEntry& entry = find_effect(own.name);
-  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-    const fog::ParameterDescription& parameter = entry.parameters[i];
-    EffectTerm term = own;
-    term.identified.assign(term.identified.size(), false);
-    if (parameter.whole && own.parameters[i] < parameter.most_milli / 1000.0) {
-      term.parameters[i] += 1;
-      more.push_back(term);
-    } else if (parameter.default_milli == 0 && own.parameters[i] == 0) {
-      term.identified[i] = true;  // an optional part
-      more.push_back(term);
-    }
-  }
-  return more;
 }
 
 std::string missing_input(const CatalogueEntry& entry, fog::InputMask inputs) {
@@ -220,14 +202,20 @@ CandidateList find_candidates(const SignalSeries& series, const std::vector<Effe
     Candidate candidate{name, {}};
     const auto own = std::find_if(terms.begin(), terms.end(),
                                   [&](const EffectTerm& term) { return term.name == name; });
-    if (name == "bias_step") {
+    if (name == kBiasStep) {
       candidate.shapes = step_shapes(series.rows(), to_visible);
     } else if (own == terms.end()) {
       candidate.shapes = all_shapes({series, to_visible, 0}, parse_effects(name)[0]);
     } else {
       const Eigen::Index owned = series.regressors(*own).cols();
-      for (const EffectTerm& term : grown(*own)) {
-        for (auto& shape : all_shapes({series, to_visible, owned}, term)) {
+      for (const EffectTerm& term : grown_terms(*own)) {
+        // Laid out along what is new; the rest stays where it is, until all is fitted.
+        EffectTerm along = term;
+        for (std::size_t i = 0; i < along.identified.size(); ++i) {
+          along.identified[i] = term.identified[i] && !own->identified[i];
+        }
+        for (auto& shape : all_shapes({series, to_visible, owned}, along)) {
+          shape.term.identified = term.identified;
           candidate.shapes.push_back(std::move(shape));
         }
       }

@@ -14,7 +14,7 @@
 #include "evaluation/noise_floor.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/quiet_rows.hpp"
-#include "identification/required_inputs.hpp"
+#include "model/catalogue.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -91,9 +91,9 @@ class Diagnoser {
                                           rows_.size(), rows_.row_s, kLeastRows));
     }
     const Eigen::MatrixXd offsets = run_offset_columns(rows_);
-    fit_ = fit_rows(data.series(), model.terms, offsets, settings.noise);
+    fit_ = fit_rows(data.series(), model.terms, offsets, {{}, settings.noise});
     if (!settings.noise && fit_.noise.freedom < kEnoughFreedom) {
-      fit_ = fit_rows(data.series(), fit_.terms, offsets, noise_with_less_quiet());
+      fit_ = fit_rows(data.series(), fit_.terms, offsets, {{}, noise_with_less_quiet()});
     }
   }
 
@@ -434,7 +434,7 @@ class Diagnoser {
     bool event = false;
     for (const std::string& effect : result_.confusable) {
       if (rivals.size() == kMostRivals) break;
-      if (effect == "bias_step") {
+      if (effect == kBiasStep) {
         event = true;
         continue;
       }

@@ -143,7 +143,9 @@ class Trial {
 Experiment propose_experiment(const Model& model, const std::vector<Rival>& rivals,
                               const NoiseModel& noise) {
   fog::InputMask needs = 0;
-  for (const Rival& rival : rivals) needs |= needs_of(rival.terms);
+  for (const Rival& rival : rivals) {
+    for (const EffectTerm& term : rival.terms) needs |= info_of(term).needs;
+  }
   Model thermal = model;
   thermal.terms.clear();
   thermal.average_s = noise.row_s;

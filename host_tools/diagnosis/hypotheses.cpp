@@ -54,7 +54,7 @@ class Search {
     return ranges;
   }
 
-  bool is_step(std::size_t candidate) const { return candidates_[candidate].effect == "bias_step"; }
+  bool is_step(std::size_t candidate) const { return candidates_[candidate].effect == kBiasStep; }
 
   // Where the effect itself has an optional second part of the same form.
   bool may_stand_twice(std::size_t candidate) const {

@@ -30,7 +30,7 @@ struct ModelledRows {
 
 ModelledRows make_rows(const Model& model, const RunInBlocks& run, std::size_t parts) {
   const BlockSeries& series = run.blocks;
-  require_inputs(model.terms, series);
+  require_inputs(model, series);
   const std::int64_t per_row = blocks_per_row(run.average_s, series.block_s);
   RealDriftModel drift(model, series.block_s);
   ModelledRows result;

@@ -24,7 +24,7 @@ Range rate_limits(const Model& model) {
 
 Range time_limits(const Model& model, double row_s) {
   if (!model.time_range_s) return kEverything;
-  const bool needs_time = (needs_of(model.terms) & bit_of(fog::Input::elapsed)) != 0;
+  const bool needs_time = (needs_of(model) & bit_of(fog::Input::elapsed)) != 0;
   return {model.time_range_s->least - row_s,
           needs_time ? model.time_range_s->most + row_s : HUGE_VAL};
 }

@@ -46,6 +46,10 @@ std::string header_text(const BoardTable& table, const std::string& model_name) 
   text += format("#define FOG_MODEL_LAYOUT %d\n", fog::kModelLayout);
   text += format("#define FOG_MODEL_EFFECTS 0x%xu /* bit = effect id */\n",
                  static_cast<unsigned>(parameters.effects.enabled()));
+  text += format("#define FOG_MODEL_EXPRESSIONS 0x%xu /* operations and signals; 0: none */\n",
+                 static_cast<unsigned>(parameters.expressions.used));
+  text += format("#define FOG_MODEL_NETWORK_INPUTS 0x%xu /* bit = input; 0: no network */\n",
+                 static_cast<unsigned>(parameters.network.used()));
   text += format("#define FOG_MODEL_TAPS %zu\n", parameters.denoise.taps());
   text += format("#define FOG_MODEL_LEVELS %zu\n", parameters.denoise.levels());
   text += format("#define FOG_MODEL_WORDS %zu\n\n", table.words.size());

@@ -7,10 +7,20 @@
 
 namespace fogcomp {
 
-/// `bias,bias_temperature:order=3,temperature_rate` -> terms without coefficients. A shape
-/// parameter that is given stays as given. Another starts at its default and is identified, unless
-/// it is a whole number, or its default is 0, which leaves that part of the effect out. Throws
-/// InputError for unknown effects, unknown parameters and values out of bounds.
+/// `bias,bias_temperature:order=3,thermal_hysteresis:radius2=?[5,20]` -> terms without
+/// coefficients. A shape parameter that is given stays as given. Another starts at its default and
+/// is identified, unless it is a whole number, or its default is 0, which leaves that part of the
+/// effect out; `=?` identifies it all the same, `=?[least,most]` within these bounds. `bias_step`
+/// without a time is to be searched for. Throws InputError for unknown effects, unknown parameters
+/// and values out of bounds.
 std::vector<EffectTerm> parse_effects(const std::string& list);
+
+/// What a term could grow to: the next order, an optional part to be identified; none where it has
+/// neither. Its other parameters are to be identified or not as before.
+std::vector<EffectTerm> grown_terms(const EffectTerm& own);
+
+/// Adds the term `NAME = EXPRESSION`. Throws InputError as expression_term() does, and for a name
+/// that one of the terms has.
+void add_expression(std::vector<EffectTerm>& terms, const std::string& definition);
 
 }  // namespace fogcomp

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/expression_survey.hpp"
 #include "identification/noise_weighted_fit.hpp"
+#include "identification/step_search.hpp"
 #include "model/catalogue.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -16,6 +18,7 @@ namespace {
 constexpr double kRangeMarginDegc = 1;
 constexpr double kConfused = 0.95;  // correlation of two effects' coefficients worth a sentence
 constexpr double kVisible = 5;      // standard deviations
+constexpr double kRampDegcPerMin = 0.1;
 
 // Columns of each term within the matrix of all.
 struct Columns {
@@ -26,9 +29,7 @@ std::vector<Columns> columns_of(const std::vector<EffectTerm>& terms, double blo
   std::vector<Columns> columns;
   Eigen::Index first = 0;
   for (const EffectTerm& term : terms) {
-    const CatalogueEntry& entry = find_effect(term.name);
-    const auto effect = entry.make(entry.constants(term.parameters, block_s));
-    const auto count = static_cast<Eigen::Index>(effect->regressor_count());
+    const auto count = static_cast<Eigen::Index>(make_effect(term, block_s)->regressor_count());
     columns.push_back({first, count});
     first += count;
   }
@@ -64,20 +65,6 @@ std::vector<std::string> confusions(const std::vector<EffectTerm>& terms,
   return warnings;
 }
 
-void check_size(const Rows& rows, Eigen::Index unknowns) {
-  if (rows.size() > unknowns) return;
-  throw InputError("fit", format("%td rows of %g s are too few for %td unknowns; use a longer "
-                                 "recording, fewer effects or a shorter --average",
-                                 rows.size(), rows.row_s, unknowns));
-}
-
-void check_rank(const NoiseWeightedFit& fit) {
-  if (fit.rank == fit.linear()) return;
-  throw InputError("fit", format("these recordings determine only %td of %td coefficients; leave "
-                                 "out an effect or lower an order",
-                                 fit.rank, fit.linear()));
-}
-
 template <class Value>
 Range range_of(std::size_t count, Value value_at) {
   Range range{value_at(0), value_at(0)};
@@ -98,31 +85,68 @@ void set_ranges(Model& model, const Rows& rows) {
   model.time_range_s = range_of(count, [&](std::size_t i) { return rows.time_s[i]; });
 }
 
+bool is_sought(const EffectTerm& term) {
+  return is_event(term) && term.identified[0];
+}
+
+// A step without its time leaves the list: it has no regressors before it is found.
+void take_out_steps(std::vector<EffectTerm>& terms) {
+  terms.erase(std::remove_if(terms.begin(), terms.end(), is_sought), terms.end());
+  if (terms.empty()) throw InputError("--effects", "names no effect beside bias_step; add bias");
+}
+
+// A step as a term of the model and as an event of its recording.
+void add_step(Model& model, Identification& result, const Rows& rows, const ChangePoint& change,
+              double size_dph, double sigma_dph) {
+  const auto after = std::upper_bound(rows.run_starts.begin(), rows.run_starts.end(),
+                                      static_cast<std::size_t>(change.row));
+  result.steps.push_back({static_cast<std::size_t>(after - rows.run_starts.begin()) - 1,
+                          change.time_s, change.time_sigma_s, size_dph, sigma_dph});
+  model.terms.push_back(
+      {kBiasStep, {change.time_s}, {true}, {change.time_sigma_s}, {size_dph}, {sigma_dph}});
+  result.visible_dph.push_back(kVisible * sigma_dph);
+  const auto& signals = rows.signals[static_cast<std::size_t>(change.row)];
+  if (std::abs(signals.temperature_rate) < kRampDegcPerMin) return;
+  result.warnings.push_back(
+      format("the bias step at %.6g s lies in a ramp: an effect that this "
+             "model lacks can look like it",
+             change.time_s));
+}
+
 }  // namespace
+
+bool searches_steps(const std::vector<EffectTerm>& terms) {
+  return std::any_of(terms.begin(), terms.end(), is_sought);
+}
 
 Identification identify(Model& model, const SignalSeries& series,
                         const IdentifySettings& settings) {
   const Rows& rows = series.rows();
-  const std::vector<Columns> columns = columns_of(model.terms, rows.row_s);
+  const bool find_steps = searches_steps(model.terms);
+  take_out_steps(model.terms);
+  set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
-  const Eigen::Index coefficients = columns.back().first + columns.back().count;
-  const Eigen::Index linear = coefficients + offsets.cols();
-  const auto shapes = static_cast<Eigen::Index>(shape_parameters(model.terms).size());
-  check_size(rows, linear + shapes);
-
-  const NoiseWeightedFit fit = fit_rows(series, model.terms, offsets);
-  check_rank(fit);
+  FitWithSteps found;
+  if (find_steps) {
+    found = fit_with_steps(series, model.terms, offsets);
+  } else {
+    found.fit = fit_determined(series, model.terms, offsets, Eigen::VectorXd::Ones(rows.size()));
+  }
+  const NoiseWeightedFit& fit = found.fit;
   model.terms = fit.terms;
+
   Identification result;
   result.residual_dph = fit.residual_dph;
   result.noise = fit.noise;
+  result.misfit = fit.misfit();
+  result.masked = found.masked;
   result.row_weights = fit.row_weights;
-  const auto freedom = static_cast<double>(rows.size() - linear - shapes);
-  result.misfit = std::sqrt(fit.whitened_residual.squaredNorm() / std::max(1.0, freedom));
   result.outliers = fit.outliers;
-  const Eigen::VectorXd sigma =
-      fit.covariance.diagonal().cwiseSqrt() * std::max(1.0, result.misfit);
-  const auto offset_values = fit.coefficients.tail(offsets.cols());
+  const double widening = std::max(1.0, result.misfit);
+  const Eigen::VectorXd sigma = fit.covariance.diagonal().cwiseSqrt() * widening;
+  const std::vector<Columns> columns = columns_of(model.terms, rows.row_s);
+  const Eigen::Index coefficients = columns.back().first + columns.back().count;
+  const auto offset_values = fit.coefficients.segment(coefficients, offsets.cols());
   result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     EffectTerm& term = model.terms[i];
@@ -135,19 +159,24 @@ Identification identify(Model& model, const SignalSeries& series,
                                                             columns[i].count, columns[i].count);
     const double largest_variance =
         (part * covariance).cwiseProduct(part).rowwise().sum().maxCoeff();
-    result.visible_dph.push_back(kVisible * std::max(1.0, result.misfit) *
-                                 std::sqrt(largest_variance));
+    result.visible_dph.push_back(kVisible * widening * std::sqrt(largest_variance));
   }
   for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
-    const ShapeParameter& shape = fit.shapes[i];
-    EffectTerm& term = model.terms[shape.term];
-    term.parameter_sigma[shape.index] =
-        sigma[linear + static_cast<Eigen::Index>(i)] * shape.slope(term.parameters[shape.index]);
+    EffectTerm& term = model.terms[fit.shapes[i].term];
+    term.parameter_sigma[fit.shapes[i].index] =
+        sigma[fit.linear() + static_cast<Eigen::Index>(i)] *
+        fit.shapes[i].slope(term.parameters[fit.shapes[i].index]);
   }
   result.warnings = confusions(model.terms, columns, fit.covariance);
+  for (std::size_t i = 0; i < found.steps.size(); ++i) {
+    const Eigen::Index column = coefficients + offsets.cols() + static_cast<Eigen::Index>(i);
+    add_step(model, result, rows, found.steps[i], fit.coefficients[column], sigma[column]);
+  }
+  for (EffectTerm& term : model.terms) set_expression_scale(term, series);
   set_ranges(model, rows);
-  model.residual_rms_dph =
-      std::sqrt(result.residual_dph.cwiseAbs2().dot(rows.weights) / rows.weights.sum());
+  const Eigen::VectorXd counted = rows.weights.cwiseProduct(
+      fit.robust.unaryExpr([](double weight) { return weight > 0 ? 1.0 : 0.0; }));
+  model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());
   return result;
 }
 

@@ -5,7 +5,9 @@
 
 #include "identification/quiet_rows.hpp"
 #include "identification/whitening.hpp"
+#include "support/input_error.hpp"
 #include "support/median.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp {
 namespace {
@@ -41,6 +43,15 @@ NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
 
 namespace {
 
+// Rows that are left out have the value of the nearest row before them that is not.
+Eigen::VectorXd bridged(const Eigen::VectorXd& residual, const Eigen::VectorXd& kept) {
+  Eigen::VectorXd values = residual;
+  for (Eigen::Index row = 1; row < values.size(); ++row) {
+    if (kept[row] <= 0) values[row] = values[row - 1];
+  }
+  return values;
+}
+
 // Rows that stand out from the others count less the further out they are. "Others" by the median,
 // so that where the model itself does not fit, its misfit is no outlier.
 Eigen::VectorXd outlier_weights(const Eigen::VectorXd& whitened_residual) {
@@ -54,19 +65,27 @@ Eigen::VectorXd outlier_weights(const Eigen::VectorXd& whitened_residual) {
 
 }  // namespace
 
+double NoiseWeightedFit::misfit() const {
+  const auto freedom = static_cast<double>(residual_dph.size() - whitened.cols());
+  return std::sqrt(whitened_residual.squaredNorm() / std::max(1.0, freedom));
+}
+
 NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                          const Eigen::MatrixXd& nuisance,
-                          const std::optional<NoiseModel>& known_noise) {
+                          const Eigen::MatrixXd& nuisance, const RowSettings& settings) {
   const Rows& rows = series.rows();
+  const Eigen::VectorXd kept =
+      settings.kept.size() > 0 ? settings.kept : Eigen::VectorXd::Ones(rows.size());
   NoiseWeightedFit fit;
   fit.terms = terms;
   fit.shapes = shape_parameters(terms);
   fit.columns = all_columns(series, terms, nuisance);
-  fit.residual_dph = solve_linear(fit.columns, rows.drift_dph).residual;
-  Eigen::VectorXd robust = Eigen::VectorXd::Ones(rows.size());
+  const LinearFit first =
+      solve_linear(kept.asDiagonal() * fit.columns, kept.cwiseProduct(rows.drift_dph));
+  fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
+  fit.robust = kept;
   for (int round = 0; round < kRounds; ++round) {
-    fit.noise = known_noise ? *known_noise : noise_of(rows, fit.residual_dph);
-    fit.row_weights = rows.weights.cwiseProduct(robust);
+    fit.noise = settings.noise ? *settings.noise : noise_of(rows, bridged(fit.residual_dph, kept));
+    fit.row_weights = rows.weights.cwiseProduct(fit.robust);
     const Whitening whitening(fit.noise, rows, fit.row_weights);
     WhitenedProblem problem(series, whitening, fit.terms, nuisance);
     search_shapes(problem, fit.shapes);
@@ -79,10 +98,29 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
     fit.whitened_residual = solved.residual;
     if (!fit.shapes.empty()) fit.columns = all_columns(series, fit.terms, nuisance);
     fit.residual_dph = rows.drift_dph - fit.columns * fit.coefficients;
-    fit.outliers = static_cast<std::size_t>((robust.array() < 1).count());
-    robust = outlier_weights(Whitening(fit.noise, rows, rows.weights).apply(fit.residual_dph));
+    const Whitening plain(fit.noise, rows, rows.weights.cwiseProduct(kept));
+    fit.robust = outlier_weights(plain.apply(fit.residual_dph)).cwiseProduct(kept);
   }
+  fit.outliers = static_cast<std::size_t>((fit.robust.array() < 1 && kept.array() > 0).count());
   fit.covariance = solve_linear(fit.whitened, fit.whitened_measured).covariance;
+  return fit;
+}
+
+NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+                                const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept) {
+  const Rows& rows = series.rows();
+  NoiseWeightedFit fit = fit_rows(series, terms, nuisance, {kept, std::nullopt});
+  const Eigen::Index unknowns = fit.linear() + static_cast<Eigen::Index>(fit.shapes.size());
+  if (rows.size() <= unknowns) {
+    throw InputError("fit", format("%td rows of %g s are too few for %td unknowns; use a longer "
+                                   "recording, fewer effects or a shorter --average",
+                                   rows.size(), rows.row_s, unknowns));
+  }
+  if (fit.rank != fit.linear()) {
+    throw InputError("fit", format("these recordings determine only %td of %td coefficients; leave "
+                                   "out an effect or lower an order",
+                                   fit.rank, fit.linear()));
+  }
   return fit;
 }
 

@@ -16,7 +16,8 @@ struct NoiseWeightedFit {
   std::vector<EffectTerm> terms;       ///< as given, shape parameters where the cost is least
   std::vector<ShapeParameter> shapes;  ///< those that were moved
   NoiseModel noise;                    ///< what the rows were weighted with
-  Eigen::VectorXd row_weights;         ///< time behind a row times its weight as an outlier
+  Eigen::VectorXd robust;              ///< 1, less for outliers, 0 for rows that are left out
+  Eigen::VectorXd row_weights;         ///< time behind a row times that
   std::size_t outliers = 0;            ///< rows weighted down
 
   Eigen::MatrixXd columns;       ///< rows x linear: regressors of all terms, then the nuisance
@@ -30,15 +31,27 @@ struct NoiseWeightedFit {
   Eigen::Index rank = 0;       ///< of the linear columns
 
   Eigen::Index linear() const { return columns.cols(); }
+  /// rms of the whitened residual: 1 where only that noise is left.
+  double misfit() const;
+};
+
+struct RowSettings {
+  /// 1 per row, 0 for rows that count for nothing; empty: all count.
+  Eigen::VectorXd kept;
+  std::optional<NoiseModel> noise;  ///< taken as it is instead of being estimated
 };
 
 /// Solves for the coefficients of `terms` and of the nuisance columns (rows x any), and for those
 /// shape parameters that the terms mark. Three rounds of: noise from the quiet parts of what is
-/// left, weights of outliers, shapes by variable projection. `known_noise` is taken as it is.
-/// Columns that depend on each other are no error here: see `rank`.
+/// left, weights of outliers, shapes by variable projection. Columns that depend on each other are
+/// no error here: see `rank`.
 NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                          const Eigen::MatrixXd& nuisance,
-                          const std::optional<NoiseModel>& known_noise = std::nullopt);
+                          const Eigen::MatrixXd& nuisance, const RowSettings& settings = {});
+
+/// The same for a fit whose coefficients are wanted: throws InputError for too few rows, and for
+/// columns that the rows cannot tell apart.
+NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+                                const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept);
 
 /// From the first row to the last, of the longest recording.
 double longest_run_s(const Rows& rows);

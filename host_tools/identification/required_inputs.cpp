@@ -18,19 +18,22 @@ std::string remedy(fog::Input input) {
   }
 }
 
+void require(const std::string& who, fog::InputMask needs, const BlockSeries& series) {
+  for (std::size_t i = 0; i < fog::kInputs; ++i) {
+    const auto input = static_cast<fog::Input>(i);
+    if (!has(needs & ~series.inputs, input)) continue;
+    throw InputError(series.file, who + " needs the column " +
+                                      std::string(input_column(input).name) + "; " + remedy(input));
+  }
+}
+
 }  // namespace
 
-void require_inputs(const std::vector<EffectTerm>& terms, const BlockSeries& series) {
-  for (const EffectTerm& term : terms) {
-    const fog::InputMask missing = find_effect(term.name).description.needs & ~series.inputs;
-    for (std::size_t i = 0; i < fog::kInputs; ++i) {
-      const auto input = static_cast<fog::Input>(i);
-      if (!has(missing, input)) continue;
-      throw InputError(series.file, term.name + " needs the column " +
-                                        std::string(input_column(input).name) + "; " +
-                                        remedy(input));
-    }
+void require_inputs(const Model& model, const BlockSeries& series) {
+  for (const EffectTerm& term : model.terms) {
+    require(term.name, info_of(term).needs, series);
   }
+  require("the network", model.network.needs(), series);
 }
 
 }  // namespace fogcomp

@@ -51,6 +51,23 @@ bool gauss_newton_step(WhitenedProblem& problem, const std::vector<ShapeParamete
   return false;
 }
 
+// Two play operators are the same in either order; the narrower one is the first. Only where both
+// were searched in the same range, so that no bound is left.
+void order_radii(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters) {
+  for (std::size_t i = 1; i < parameters.size(); ++i) {
+    const ShapeParameter& first = parameters[i - 1];
+    const ShapeParameter& second = parameters[i];
+    if (problem.terms()[second.term].name != "thermal_hysteresis" || first.term != second.term ||
+        first.least != second.least || first.most != second.most) {
+      continue;
+    }
+    const double narrower = std::min(problem.value(first), problem.value(second));
+    const double wider = std::max(problem.value(first), problem.value(second));
+    problem.set(first, narrower);
+    problem.set(second, wider);
+  }
+}
+
 }  // namespace
 
 double ShapeParameter::to_unit(double value) const {
@@ -70,13 +87,15 @@ double ShapeParameter::slope(double value) const {
 std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& terms) {
   std::vector<ShapeParameter> parameters;
   for (std::size_t term = 0; term < terms.size(); ++term) {
-    const CatalogueEntry& entry = find_effect(terms[term].name);
+    if (is_event(terms[term])) continue;
+    const TermInfo entry = info_of(terms[term]);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
       if (!terms[term].identified[i]) continue;
-      const double least = entry.parameters[i].least_milli / 1000.0;
-      const double most = entry.parameters[i].most_milli / 1000.0;
-      const bool logarithmic = least > 0 && most / least >= kRatioForLogarithm;
-      parameters.push_back({term, i, least, most, logarithmic});
+      const auto& own = terms[term].bounds;
+      const bool bounded = i < own.size() && own[i].most > own[i].least;
+      const ShapeBounds bounds = bounded ? own[i] : entry.parameters[i].bounds;
+      const bool logarithmic = bounds.least > 0 && bounds.most / bounds.least >= kRatioForLogarithm;
+      parameters.push_back({term, i, bounds.least, bounds.most, logarithmic});
     }
   }
   return parameters;
@@ -152,6 +171,7 @@ void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& 
   for (int step = 0; step < kGaussNewtonSteps; ++step) {
     if (!gauss_newton_step(problem, parameters)) break;
   }
+  order_radii(problem, parameters);
 }
 
 }  // namespace fogcomp

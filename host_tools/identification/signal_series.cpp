@@ -92,7 +92,7 @@ std::int64_t blocks_per_row(double average_s, double block_s) {
 }
 
 void SignalSeries::add(const BlockSeries& series) {
-  require_inputs(model_.terms, series);
+  require_inputs(model_, series);
   runs_.push_back({series.block_s, {}});
   const std::int64_t per_row = blocks_per_row(model_.average_s, series.block_s);
   RowCollector rows(per_row, rows_.size());
@@ -137,27 +137,64 @@ void SignalSeries::append_rows(const std::vector<RowSums>& sums, double sample_s
   rows_.weights = seconds_ / rows_.row_s;
 }
 
-Eigen::MatrixXd SignalSeries::regressors(const EffectTerm& term) const {
-  const CatalogueEntry& entry = find_effect(term.name);
+template <class Make>
+Eigen::MatrixXd SignalSeries::row_means(const Make& make) const {
   Eigen::MatrixXd sums;
   Eigen::VectorXd samples = Eigen::VectorXd::Zero(rows_.size());
-  std::vector<double> values;
+  Eigen::VectorXd values;
   for (const Run& run : runs_) {
-    const auto effect = entry.make(entry.constants(term.parameters, run.block_s));
+    auto part = make(run.block_s);
     if (sums.size() == 0) {
-      values.resize(effect->regressor_count());
-      sums.setZero(rows_.size(), static_cast<Eigen::Index>(values.size()));
+      values.resize(static_cast<Eigen::Index>(part.size()));
+      sums.setZero(rows_.size(), values.size());
     }
-    const Eigen::Map<const Eigen::RowVectorXd> row_values(values.data(), sums.cols());
     for (const Block& block : run.blocks) {
-      if (block.restart) effect->reset(block.signals);
-      effect->step(block.signals, values.data());
+      if (block.restart) part.reset(block.signals);
+      part.step(block.signals, values.data());
       if (block.row == kNoRow) continue;
-      sums.row(block.row) += block.samples * row_values;
+      sums.row(block.row) += block.samples * values.transpose();
       samples[block.row] += block.samples;
     }
   }
   return samples.cwiseInverse().asDiagonal() * sums;
+}
+
+Eigen::MatrixXd SignalSeries::regressors(const EffectTerm& term) const {
+  struct Part {
+    std::unique_ptr<RealEffect> effect;
+    std::size_t size() const { return effect->regressor_count(); }
+    void reset(const fog::Signals<RealNumbers>& signals) { effect->reset(signals); }
+    void step(const fog::Signals<RealNumbers>& signals, double* values) {
+      effect->step(signals, values);
+    }
+  };
+  return row_means([&](double block_s) { return Part{make_effect(term, block_s)}; });
+}
+
+SignalRanges SignalSeries::signal_ranges() const {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  SignalRanges ranges;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    ranges[i] = {kInfinite, -kInfinite};
+    for (const Run& run : runs_) {
+      for (const Block& block : run.blocks) {
+        const double value = value_of(static_cast<ExpressionSignal>(i), block.signals, run.block_s);
+        ranges[i] = {std::min(ranges[i].least, value), std::max(ranges[i].most, value)};
+      }
+    }
+  }
+  return ranges;
+}
+
+Eigen::MatrixXd SignalSeries::network_inputs(const std::vector<RealInput>& inputs) const {
+  struct Part : NetworkSignals {
+    using NetworkSignals::NetworkSignals;
+    void step(const fog::Signals<RealNumbers>& signals, double* values) {
+      const Eigen::VectorXd& now = NetworkSignals::step(signals);
+      std::copy(now.begin(), now.end(), values);
+    }
+  };
+  return row_means([&](double block_s) { return Part(inputs, block_s); });
 }
 
 }  // namespace fogcomp

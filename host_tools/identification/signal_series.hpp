@@ -46,6 +46,14 @@ class SignalSeries {
   /// The row means of an effect's regressors, rows x regressors of the effect.
   Eigen::MatrixXd regressors(const EffectTerm& term) const;
 
+  /// Least and most of each signal that an expression can have, over all blocks.
+  SignalRanges signal_ranges() const;
+
+  /// The row means of what a network would see, rows x inputs, in the inputs' units: what it is
+  /// trained on. Normalisation is not used. The recordings must have what the inputs need, which
+  /// add() has seen to where the model's network already lists them.
+  Eigen::MatrixXd network_inputs(const std::vector<RealInput>& inputs) const;
+
  private:
   static constexpr std::int32_t kNoRow = -1;
   // The state of the thermal stage during one block.
@@ -65,6 +73,10 @@ class SignalSeries {
   void add_as_the_board(const BlockSeries& series, class RowCollector& rows);
   void add_without_delay(const BlockSeries& series, class RowCollector& rows);
   void append_rows(const std::vector<struct RowSums>& sums, double sample_s);
+  // Row means of what make(block_s) gives block by block: an object with size(), reset(signals) and
+  // step(signals, values).
+  template <class Make>
+  Eigen::MatrixXd row_means(const Make& make) const;
 
   const Model& model_;
   Phase phase_;

@@ -1,8 +1,14 @@
 #include "identification/whitening.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace fogcomp {
+namespace {
+
+constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 Whitening::Whitening(const NoiseModel& noise, const Rows& rows, const Eigen::VectorXd& weights) {
   const auto components = static_cast<Eigen::Index>(noise.components.size());
@@ -31,7 +37,8 @@ Whitening::Whitening(const NoiseModel& noise, const Rows& rows, const Eigen::Vec
       covariance.diagonal().array() += variances.array() * (1 - decay.array().square());
     }
     const Eigen::VectorXd to_sum = covariance.rowwise().sum();
-    const double variance = to_sum.sum() + noise.white_variance / weights[i];
+    const double own = weights[i] > 0 ? noise.white_variance / weights[i] : kNothingKnown;
+    const double variance = to_sum.sum() + own;
     scale_[i] = 1 / std::sqrt(variance);
     gain_.col(i) = to_sum / variance;
     covariance -= to_sum * to_sum.transpose() / variance;
@@ -51,6 +58,39 @@ Eigen::MatrixXd Whitening::apply(const Eigen::MatrixXd& matrix) const {
     }
   }
   return white;
+}
+
+// From the last row backwards. With z = (state before the row, 1) a row's innovation is h z, and
+// the next row's z is F z; so all that follows contributes z' M z to the sum of squares and L z to
+// the products, where M = F' M F + scale^2 h h' and L = L F + scale w h from one row to the one
+// before. A step that begins at a row has z = (0, 1) there.
+StepProducts Whitening::steps(const Rows& rows, const Eigen::MatrixXd& whitened) const {
+  const Eigen::Index states = decay_.rows();
+  StepProducts products{Eigen::VectorXd(decay_.cols()),
+                        Eigen::MatrixXd(decay_.cols(), whitened.cols())};
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(states + 1, states + 1);
+  Eigen::MatrixXd with = Eigen::MatrixXd::Zero(whitened.cols(), states + 1);
+  Eigen::RowVectorXd innovation(states + 1);
+  Eigen::MatrixXd advance = Eigen::MatrixXd::Zero(states + 1, states + 1);
+  auto next_start = rows.run_starts.rbegin();
+  for (Eigen::Index i = decay_.cols() - 1; i >= 0; --i) {
+    innovation << -decay_.col(i).transpose(), 1;
+    advance.topRows(states) = gain_.col(i) * innovation;
+    advance.topLeftCorner(states, states).diagonal() += decay_.col(i);
+    advance(states, states) = 1;
+    square = advance.transpose() * square * advance +
+             scale_[i] * scale_[i] * innovation.transpose() * innovation;
+    with = with * advance + scale_[i] * whitened.row(i).transpose() * innovation;
+    products.square[i] = square(states, states);
+    products.with.row(i) = with.col(states).transpose();
+    if (next_start == rows.run_starts.rend() || static_cast<Eigen::Index>(*next_start) != i) {
+      continue;
+    }
+    square.setZero();
+    with.setZero();
+    ++next_start;
+  }
+  return products;
 }
 
 }  // namespace fogcomp

@@ -8,6 +8,13 @@
 
 namespace fogcomp {
 
+/// What whitening makes of a column that is 0 before a row and 1 from it to the end of its
+/// recording, for every row at once.
+struct StepProducts {
+  Eigen::VectorXd square;  ///< per row: its sum of squares
+  Eigen::MatrixXd with;    ///< rows x columns: its product with each of some whitened columns
+};
+
 /// Turns rows with coloured noise into rows with white noise of variance 1: the scaled innovations
 /// of the Kalman filter that belongs to a noise model. Linear, so the same filter serves
 /// measurements and regressors; O(rows), gaps and rows of different weight allowed; each recording
@@ -18,6 +25,9 @@ class Whitening {
 
   /// Every column of `matrix` (rows x any).
   Eigen::MatrixXd apply(const Eigen::MatrixXd& matrix) const;
+
+  /// `rows` are those of the constructor; `whitened` is rows x any. O(rows).
+  StepProducts steps(const Rows& rows, const Eigen::MatrixXd& whitened) const;
 
  private:
   Eigen::MatrixXd decay_;  // components x rows: from the row before to this one

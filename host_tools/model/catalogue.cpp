@@ -1,6 +1,7 @@
 #include "model/catalogue.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/effects/registry.hpp"
 #include "support/input_error.hpp"
@@ -66,10 +67,66 @@ const CatalogueEntry& find_effect(const std::string& name) {
                                                 "; fogcomp effects lists all");
 }
 
-fog::InputMask needs_of(const std::vector<EffectTerm>& terms) {
-  fog::InputMask needs = 0;
-  for (const EffectTerm& term : terms) needs |= find_effect(term.name).description.needs;
+TermInfo info_of(const EffectTerm& term) {
+  TermInfo info;
+  if (term.expression) {
+    info.equation = "b = k (" + term.expression->expression.text + ")";
+    for (const ExpressionParameter& parameter : term.expression->expression.parameters) {
+      info.parameters.push_back({parameter.name, "", {parameter.least, parameter.most}});
+    }
+    info.coefficients = {{"k", "deg/h per unit of the expression", term.expression->scale_log2}};
+    info.needs = term.expression->expression.needs();
+    return info;
+  }
+  const CatalogueEntry& entry = find_effect(term.name);
+  info.equation = entry.description.equation;
+  for (const auto& parameter : entry.parameters) {
+    info.parameters.push_back({parameter.name, parameter.unit, catalogue_bounds(parameter)});
+  }
+  info.coefficients = entry.coefficients;
+  info.needs = entry.description.needs;
+  info.host_only = entry.description.host_only;
+  return info;
+}
+
+std::unique_ptr<RealEffect> make_effect(const EffectTerm& term, double block_s) {
+  if (term.expression) {
+    return std::make_unique<ExpressionEffect>(*term.expression, term.parameters, block_s);
+  }
+  const CatalogueEntry& entry = find_effect(term.name);
+  return entry.make(entry.constants(term.parameters, block_s));
+}
+
+EffectTerm expression_term(const std::string& definition) {
+  EffectTerm term;
+  term.expression = ExpressionTerm{parse_expression(definition)};
+  const Expression& expression = term.expression->expression;
+  term.name = expression.name;
+  const auto names = effect_names();
+  if (std::find(names.begin(), names.end(), term.name) != names.end()) {
+    throw InputError("expression '" + definition + "'",
+                     "has the name of an effect of the catalogue; choose another");
+  }
+  for (const ExpressionParameter& parameter : expression.parameters) {
+    const bool by_ratio = parameter.least > 0;
+    term.parameters.push_back(by_ratio ? std::sqrt(parameter.least * parameter.most)
+                                       : (parameter.least + parameter.most) / 2);
+    term.identified.push_back(true);
+    term.parameter_sigma.push_back(0);
+  }
+  return term;
+}
+
+fog::InputMask needs_of(const Model& model) {
+  fog::InputMask needs = model.network.needs();
+  for (const EffectTerm& term : model.terms) needs |= info_of(term).needs;
   return needs;
+}
+
+ShapeBounds catalogue_bounds(const fog::ParameterDescription& parameter) {
+  const double least = parameter.least_milli / 1000.0;
+  const double most = parameter.most_milli / 1000.0;
+  return {least == 0 ? most / 80 : least, most};
 }
 
 std::vector<std::string> effect_names() {

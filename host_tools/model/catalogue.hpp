@@ -6,19 +6,9 @@
 
 #include "core/effects/effect.hpp"
 #include "model/model.hpp"
-#include "model/real_numbers.hpp"
+#include "model/real_effect.hpp"
 
 namespace fogcomp {
-
-/// An effect of the firmware's registry running in double, for identification.
-class RealEffect {
- public:
-  virtual ~RealEffect() = default;
-  virtual std::size_t regressor_count() const = 0;
-  virtual void reset(const fog::Signals<RealNumbers>& signals) = 0;
-  /// Advances one block; writes regressor_count() values.
-  virtual void step(const fog::Signals<RealNumbers>& signals, double* regressors) = 0;
-};
 
 /// What the host knows of an effect, read off its header in the core.
 struct CatalogueEntry {
@@ -37,8 +27,40 @@ const std::vector<CatalogueEntry>& catalogue();
 /// Throws InputError for an unknown name, suggesting the nearest.
 const CatalogueEntry& find_effect(const std::string& name);
 
-/// What these effects need beside the coil's temperature.
-fog::InputMask needs_of(const std::vector<EffectTerm>& terms);
+/// What can be said of a term, whether it is an effect of the catalogue or an expression.
+struct TermInfo {
+  struct Parameter {
+    std::string name;
+    std::string unit;
+    ShapeBounds bounds;  ///< of the search
+  };
+  std::string equation;
+  std::vector<Parameter> parameters;
+  std::vector<fog::CoefficientDescription> coefficients;  ///< as many as it can have
+  fog::InputMask needs = 0;
+  const char* host_only = nullptr;  ///< why the board cannot have it; nullptr where it can
+};
+TermInfo info_of(const EffectTerm& term);
+
+/// A term with its shape, over blocks of `block_s`.
+std::unique_ptr<RealEffect> make_effect(const EffectTerm& term, double block_s);
+
+/// A term without a coefficient from `NAME = EXPRESSION`; its parameters are to be identified.
+/// Throws InputError as parse_expression() does, and for the name of an effect.
+EffectTerm expression_term(const std::string& definition);
+
+/// What the effects and the network of a model need beside the coil's temperature.
+fog::InputMask needs_of(const Model& model);
+
+/// Where a parameter is searched. One that may be 0, which leaves its part of the effect out, is
+/// searched from an eightieth of its most.
+ShapeBounds catalogue_bounds(const fog::ParameterDescription& parameter);
+
+/// The one effect that is an event of a recording rather than a property of the gyro.
+inline constexpr const char* kBiasStep = "bias_step";
+inline bool is_event(const EffectTerm& term) {
+  return term.name == kBiasStep && !term.expression;
+}
 
 /// Names of all effects.
 std::vector<std::string> effect_names();

@@ -30,8 +30,7 @@ fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, doubl
 RegressorBank::RegressorBank(const std::vector<EffectTerm>& terms, double block_s) {
   std::size_t size = 0;
   for (const EffectTerm& term : terms) {
-    const CatalogueEntry& entry = find_effect(term.name);
-    effects_.push_back(entry.make(entry.constants(term.parameters, block_s)));
+    effects_.push_back(make_effect(term, block_s));
     size += effects_.back()->regressor_count();
   }
   values_.resize(size);
@@ -55,11 +54,13 @@ RealDriftModel::RealDriftModel(const Model& model, double block_s)
     : model_(model),
       thermal_(thermal_parameters(model, block_s)),
       bank_(model.terms, block_s),
+      network_signals_(model.network.inputs, block_s),
       effects_dph_(model.terms.size()) {}
 
 void RealDriftModel::start(const RealBlock& block) {
   signals_ = thermal_.reset(block);
   bank_.reset(signals_);
+  network_signals_.reset(signals_);
   evaluate();
 }
 
@@ -79,7 +80,7 @@ void RealDriftModel::evaluate() {
     }
     physics_dph_ += effects_dph_[i];
   }
-  network_dph_ = model_.network.drift_dph(signals_);
+  network_dph_ = model_.network.drift_dph(network_signals_.step(signals_));
 }
 
 }  // namespace fogcomp

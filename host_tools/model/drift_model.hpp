@@ -58,6 +58,7 @@ class RealDriftModel {
   const Model& model_;
   fog::ThermalState<RealNumbers> thermal_;
   RegressorBank bank_;
+  NetworkSignals network_signals_;
   fog::Signals<RealNumbers> signals_;
   std::vector<double> effects_dph_;
   double physics_dph_ = 0;

@@ -27,18 +27,18 @@ double in_natural_unit(double coefficient_dph, const fog::CoefficientDescription
 }
 
 double natural_coefficient(const EffectTerm& term, std::size_t index) {
-  return in_natural_unit(term.coefficients_dph[index], find_effect(term.name).coefficients[index]);
+  return in_natural_unit(term.coefficients_dph[index], info_of(term).coefficients[index]);
 }
 
 std::string describe(const Model& model) {
   std::string text;
   for (const EffectTerm& term : model.terms) {
-    const CatalogueEntry& entry = find_effect(term.name);
-    text += format("  %-24s %s", term.name.c_str(), entry.description.equation);
+    const TermInfo entry = info_of(term);
+    text += format("  %-24s %s", term.name.c_str(), entry.equation.c_str());
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-      text += format(", %s %.5g", entry.parameters[i].name, term.parameters[i]);
+      text += format(", %s %.5g", entry.parameters[i].name.c_str(), term.parameters[i]);
       if (term.identified[i]) text += format(" +- %.2g", term.parameter_sigma[i]);
-      text += format(" %s", entry.parameters[i].unit);
+      if (!entry.parameters[i].unit.empty()) text += " " + entry.parameters[i].unit;
     }
     text += '\n';
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
@@ -51,6 +51,7 @@ std::string describe(const Model& model) {
     std::string inputs;
     for (const RealInput& input : model.network.inputs) {
       inputs += (inputs.empty() ? "" : ", ") + std::string(name_of(input.signal));
+      if (input.tau_s > 0) inputs += format(" %.4g s", input.tau_s);
     }
     text += format("  %-24s %zu-%td-1 (%s), amplitude %.3g deg/h\n", "network",
                    model.network.inputs.size(), model.network.hidden.biases.size(), inputs.c_str(),

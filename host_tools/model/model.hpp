@@ -7,18 +7,27 @@
 
 #include "core/denoise/denoise_parameters.hpp"
 #include "core/effects/effect.hpp"
+#include "model/expression_effect.hpp"
 #include "model/network.hpp"
 
 namespace fogcomp {
 
-/// One effect of a model: its shape and what was identified.
+/// Where a fit looks for a shape parameter.
+struct ShapeBounds {
+  double least = 0;
+  double most = 0;  ///< not above `least`: the catalogue's bounds
+};
+
+/// One effect of a model, or an expression: its shape and what was identified.
 struct EffectTerm {
-  std::string name;
+  std::string name;                      ///< in the catalogue, or of the expression
   std::vector<double> parameters;        ///< in the units of the catalogue
   std::vector<bool> identified;          ///< which of them a fit may move; the others were given
   std::vector<double> parameter_sigma;   ///< one standard deviation, 0 where not identified
   std::vector<double> coefficients_dph;  ///< one per regressor (dimensionless, within +-8)
   std::vector<double> sigma_dph;         ///< one standard deviation of each coefficient
+  std::vector<ShapeBounds> bounds{};     ///< for the fit alone: of each parameter, or empty
+  std::optional<ExpressionTerm> expression{};
 };
 
 /// Names of fog::ThresholdRule, in its order.

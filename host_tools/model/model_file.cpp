@@ -15,11 +15,11 @@ namespace fogcomp {
 namespace {
 
 constexpr const char* kTitle = "fogcomp-model ";
-constexpr const char* kTitleLine = "fogcomp-model 1";
 constexpr const char* kHistory = "history";
 constexpr const char* kHistoryFloor = "history_floor_dph";
 constexpr const char* kHistoryHoldout = "history_holdout_dph";
 constexpr const char* kHistoryForced = "history_forced";
+constexpr const char* kTitleLine = "fogcomp-model 2";
 
 std::uint32_t crc_of(const std::string& text, std::size_t size) {
   return fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), size);
@@ -145,6 +145,52 @@ EffectTerm read_effect(Reader& in) {
   return term;
 }
 
+// The text is the last on the line, so that it may hold spaces.
+EffectTerm read_expression(Reader& in) {
+  const std::string name = in.word();
+  const int scale_log2 = static_cast<int>(in.number());
+  const std::vector<double> parameters = in.numbers(in.count(16));
+  const std::vector<double> sigma = in.numbers(parameters.size());
+  const double coefficient = in.number();
+  const double coefficient_sigma = in.number();
+  const std::vector<double> ranges = in.numbers(in.count(2 * kExpressionSignals));
+  EffectTerm term;
+  try {
+    term = expression_term(name + " = " + in.rest_of_line());
+  } catch (const InputError& error) {
+    in.fail(error.what());
+  }
+  if (term.parameters.size() != parameters.size()) in.fail("wrong number of parameters");
+  term.parameters = parameters;
+  term.parameter_sigma = sigma;
+  term.coefficients_dph = {coefficient};
+  term.sigma_dph = {coefficient_sigma};
+  term.expression->scale_log2 = scale_log2;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < kExpressionSignals; ++i) {
+    if (!term.expression->expression.uses(static_cast<ExpressionSignal>(i))) continue;
+    if (next + 1 >= ranges.size() || ranges[next] > ranges[next + 1]) in.fail("a range is wrong");
+    term.expression->ranges[i] = {ranges[next], ranges[next + 1]};
+    next += 2;
+  }
+  return term;
+}
+
+void write_expression(Writer& out, const EffectTerm& term) {
+  const ExpressionTerm& written = *term.expression;
+  out.word("expression").word(term.name).number(written.scale_log2);
+  out.number(static_cast<double>(term.parameters.size())).numbers(term.parameters);
+  out.numbers(term.parameter_sigma).numbers(term.coefficients_dph).numbers(term.sigma_dph);
+  std::vector<double> ranges;
+  for (std::size_t i = 0; i < kExpressionSignals; ++i) {
+    if (!written.expression.uses(static_cast<ExpressionSignal>(i))) continue;
+    ranges.push_back(written.ranges[i].least);
+    ranges.push_back(written.ranges[i].most);
+  }
+  out.number(static_cast<double>(ranges.size())).numbers(ranges);
+  out.word(written.expression.text).end_line();
+}
+
 RealLayer read_layer(Reader& in, Eigen::Index columns) {
   constexpr std::array<fog::Activation, 3> kActivations{
       fog::Activation::logsig, fog::Activation::tansig, fog::Activation::linear};
@@ -161,12 +207,14 @@ RealLayer read_layer(Reader& in, Eigen::Index columns) {
 }
 
 RealInput read_input(Reader& in) {
-  constexpr std::array<fog::NetworkInput, 2> kInputs{fog::NetworkInput::temperature,
-                                                     fog::NetworkInput::temperature_rate};
   RealInput input;
-  input.signal = in.named(kInputs);
+  input.signal = in.named(kAllInputs);
   input.centre = in.number();
   input.half_range = in.positive();
+  input.tau_s = in.number();
+  if ((input.tau_s > 0) != (input.signal == fog::NetworkInput::lagged_temperature)) {
+    in.fail("a lagged temperature, and it alone, has a time constant");
+  }
   return input;
 }
 
@@ -244,7 +292,10 @@ void read_line(Reader& in, Model& model) {
     model.denoise.hard = in.word() == "hard";
   } else if (key == "effect") {
     model.terms.push_back(read_effect(in));
+  } else if (key == "expression") {
+    model.terms.push_back(read_expression(in));
   } else if (key == "input") {
+    if (model.network.inputs.size() == fog::kMostNetworkInputs) in.fail("too many inputs");
     model.network.inputs.push_back(read_input(in));
   } else if (key == "hidden") {
     model.network.hidden = read_layer(in, static_cast<Eigen::Index>(model.network.inputs.size()));
@@ -281,6 +332,10 @@ std::string model_text(const Model& model) {
   out.word(kBoardRules[static_cast<std::size_t>(model.denoise.rule)]);
   out.word(model.denoise.hard ? "hard" : "soft").end_line();
   for (const EffectTerm& term : model.terms) {
+    if (term.expression) {
+      write_expression(out, term);
+      continue;
+    }
     out.word("effect").word(term.name).number(static_cast<double>(term.parameters.size()));
     out.numbers(term.parameters).numbers(term.identified).numbers(term.parameter_sigma);
     out.number(static_cast<double>(term.coefficients_dph.size()));
@@ -289,7 +344,7 @@ std::string model_text(const Model& model) {
   if (model.network.present()) {
     for (const RealInput& input : model.network.inputs) {
       out.word("input").word(name_of(input.signal)).number(input.centre).number(input.half_range);
-      out.end_line();
+      out.number(input.tau_s).end_line();
     }
     write_layer(out, "hidden", model.network.hidden);
     write_layer(out, "output", model.network.output);

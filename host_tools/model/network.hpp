@@ -1,19 +1,41 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "core/network/network.hpp"
+#include "core/thermal/first_order_lag.hpp"
 #include "core/thermal/signals.hpp"
 #include "model/real_numbers.hpp"
 
 namespace fogcomp {
 
-/// Min-max normalisation of one input: (x - centre) / half_range, clipped to +-1.
+/// A signal that the network sees, and its min-max normalisation: (x - centre) / half_range,
+/// clipped to +-1. Units: degC, degC/min, s since power-on, deg/h.
 struct RealInput {
   fog::NetworkInput signal{};
-  double centre = 0;      ///< degC or degC/min
-  double half_range = 1;  ///< the same, > 0
+  double centre = 0;
+  double half_range = 1;  ///< > 0
+  double tau_s = 0;       ///< of lagged_temperature; 0 for the others
+};
+
+/// The values of network inputs block by block, in their units: what the board's DriftNetwork sees,
+/// in double. Normalisation is not part of it.
+class NetworkSignals {
+ public:
+  NetworkSignals(const std::vector<RealInput>& inputs, double block_s);
+
+  std::size_t size() const { return inputs_.size(); }
+  void reset(const fog::Signals<RealNumbers>& signals);
+  /// Advances one block; the result is valid until the next call.
+  const Eigen::VectorXd& step(const fog::Signals<RealNumbers>& signals);
+
+ private:
+  std::vector<RealInput> inputs_;
+  double block_s_;
+  std::vector<fog::FirstOrderLag<RealNumbers>> lags_;  // one per input; used by lagged ones
+  Eigen::VectorXd values_;
 };
 
 struct RealLayer {
@@ -31,9 +53,11 @@ struct RealNetwork {
   double amplitude_dph = 0;
 
   bool present() const { return hidden.biases.size() != 0; }
-  double drift_dph(const fog::Signals<RealNumbers>& signals) const;
-  /// The normalised inputs.
-  Eigen::VectorXd normalised(const fog::Signals<RealNumbers>& signals) const;
+  /// 0 without a network. `values`: one per input, as NetworkSignals gives them.
+  double drift_dph(const Eigen::VectorXd& values) const;
+  Eigen::VectorXd normalised(const Eigen::VectorXd& values) const;
+  /// What the inputs need beside the coil's temperature.
+  fog::InputMask needs() const;
 };
 
 /// MATLAB's logsig, tansig, purelin.
@@ -43,5 +67,11 @@ double activation_slope(fog::Activation activation, double y);
 
 const char* name_of(fog::Activation activation);
 const char* name_of(fog::NetworkInput input);
+const char* unit_of(fog::NetworkInput input);
+/// Every input there is.
+inline constexpr std::array<fog::NetworkInput, fog::kNetworkInputs> kAllInputs{
+    fog::NetworkInput::temperature, fog::NetworkInput::temperature_rate,
+    fog::NetworkInput::lagged_temperature, fog::NetworkInput::elapsed,
+    fog::NetworkInput::input_rate};
 
 }  // namespace fogcomp

@@ -12,6 +12,7 @@
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
 #include "model/model_file.hpp"
+#include "quantization/expression_code.hpp"
 #include "quantization/table_writer.hpp"
 #include "support/input_error.hpp"
 #include "wavelet/filters.hpp"
@@ -95,8 +96,11 @@ void write_effects(TableWriter& out, const Model& model, const Timing& timing, i
   out.note("fractional bits of all coefficients");
   out.integer(fraction, "coefficient fraction");
   out.note("number of effects");
-  out.integer(static_cast<std::int64_t>(model.terms.size()), "number of effects");
+  out.integer(std::count_if(model.terms.begin(), model.terms.end(),
+                            [](const EffectTerm& term) { return !term.expression; }),
+              "number of effects");
   for (const EffectTerm& term : model.terms) {
+    if (term.expression) continue;
     const CatalogueEntry& entry = find_effect(term.name);
     const std::vector<double> constants = entry.constants(term.parameters, timing.block_s);
     out.note(format("%s: %s; id, constants, coefficients", term.name.c_str(),
@@ -112,6 +116,35 @@ void write_effects(TableWriter& out, const Model& model, const Timing& timing, i
                       entry.coefficients[i].unit));
       out.real(term.coefficients_dph[i], fraction, term.name.c_str());
     }
+  }
+}
+
+// One program of all expressions; each of its parts ends with that expression's output.
+void write_expressions(TableWriter& out, const Model& model, const Timing& timing, int fraction) {
+  std::vector<const EffectTerm*> terms;
+  for (const EffectTerm& term : model.terms) {
+    if (term.expression) terms.push_back(&term);
+  }
+  out.note("expressions: coefficients");
+  out.integer(static_cast<std::int64_t>(terms.size()), "expressions");
+  for (const EffectTerm* term : terms) {
+    out.note(format("%s = %.9g deg/h per unit", term->name.c_str(), natural_coefficient(*term, 0)));
+    out.real(term->coefficients_dph[0], fraction, term->name.c_str());
+  }
+  std::vector<ExpressionCode> codes;
+  std::size_t words = 0;
+  for (const EffectTerm* term : terms) {
+    codes.push_back(compile_expression(*term, model, timing.block_s));
+    words += codes.back().words.size();
+  }
+  out.note("expressions: words of the program");
+  out.integer(static_cast<std::int64_t>(words), "words of expressions");
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const ExpressionTerm& written = *terms[i]->expression;
+    out.note(format("%s: (%s) / 2^%d, within %.2g of it in double: %.2g deg/h",
+                    terms[i]->name.c_str(), written.expression.text.c_str(), written.scale_log2,
+                    codes[i].error, codes[i].error * std::abs(terms[i]->coefficients_dph[0])));
+    for (const std::int32_t word : codes[i].words) out.integer(word, "an operation");
   }
 }
 
@@ -133,23 +166,49 @@ void write_layer(TableWriter& out, const RealLayer& layer, const char* name) {
   for (const double bias : layer.biases) out.real(bias, fraction, "a bias");
 }
 
-void write_network(TableWriter& out, const RealNetwork& network, int coefficient_fraction) {
+// What a signal of the network is held as on the board: fractional bits, and units of the host in
+// one of the board's.
+struct InputFormat {
+  int fraction;
+  double per_unit;
+};
+InputFormat format_of(fog::NetworkInput signal, double block_s) {
+  switch (signal) {
+    case fog::NetworkInput::temperature:
+    case fog::NetworkInput::lagged_temperature:
+      break;
+    case fog::NetworkInput::temperature_rate:
+      return {fog::TemperatureRate::fractional_bits, 1};
+    case fog::NetworkInput::elapsed:
+      return {fog::Elapsed::fractional_bits, block_s};
+    case fog::NetworkInput::input_rate:
+      return {fog::Rate::fractional_bits, 1};
+  }
+  return {fog::Temperature::fractional_bits, 1};
+}
+
+void write_input(TableWriter& out, const RealInput& input, double block_s) {
+  const std::string lag = input.tau_s > 0 ? format(" (tau %g s)", input.tau_s) : "";
+  out.note(format("input %s%s: (x - %.9g) / %.9g %s; signal, decay, centre, multiplier, shift",
+                  name_of(input.signal), lag.c_str(), input.centre, input.half_range,
+                  unit_of(input.signal)));
+  out.integer(static_cast<std::int32_t>(input.signal), "input signal");
+  out.real(input.tau_s > 0 ? RealNumbers::decay(block_s / input.tau_s) : 0, 31, "an input's decay");
+  const InputFormat board = format_of(input.signal, block_s);
+  out.real(input.centre / board.per_unit, board.fraction, "an input's centre");
+  out.gain(std::ldexp(board.per_unit / input.half_range,
+                      fog::ActivationOutput::fractional_bits - board.fraction),
+           "an input's gain");
+}
+
+void write_network(TableWriter& out, const RealNetwork& network, double block_s,
+                   int coefficient_fraction) {
   const std::size_t inputs = network.present() ? network.inputs.size() : 0;
   out.note("network: inputs, hidden neurons");
   out.integer(static_cast<std::int64_t>(inputs), "network inputs");
   out.integer(network.hidden.biases.size(), "hidden neurons");
   if (!network.present()) return;
-  for (const RealInput& input : network.inputs) {
-    out.note(format("input %s: (x - %.9g) / %.9g; signal, centre, multiplier, shift",
-                    name_of(input.signal), input.centre, input.half_range));
-    out.integer(static_cast<std::int32_t>(input.signal), "input signal");
-    const int fraction = input.signal == fog::NetworkInput::temperature
-                             ? fog::Temperature::fractional_bits
-                             : fog::TemperatureRate::fractional_bits;
-    out.real(input.centre, fraction, "an input's centre");
-    out.gain(std::ldexp(1 / input.half_range, fog::ActivationOutput::fractional_bits - fraction),
-             "an input's gain");
-  }
+  for (const RealInput& input : network.inputs) write_input(out, input, block_s);
   write_layer(out, network.hidden, "hidden layer");
   write_layer(out, network.output, "output layer");
   out.note(format("drift = %.9g + %.9g y deg/h", network.centre_dph, network.amplitude_dph));
@@ -221,14 +280,10 @@ void write_denoise(TableWriter& out, const Model& model, const Timing& timing) {
 // Whether every effect can run on a board that is fed like this one.
 void require_board(const Model& model, const BoardSettings& settings) {
   for (const EffectTerm& term : model.terms) {
-    const fog::EffectDescription& effect = find_effect(term.name).description;
-    if (effect.host_only != nullptr) {
-      throw InputError("effect '" + term.name + "'", std::string("cannot go to the board: ") +
-                                                         effect.host_only + "; fit without it");
-    }
+    const fog::InputMask needs = info_of(term).needs;
     for (std::size_t i = 0; i < fog::kExtensionInputs && !settings.extension; ++i) {
       const auto input = static_cast<fog::Input>(i);
-      if (!has(effect.needs, input)) continue;
+      if (!has(needs, input)) continue;
       throw InputError("effect '" + term.name + "'",
                        "needs " + std::string(input_column(input).name) +
                            ", which the sensor stream has in extension records only; give "
@@ -257,6 +312,24 @@ void check_noise_fits(const BoardTable& table, std::size_t first, const DenoiseS
                           settings.wavelet.c_str(), settings.levels));
 }
 
+// Throws where the program as a whole is more than an image has room for: `first` is the first word
+// that write_expressions() wrote.
+void check_expressions(const BoardTable& table, std::size_t first) {
+  const std::int32_t* next = table.words.data() + first;
+  const auto count = static_cast<std::size_t>(*next++);
+  fog::ExpressionParameters expressions;
+  expressions.coefficients = {next, count};
+  next += count;
+  const auto words = static_cast<std::size_t>(*next++);
+  expressions.program = {next, words};
+  if (words <= fog::kMostExpressionWords && fog::expressions_fit(expressions)) return;
+  throw InputError("export", format("the expressions are more than a board takes (%zu of them, %zu "
+                                    "lags and plays, a stack of %zu, %zu words at most); fit with "
+                                    "fewer or shorter ones",
+                                    fog::kMostExpressions, fog::kMostExpressionStates,
+                                    fog::kMostExpressionStack, fog::kMostExpressionWords));
+}
+
 std::uint32_t crc_of_words(const std::vector<std::int32_t>& words) {
   std::vector<std::uint8_t> bytes(words.size() * 4);
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -271,13 +344,23 @@ std::int32_t as_signed(std::uint32_t word) {
 
 }  // namespace
 
-BoardTable make_board_table(const Model& model, const BoardSettings& settings) {
+Model board_model(const Model& model) {
+  Model result = model;
+  const auto end = std::remove_if(result.terms.begin(), result.terms.end(), [](const auto& term) {
+    return info_of(term).host_only != nullptr;
+  });
+  result.terms.erase(end, result.terms.end());
+  return result;
+}
+
+BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
+  const Model model = board_model(whole);
   require_board(model, settings);
   const Timing timing = timing_of(settings);
   if (timing.period_us < 1) {
     throw InputError("--sample-rate", format("%g Hz is beyond 1 MHz", settings.sample_rate_hz));
   }
-  const std::string text = model_text(model);
+  const std::string text = model_text(whole);
   BoardTable table;
   TableWriter out(table);
   out.note("magic number, layout version");
@@ -295,7 +378,10 @@ BoardTable make_board_table(const Model& model, const BoardSettings& settings) {
   const int fraction = fraction_for(largest_coefficient(model), fog::kLeastCoefficientFraction,
                                     fog::kMostCoefficientFraction);
   write_effects(out, model, timing, fraction);
-  write_network(out, model.network, fraction);
+  const std::size_t first_expression_word = table.words.size();
+  write_expressions(out, model, timing, fraction);
+  check_expressions(table, first_expression_word);
+  write_network(out, model.network, timing.block_s, fraction);
   const std::size_t denoise_word = table.words.size();
   write_denoise(out, model, timing);
   check_noise_fits(table, denoise_word, model.denoise);

@@ -28,8 +28,11 @@ struct BoardTable {
   fog::Span<const std::int32_t> span() const { return {words.data(), words.size()}; }
 };
 
-/// Rounds a model to the board's formats. Throws InputError where a value does not fit one, and for
-/// an effect that this board cannot have: the reason is in the message.
+/// The part of a model that a board can have: without the events of one recording.
+Model board_model(const Model& model);
+
+/// Rounds board_model() to the board's formats. Throws InputError where a value does not fit one,
+/// and for an effect that this board cannot have: the reason is in the message.
 BoardTable make_board_table(const Model& model, const BoardSettings& settings);
 
 /// Takes a table apart with the firmware's own reader. Throws InputError naming `file` and the

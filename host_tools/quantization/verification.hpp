@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/pipeline/model_parameters.hpp"
 #include "model/model.hpp"
 
@@ -12,6 +15,14 @@ struct QuantizationError {
   double at_temperature_degc = 0;
   double at_temperature_rate = 0;  ///< degC/min
   std::size_t blocks = 0;          ///< compared
+
+  /// Of one expression's part of the drift.
+  struct Expression {
+    std::string name;
+    double bound_dph = 0;  ///< by interval analysis, as the header states it
+    double worst_dph = 0;  ///< measured
+  };
+  std::vector<Expression> expressions;
 };
 
 /// The board promises at most this: 2 LSB of Rate.

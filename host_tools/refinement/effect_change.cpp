@@ -56,6 +56,11 @@ EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::stri
     change.terms.push_back(added);
     return change;
   }
+  const std::vector<EffectTerm> grown = grown_terms(*old);
+  if (effect.find(':') == std::string::npos && !grown.empty()) {
+    change.terms[change.changed] = grown.front();
+    return change;
+  }
   const EffectTerm changed = with_settings(*old, effect);
   if (changed.parameters == old->parameters && changed.identified == old->identified) {
     throw InputError("effect '" + effect + "'",

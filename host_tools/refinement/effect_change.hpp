@@ -15,8 +15,9 @@ struct EffectChange {
 
 /// `effect`: one effect as `fit --effects` has it. A new one goes to the end. One that is there
 /// already keeps its shape but for the parameters that are named: `bias_temperature:order=4` raises
-/// the order. Throws InputError for anything else than one effect, for an unknown one, and where
-/// nothing would change.
+/// the order; with none named it grows by what it can (the next order, a second radius). Throws
+/// InputError for anything else than one effect, for an unknown one, and where nothing would
+/// change.
 EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect);
 
 }  // namespace fogcomp

@@ -3,23 +3,11 @@
 #include <cmath>
 
 #include "core/protocol/crc.hpp"
+#include "dataset/data_hash.hpp"
 #include "evaluation/white_noise.hpp"
 
 namespace fogcomp {
 namespace {
-
-// What a fit depends on, as one number for the model's history.
-std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
-  const auto add = [&crc](const std::vector<double>& column) {
-    crc = fog::crc32(reinterpret_cast<const std::uint8_t*>(column.data()),
-                     column.size() * sizeof(double), crc);
-  };
-  add(recording.time_s);
-  add(recording.temperature_degc);
-  add(recording.rate_dph);
-  add(recording.input_rate_dph);
-  return crc;
-}
 
 std::optional<double> common_floor(const std::vector<RunInBlocks>& runs) {
   double square = 0;

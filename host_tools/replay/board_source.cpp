@@ -27,8 +27,7 @@ double BoardSource::scale_factor() const {
 }
 
 fog::InputMask BoardSource::needs() const {
-  return is_model_ ? needs_of(model_.terms)
-                   : fog::needs_of(read_board_table(table_, path_).effects.enabled());
+  return is_model_ ? needs_of(model_) : read_board_table(table_, path_).needs();
 }
 
 const BoardTable& BoardSource::table(const BoardSettings& settings) {

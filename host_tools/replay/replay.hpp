@@ -12,7 +12,8 @@ namespace fogcomp {
 
 /// The firmware's own pipeline with room for any model.
 using HostCompensator =
-    fog::Compensator<fog::kAnyModel.effects, fog::kAnyModel.taps, fog::kAnyModel.levels>;
+    fog::Compensator<fog::kAnyModel.effects, fog::kAnyModel.expressions,
+                     fog::kAnyModel.network_inputs, fog::kAnyModel.taps, fog::kAnyModel.levels>;
 
 /// What a replay saw, beside the bytes.
 struct ReplaySummary {

@@ -69,7 +69,7 @@ void evaluate(const Problem& problem, const VectorXd& w, VectorXd& errors, Matri
 RealInput min_max_input(fog::NetworkInput signal, const VectorXd& values) {
   const double least = values.minCoeff();
   const double most = values.maxCoeff();
-  return {signal, (least + most) / 2, std::max((most - least) / 2, 1e-3)};
+  return {signal, (least + most) / 2, std::max((most - least) / 2, 1e-3), 0};
 }
 
 // Weights of the size at which neurons work in their curved part without saturating.
@@ -135,22 +135,21 @@ TrainingResult train_levenberg_marquardt(const std::vector<fog::Signals<RealNumb
                                          const VectorXd& target_dph, const VectorXd& weights,
                                          const TrainingSettings& settings) {
   const auto rows = static_cast<Index>(signals.size());
-  VectorXd temperature(rows);
-  VectorXd rate(rows);
+  MatrixXd values(rows, 2);
   for (Index i = 0; i < rows; ++i) {
-    temperature[i] = signals[static_cast<std::size_t>(i)].temperature;
-    rate[i] = signals[static_cast<std::size_t>(i)].temperature_rate;
+    const auto& seen = signals[static_cast<std::size_t>(i)];
+    values.row(i) << seen.temperature, seen.temperature_rate;
   }
   RealNetwork scaling;
-  scaling.inputs = {min_max_input(fog::NetworkInput::temperature, temperature),
-                    min_max_input(fog::NetworkInput::temperature_rate, rate)};
+  scaling.inputs = {min_max_input(fog::NetworkInput::temperature, values.col(0)),
+                    min_max_input(fog::NetworkInput::temperature_rate, values.col(1))};
   scaling.amplitude_dph = kHeadRoom * std::max(target_dph.cwiseAbs().maxCoeff(), 1e-9);
 
   Problem problem;
-  problem.shape = {2, settings.hidden};
-  problem.inputs.resize(rows, 2);
+  problem.shape = {values.cols(), settings.hidden};
+  problem.inputs.resize(rows, values.cols());
   for (Index i = 0; i < rows; ++i) {
-    problem.inputs.row(i) = scaling.normalised(signals[static_cast<std::size_t>(i)]).transpose();
+    problem.inputs.row(i) = scaling.normalised(values.row(i).transpose()).transpose();
   }
   problem.target = target_dph / scaling.amplitude_dph;
   problem.root_weights = weights.cwiseSqrt();

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # effect_sizes.sh [FOGCOMP MAKE_MODEL]: what each effect costs on the STM32F405: bytes of flash of the product
-# image and instructions per block (of a second) in the drift model that it adds to an image with `bias` alone;
-# then the same for all effects and a network of 10 neurons. Instructions are counted by QEMU's -icount with
+# image and instructions per block (of a second) in the drift model that it adds to an image with `bias` alone,
+# and what networks of 10 neurons and some expressions add; then the same for all effects and a 3-10-1 network. Instructions are counted by QEMU's -icount with
 # TIM2, one tick each; they are not cycles. Prints a table of Markdown.
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/../..")
@@ -10,7 +10,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 
-# measure [EFFECT...]: "flash mean most" of the images with this model.
+# measure INPUTS [EFFECT...]: "flash mean most" of the images with a network of so many inputs and these effects.
 measure() {
   "$make_model" one.model "$@"
   "$fogcomp" export one.model -o fog_model.h --extension >/dev/null
@@ -28,13 +28,21 @@ measure() {
 row() { printf '| %-26s | %6s | %6s | %6s |\n' "$@"; }
 row effect "flash" "mean" "most"
 echo "|---|---|---|---|"
-read -r base_flash base_mean base_most < <(measure bias)
+read -r base_flash base_mean base_most < <(measure 0 bias)
 row "thermal state and bias" "$base_flash" "$base_mean" "$base_most"
 for effect in $("$fogcomp" effects | awk '/^[a-z_]+ - / { print $1 }'); do
   [[ $effect == bias ]] && continue
   "$fogcomp" effects "$effect" | grep -q '^  host only' && continue
-  read -r flash mean most < <(measure bias "$effect")
+  read -r flash mean most < <(measure 0 bias "$effect")
   row "$effect" "+$((flash - base_flash))" "$((mean - base_mean))" "$((most - base_most))"
 done
-read -r flash mean most < <(measure)
-row "all and a 2-10-1 network" "$flash" "$mean" "$most"
+for inputs in 2 3 4; do
+  read -r flash mean most < <(measure "$inputs" bias)
+  row "network $inputs-10-1" "+$((flash - base_flash))" "$((mean - base_mean))" "$((most - base_most))"
+done
+for expression in 'x=T*T*dTdt' 'x=lag(T,300)-T' 'x=play(T,6)' 'x=exp(-t/1200)' 'x=sin(T/3)' 'x=tanh(T/20)' 'x=dTdt/(300+T)'; do
+  read -r flash mean most < <(measure 0 bias "$expression")
+  row "expression ${expression#x=}" "+$((flash - base_flash))" "$((mean - base_mean))" "$((most - base_most))"
+done
+read -r flash mean most < <(measure 3)
+row "all and a 3-10-1 network" "$flash" "$mean" "$most"

@@ -16,8 +16,9 @@ void print_outputs(const std::string& name, const fogcomp::Model& model) {
   const fogcomp::BoardTable table =
       fogcomp::make_board_table(model, {200, fog::OutputSelection::kvh, true});
   const fog::ModelParameters parameters = fogcomp::read_board_table(table, name);
-  fog::DriftModel<fog::kAllEffects> board(parameters.thermal, parameters.effects,
-                                          parameters.network, parameters.policy);
+  fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs> board(
+      parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
+      parameters.policy);
   std::printf("%s:", name.c_str());
   std::size_t block = 0;
   for (const auto& means :

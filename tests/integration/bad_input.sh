@@ -85,7 +85,7 @@ refuses '^good\.csv: is not a fogcomp model' compare good.csv good.csv
 refuses '^folder: is a directory' compare folder good.csv
 sed 's/bias 0/bias 1/' good.model >damaged.model
 refuses '^damaged\.model: is damaged' export damaged.model -o kept
-sed '1s/1$/9/' good.model >version.model
+sed '1s/[0-9]*$/9/' good.model >version.model
 refuses '^version\.model:1: is a model of another version' export version.model -o kept
 head -c 200 good.model >cut.model
 refuses '^cut\.model: is damaged' replay cut.model good.csv -o kept
@@ -111,7 +111,7 @@ refuses '^missing\.model: ' history missing.model
 refuses '^good\.csv: is not a fogcomp model' history good.csv
 refuses '^damaged\.model: is damaged' history damaged.model
 
-# Effects whose inputs are missing, and effects that no board can have.
+# Effects whose inputs are missing, and parameters that cannot be searched for so.
 fit_effect() { refuses "$1" fit good.csv -o kept --effects "bias,$2"; }
 fit_effect '^good\.csv: magnetic needs the column magnetic_ut; add it, or leave the effect out' magnetic
 fit_effect '^good\.csv: axial_gradient needs the column temperature2_degc' axial_gradient
@@ -125,8 +125,24 @@ refuses '^good\.csv: magnetic needs the column magnetic_ut' compare field.model 
 refuses "^effect 'magnetic': needs magnetic_ut, which .* give --extension" export field.model -o kept
 "$fogcomp" export field.model -o field.h --extension --sample-rate 0.1 >/dev/null
 refuses '^good\.csv: has no column magnetic_ut, which the model needs' replay field.h good.csv -o kept
-"$fogcomp" fit good.csv -o step.model --effects bias,bias_step:at=15 >/dev/null
-refuses "^effect 'bias_step': cannot go to the board: it is an event" export step.model -o kept
+fit_effect "^effect 'thermal_hysteresis': bounds of radius2 must be \?\[least,most\] within 0\.5 to 40 degC" \
+  'thermal_hysteresis:radius2=?[0,20]'
+fit_effect '^effect .bias_step.: is searched for in the whole recording; leave the bounds out' 'bias_step:at=?[1,9]'
+refuses '^--effects: names no effect beside bias_step; add bias' fit good.csv -o kept --effects bias_step
+
+# Expressions: where the text is wrong, and what no board can do.
+fit_expression() { refuses "$1" fit good.csv -o kept --effects bias --effect-expr "$2"; }
+fit_expression "^expression 'x = T \* ': column 9: it ends too early" 'x = T * '
+fit_expression "column 9: there is no function 'sqrt'; there are sin" 'x = T + sqrt(T)'
+fit_expression "column 5: there is no signal 'Q'; there are T" 'x = Q'
+fit_expression "column 15: '\[' is missing" 'x = lag(T,?tau)'
+fit_expression 'column 5: it depends on no signal' 'x = 3*4'
+fit_expression 'column 6: an exponent must not depend on a signal' 'x = T^T'
+fit_expression 'has the name of an effect of the catalogue' 'bias = T'
+fit_expression "^expression 'x': is not finite over these recordings" 'x = T^0.5'
+fit_expression '^good\.csv: x needs the column magnetic_ut' 'x = B*T'
+"$fogcomp" fit good.csv -o divided.model --effects bias --effect-expr 'x = 1/(dTdt+5)' >/dev/null
+refuses "^expression 'x': cannot go to the board: a divisor goes from" export divided.model -o kept
 
 # Noise beyond the board's denoiser.
 "$fogcomp" simulate -o noisy.csv --noise white=1 >/dev/null

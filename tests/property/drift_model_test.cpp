@@ -19,8 +19,9 @@ double worst_difference(const fogcomp::Model& model, std::uint64_t seed, int hou
   const fogcomp::BoardTable table =
       fogcomp::make_board_table(model, {200, fog::OutputSelection::kvh, true});
   const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
-  fog::DriftModel<fog::kAllEffects> board(parameters.thermal, parameters.effects,
-                                          parameters.network, parameters.policy);
+  fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs> board(
+      parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
+      parameters.policy);
   fogcomp::RealDriftModel real(model, 1);
   // Beyond the trained range too: both must clamp alike.
   fog::test::RandomHistory history(seed, -60, 100);
@@ -67,6 +68,25 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForAMemsSizedDrift) {
   }
   model.network.amplitude_dph = 2000;
   EXPECT_LE(worst_difference(model, 3, 20), 0.02);  // relative: 1e-6 of 14,000 deg/h
+}
+
+TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryInputOfANetwork) {
+  const fogcomp::RealInput temperature{fog::NetworkInput::temperature, 20, 80, 0};
+  const fogcomp::RealInput rate{fog::NetworkInput::temperature_rate, 0, 1, 0};
+  const fogcomp::RealInput fast{fog::NetworkInput::lagged_temperature, 20, 75, 30};
+  const fogcomp::RealInput slow{fog::NetworkInput::lagged_temperature, 20, 40, 20000};
+  const fogcomp::RealInput elapsed{fog::NetworkInput::elapsed, 30000, 30000, 0};
+  const fogcomp::RealInput input_rate{fog::NetworkInput::input_rate, 8.47, 12, 0};
+  for (const std::vector<fogcomp::RealInput>& inputs :
+       {std::vector{temperature, rate, slow}, std::vector{fast, slow, temperature, elapsed},
+        std::vector{input_rate, rate}, std::vector{elapsed}}) {
+    fogcomp::Model model = fog::test::paper_like_model();
+    model.least_degc = -60;
+    model.most_degc = 100;
+    model.network = fog::test::network_of(inputs);
+    EXPECT_LE(worst_difference(model, 13, 20), 2.0 / 1024) << fogcomp::name_of(inputs[0].signal);
+  }
+  EXPECT_EQ(fog::test::overflows(), 0U);
 }
 
 // One effect alone, its shape at the ends and in the middle of its bounds.

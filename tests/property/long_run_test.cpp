@@ -72,8 +72,9 @@ TEST(LongRun, EveryEffectStandsStillAtConstantInputs) {
   const fogcomp::BoardTable table =
       fogcomp::make_board_table(model, {200, fog::OutputSelection::kvh, true});
   const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
-  fog::DriftModel<fog::kAllEffects> board(parameters.thermal, parameters.effects,
-                                          parameters.network, parameters.policy);
+  fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs> board(
+      parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
+      parameters.policy);
   fog::BlockMeans<fog::BoardNumbers> block;
   block.temperature = fog::Temperature::from_raw(1234567);
   block.elapsed = fog::Elapsed::highest();

@@ -9,6 +9,30 @@
 // Models for tests: small, complete, and the same in every test.
 namespace fog::test {
 
+/// Inputs -> 10 hidden neurons, spread over the range of the inputs -> 1.
+inline fogcomp::RealNetwork network_of(const std::vector<fogcomp::RealInput>& inputs) {
+  constexpr int kHidden = 10;
+  fogcomp::RealNetwork network;
+  network.inputs = inputs;
+  network.hidden.activation = fog::Activation::logsig;
+  network.hidden.weights.resize(kHidden, static_cast<Eigen::Index>(inputs.size()));
+  network.hidden.biases.resize(kHidden);
+  network.output.activation = fog::Activation::tansig;
+  network.output.weights.resize(1, kHidden);
+  network.output.biases.resize(1);
+  network.output.biases << 0.2;
+  network.amplitude_dph = 0.05;
+  for (Eigen::Index i = 0; i < kHidden; ++i) {
+    for (Eigen::Index j = 0; j < network.hidden.weights.cols(); ++j) {
+      const auto step = static_cast<double>((i + 2 * j) % 5);
+      network.hidden.weights(i, j) = (j % 2 == 0 ? 2.0 : -3.0) * (step - 2) + 0.7;
+    }
+    network.hidden.biases[i] = 0.5 * static_cast<double>(i) - 2;
+    network.output.weights(0, i) = (i % 2 == 0 ? 0.4 : -0.3);
+  }
+  return network;
+}
+
 /// Effects of the size of the reference paper's gyro, and a network of 3 neurons.
 inline fogcomp::Model paper_like_model() {
   fogcomp::Model model;
@@ -22,8 +46,8 @@ inline fogcomp::Model paper_like_model() {
       {"bias", {}, {}, {}, {0.7197}, {0.0005}},
       {"bias_temperature", {3}, {false}, {0}, {-0.0113, -0.129, 0.021}, {1e-4, 1e-4, 1e-4}},
       {"temperature_rate", {}, {}, {}, {0.44}, {0.004}}};
-  model.network.inputs = {{fog::NetworkInput::temperature, 10, 51},
-                          {fog::NetworkInput::temperature_rate, 0, 0.6}};
+  model.network.inputs = {{fog::NetworkInput::temperature, 10, 51, 0},
+                          {fog::NetworkInput::temperature_rate, 0, 0.6, 0}};
   model.network.hidden.activation = fog::Activation::logsig;
   model.network.hidden.weights.resize(3, 2);
   model.network.hidden.weights << 3.1, -0.4, -5.2, 2.2, 0.3, 7.5;

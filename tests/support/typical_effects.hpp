@@ -6,6 +6,7 @@
 
 #include "model/catalogue.hpp"
 #include "model/model.hpp"
+#include "quantization/expression_code.hpp"
 #include "support/sample_models.hpp"
 
 // Every effect of the board at the size that effects have in tactical and navigation gyros.
@@ -27,6 +28,24 @@ inline fogcomp::EffectTerm natural_term(const std::string& name,
                                     description.per_unit);
     term.sigma_dph.push_back(0.01 * std::abs(term.coefficients_dph.back()));
   }
+  return term;
+}
+
+/// An expression of 0.02 deg/h at its largest over usual ranges of its signals.
+inline fogcomp::EffectTerm written_term(const std::string& definition) {
+  fogcomp::EffectTerm term = fogcomp::expression_term(definition);
+  term.expression->ranges = {{{-60, 100},
+                              {-32, 32},
+                              {0, 3600000},
+                              {-100, 100},
+                              {-70, 110},
+                              {-500, 500},
+                              {0, 5000},
+                              {4, 6}}};
+  fogcomp::Model model = paper_like_model();
+  term.expression->scale_log2 = std::ilogb(fogcomp::compile_expression(term, model, 1).most) - 1;
+  term.coefficients_dph = {0.005};
+  term.sigma_dph = {0.0001};
   return term;
 }
 

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# all_effects_on_board.sh FOGCOMP MAKE_MODEL SOURCE DIR: images with every effect that a board can have, and a
-# network, boot on both machines and send for a recording with all inputs what this computer predicts: the
+# all_effects_on_board.sh FOGCOMP MAKE_MODEL SOURCE DIR: images with every effect that a board can have,
+# expressions of every operation and a network of four inputs, boot on both machines and send for a recording with all inputs what this computer predicts: the
 # sensor stream with its extension records, once as it is and once damaged.
 set -euo pipefail
 fogcomp=$1 make_model=$2 source=$3 folder=$4
 mkdir -p "$folder"
 
-"$make_model" "$folder/all.model"
+"$make_model" "$folder/all.model" 4 all 'burst=T*T*dTdt' 'late=lag(T,300)-play(T,?r[2,9])' 'start=exp(-t/1200)*sin(T2/9)' \
+  'supply=min(max(P/(1+abs(B)),1),W)^2/V-tanh(-T)'
 "$fogcomp" export "$folder/all.model" -o "$folder/fog_model.h" --extension --output both --sample-rate 2
 "$fogcomp" simulate -o "$folder/run.csv" --rate 2 --columns all --latitude 34
 "$fogcomp" stream "$folder/fog_model.h" "$folder/run.csv" -o "$folder/good.bin"

@@ -1,5 +1,6 @@
-// make_model OUT.model [EFFECT]: a model of one effect at its typical size, or of all that a board
-// can have and a network of 10 neurons. For the images of the target tests and of tests/bench.
+// make_model OUT.model INPUTS [EFFECT|NAME=EXPRESSION...]: a model of these effects at their
+// typical size, without any of all that a board can have, and of a network with so many inputs (0:
+// no network) and 10 neurons. For the images of the target tests and of tests/bench.
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -11,34 +12,31 @@
 
 namespace {
 
-// Ten neurons with inputs spread over the range; the sample model's three would be cheaper to run.
-void widen_network(fogcomp::RealNetwork& network) {
-  constexpr int kHidden = 10;
-  network.hidden.weights.resize(kHidden, 2);
-  network.hidden.biases.resize(kHidden);
-  network.output.weights.resize(1, kHidden);
-  for (int i = 0; i < kHidden; ++i) {
-    network.hidden.weights.row(i) << 5.0 * (i % 3 - 1) + 1, 3.0 - i;
-    network.hidden.biases[i] = 0.5 * i - 2;
-    network.output.weights(0, i) = (i % 2 == 0 ? 0.4 : -0.3);
-  }
-}
+// The inputs of a network: so many of these.
+const std::vector<fogcomp::RealInput> kInputs{{fog::NetworkInput::temperature, 10, 51, 0},
+                                              {fog::NetworkInput::temperature_rate, 0, 0.6, 0},
+                                              {fog::NetworkInput::lagged_temperature, 10, 50, 600},
+                                              {fog::NetworkInput::input_rate, 8.5, 10, 0}};
 
 fogcomp::EffectTerm typical_term(const std::string& name) {
   for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
     if (term.name == name) return term;
   }
+  if (name.find('=') != std::string::npos) return fog::test::written_term(name);
   throw std::invalid_argument("no effect '" + name + "' that a board can have");
 }
 
-void run(const std::string& output, const std::vector<std::string>& effects) {
+void run(const std::string& output, int inputs, const std::vector<std::string>& effects) {
   fogcomp::Model model = fog::test::all_effects_model();
-  if (effects.empty()) {
-    widen_network(model.network);
-  } else {
-    model.network = {};
-    model.terms.clear();
-    for (const std::string& effect : effects) model.terms.push_back(typical_term(effect));
+  model.network = {};
+  if (inputs > 0) {
+    model.network = fog::test::network_of({kInputs.begin(), kInputs.begin() + inputs});
+  }
+  if (!effects.empty()) {
+    if (effects[0] != "all") model.terms.clear();
+    for (const std::string& effect : effects) {
+      if (effect != "all") model.terms.push_back(typical_term(effect));
+    }
   }
   fogcomp::save_model(model, output);
 }
@@ -46,12 +44,12 @@ void run(const std::string& output, const std::vector<std::string>& effects) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) {
-    std::fputs("usage: make_model OUT.model [EFFECT...]\n", stderr);
+  if (argc < 3) {
+    std::fputs("usage: make_model OUT.model INPUTS [EFFECT...]\n", stderr);
     return 2;
   }
   try {
-    run(argv[1], {argv + 2, argv + argc});
+    run(argv[1], std::stoi(argv[2]), {argv + 3, argv + argc});
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "make_model: %s\n", error.what());

@@ -3,8 +3,9 @@
 #include <cstdint>
 
 #include "core/effects/effect_bank.hpp"
+#include "core/expression/expression_bank.hpp"
 #include "core/fixed_point/fixed.hpp"
-#include "core/network/network.hpp"
+#include "core/network/drift_network.hpp"
 #include "core/signal/quantities.hpp"
 #include "core/signal/status.hpp"
 #include "core/thermal/thermal_state.hpp"
@@ -17,23 +18,26 @@ struct DriftPolicy {
   std::uint32_t settle_blocks = 0;  ///< after (re)start the temperature rate is not yet known
 };
 
-/// The frozen drift model: thermal state, effects and network, once per block.
-template <EffectMask kCompiled>
+/// The frozen drift model: thermal state, effects, expressions and network, once per block.
+template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs>
 class DriftModel {
  public:
   DriftModel(const ThermalParameters<BoardNumbers>& thermal, const EffectsParameters& effects,
-             const NetworkParameters& network, const DriftPolicy& policy)
+             const ExpressionParameters& expressions, const NetworkParameters& network,
+             const DriftPolicy& policy)
       : thermal_(thermal),
         limits_(thermal),
         effects_(effects),
-        coefficient_fraction_(effects.coefficient_fraction),
-        network_(network),
+        expressions_(expressions, effects.coefficient_fraction),
+        network_(network, effects.coefficient_fraction),
         policy_(policy) {}
 
   /// Starts from the values of one sample, so that there is a drift before the first block is full.
   void start(const BlockMeans<BoardNumbers>& block) {
     const Signals<BoardNumbers> signals = thermal_.reset(block);
     effects_.reset(signals);
+    expressions_.reset(signals);
+    network_.reset(signals);
     started_ = true;
     settled_blocks_ = 0;
     evaluate(signals);
@@ -69,16 +73,15 @@ class DriftModel {
     held_blocks_ = 0;
     clamped_ = status_if(temperature < limits_.least || temperature > limits_.most,
                          Status::temperature_clamped);
-    DriftSum drift = effects_.step(signals);
-    if (network_.present()) drift += network_drift(network_, coefficient_fraction_, signals);
-    drift_ = saturate_to<Rate>(drift);
+    drift_ = saturate_to<Rate>(effects_.step(signals) + expressions_.step(signals) +
+                               network_.step(signals));
   }
 
   ThermalState<BoardNumbers> thermal_;
   ThermalParameters<BoardNumbers> limits_;
-  EffectBank<kCompiled> effects_;
-  int coefficient_fraction_;
-  NetworkParameters network_;
+  EffectBank<kEffects> effects_;
+  ExpressionBank<kExpressions> expressions_;
+  DriftNetwork<kNetworkInputs> network_;
   DriftPolicy policy_;
 
   bool started_ = false;

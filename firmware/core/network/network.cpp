@@ -19,16 +19,18 @@ ActivationOutput activate(Activation activation, ActivationInput x) {
 
 // One neuron. Inputs are within +-1, so the sum fits (layer_fits) and the bias, which has the
 // weights' format, is added as a weight of the input 1.
-ActivationOutput neuron(const LayerParameters& layer, std::size_t row,
-                        const ActivationOutput* inputs, std::size_t input_count) {
+ActivationOutput neuron(const LayerParameters& layer, std::size_t row, const std::int32_t* inputs,
+                        std::size_t input_count) {
   const std::int32_t* weights = layer.weights.data + row * input_count;
   std::int64_t sum = std::int64_t{layer.biases[row]} * kOne.raw();
-  for (std::size_t i = 0; i < input_count; ++i) sum += std::int64_t{weights[i]} * inputs[i].raw();
+  for (std::size_t i = 0; i < input_count; ++i) sum += std::int64_t{weights[i]} * inputs[i];
   const int dropped =
       layer.fraction + ActivationOutput::fractional_bits - ActivationInput::fractional_bits;
   return activate(layer.activation,
                   ActivationInput::from_raw(saturate<std::int32_t>(round_shift(sum, dropped))));
 }
+
+}  // namespace
 
 // The difference is clipped at the format of the signals, which are far inside it; the product is
 // below 2^62.
@@ -39,28 +41,12 @@ ActivationOutput normalised(std::int32_t raw, const InputScaling& scaling) {
   return clamp(ActivationOutput::from_raw(saturate<std::int32_t>(scaled)), -kOne, kOne);
 }
 
-ActivationOutput input(const InputScaling& scaling, const Signals<BoardNumbers>& signals) {
-  switch (scaling.signal) {
-    case NetworkInput::temperature:
-      return normalised(signals.temperature.raw(), scaling);
-    case NetworkInput::temperature_rate:
-      break;
-  }
-  return normalised(signals.temperature_rate.raw(), scaling);
-}
-
-}  // namespace
-
 DriftSum network_drift(const NetworkParameters& network, int coefficient_fraction,
-                       const Signals<BoardNumbers>& signals) {
-  std::array<ActivationOutput, kMostNetworkInputs> inputs;
-  for (std::size_t i = 0; i < network.input_count; ++i) {
-    inputs[i] = input(network.inputs[i], signals);
-  }
-  std::array<ActivationOutput, kMostHidden> hidden;
+                       const std::int32_t* inputs) {
+  std::array<std::int32_t, kMostHidden> hidden;  // raw, so that nothing is written to it twice
   const std::size_t hidden_count = network.hidden.biases.size;
   for (std::size_t row = 0; row < hidden_count; ++row) {
-    hidden[row] = neuron(network.hidden, row, inputs.data(), network.input_count);
+    hidden[row] = neuron(network.hidden, row, inputs, network.input_count).raw();
   }
   const ActivationOutput y = neuron(network.output, 0, hidden.data(), hidden_count);
   // |y| <= 2 (linear output) and centre, amplitude < 2^31: below 2^63.

@@ -6,26 +6,24 @@
 
 #include "core/effects/effect_bank.hpp"
 #include "core/fixed_point/logistic.hpp"
+#include "core/network/network_input.hpp"
 #include "core/signal/quantities.hpp"
 #include "core/signal/span.hpp"
-#include "core/thermal/signals.hpp"
+#include "core/thermal/first_order_lag.hpp"
 
 namespace fog {
 
 enum class Activation : std::int32_t { logsig = 0, tansig = 1, linear = 2 };
 
-/// A signal that a network can have as input; its number in the model table.
-enum class NetworkInput : std::int32_t { temperature = 0, temperature_rate = 1 };
-
-constexpr std::size_t kMostNetworkInputs = 2;
 constexpr std::size_t kMostHidden = 32;
 
 /// x -> (x - centre) * multiplier / 2^shift, clipped to +-1: the min-max normalisation of training.
 struct InputScaling {
   NetworkInput signal{};
-  std::int32_t centre = 0;      ///< in the format of the signal
-  std::int32_t multiplier = 0;  ///< 2^30 <= multiplier < 2^31: 30 significant bits
-  int shift = 0;                ///< 0 to 62; gives ActivationOutput's fraction
+  FirstOrderLag<BoardNumbers>::Decay decay{};  ///< of lagged_temperature; 0 for the others
+  std::int32_t centre = 0;                     ///< in the format of the signal
+  std::int32_t multiplier = 0;                 ///< 2^30 <= multiplier < 2^31: 30 significant bits
+  int shift = 0;                               ///< 0 to 62; gives ActivationOutput's fraction
 };
 
 /// One dense layer: outputs = activation(weights * inputs + biases).
@@ -46,11 +44,21 @@ struct NetworkParameters {
   std::int32_t amplitude = 0;  ///< the same
 
   bool present() const { return hidden.biases.size != 0; }
+  NetworkInputMask used() const {
+    NetworkInputMask mask = 0;
+    for (std::size_t i = 0; present() && i < input_count; ++i) mask |= bit_of(inputs[i].signal);
+    return mask;
+  }
 };
 
-/// The network's part of the drift. Stateless; least = most work for a given shape.
+/// The raw value of a signal as the network takes it, within +-1.
+ActivationOutput normalised(std::int32_t raw, const InputScaling& scaling);
+
+/// The drift of a network that is present, from the raw numbers of its normalised inputs.
+/// Stateless; least = most work for a given shape, but for the branches of the activation
+/// functions.
 DriftSum network_drift(const NetworkParameters& network, int coefficient_fraction,
-                       const Signals<BoardNumbers>& signals);
+                       const std::int32_t* inputs);
 
 /// Whether every neuron's sum fits: for each row, sum |weight| + |bias| must be at most 2^31 in
 /// raw, so that with inputs within +-1 at 30 fractional bits it stays below 2^61.

@@ -23,11 +23,19 @@ constexpr std::size_t kMostOutputBytes = kKvhFrameBytes + kCompactFrameBytes;
 
 /// The whole pipeline: bytes of the sensor stream in, bytes of the output stream out. The order of
 /// the stages is that of process(). Shape limits are template parameters so that an image holds
-/// just what its model needs: `kEffects` of the registry, filters up to `kTaps` x `kLevels`.
-template <EffectMask kEffects, std::size_t kTaps, std::size_t kLevels>
+/// just what its model needs: `kEffects` of the registry, `kExpressions`, a network of
+/// `kNetworkInputs`, filters up to `kTaps` x `kLevels`.
+template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs,
+          std::size_t kTaps, std::size_t kLevels>
 class Compensator {
  public:
-  static constexpr ModelShape room{kEffects, kTaps, kLevels, effect_fits<kEffects>};
+  static constexpr ModelShape room{kEffects,
+                                   kExpressions,
+                                   kNetworkInputs,
+                                   kTaps,
+                                   kLevels,
+                                   effect_fits<kEffects>,
+                                   expression_check<kExpressions>()};
 
   /// `parameters` must have been read with this class's room; parameters of a refused table make a
   /// pipeline that answers every sample and marks none valid.
@@ -37,9 +45,10 @@ class Compensator {
         output_(parameters.output),
         monitor_(parameters.acquisition),
         block_clock_(parameters.samples_per_block),
-        collector_(needs_of(parameters.effects.enabled())),
-        pending_(needs_of(parameters.effects.enabled())),
-        drift_model_(parameters.thermal, parameters.effects, parameters.network, parameters.policy),
+        collector_(parameters.needs()),
+        pending_(parameters.needs()),
+        drift_model_(parameters.thermal, parameters.effects, parameters.expressions,
+                     parameters.network, parameters.policy),
         denoiser_(parameters.denoise) {}
 
   /// Takes one byte of the sensor stream. Where it completes a sample, writes the frames that
@@ -104,7 +113,8 @@ class Compensator {
   }
 
  private:
-  using Collector = BlockCollector<needs_of(kEffects)>;
+  using Collector = BlockCollector<needs_of(kEffects) | needs_of_expressions(kExpressions) |
+                                   needs_of_network(kNetworkInputs)>;
 
   static Fixed<std::int64_t, Rate::fractional_bits> difference(Rate a, Rate b) {
     using Wide = Fixed<std::int64_t, Rate::fractional_bits>;
@@ -152,7 +162,7 @@ class Compensator {
   Collector collector_;
   typename Collector::Extension pending_;  // what came since the last sample
   Status input_missing_ = Status::none;
-  DriftModel<kEffects> drift_model_;
+  DriftModel<kEffects, kExpressions, kNetworkInputs> drift_model_;
   Denoiser<kTaps, kLevels> denoiser_;
   Temperature last_temperature_{};
   OutputSample last_;

@@ -68,6 +68,14 @@ EffectMask read_effects(TableReader& table, EffectCheck effect_fits, EffectsPara
   return enabled;
 }
 
+void read_expressions(TableReader& table, ExpressionCheck expressions_fit,
+                      ExpressionParameters& expressions) {
+  expressions.coefficients = table.next_words(next_count(table, kMostExpressions));
+  expressions.program = table.next_words(next_count(table, kMostExpressionWords));
+  if (!table.good()) return;
+  table.require(expressions_fit(expressions));
+}
+
 void read_layer(TableReader& table, std::size_t inputs, std::size_t outputs,
                 LayerParameters& layer) {
   layer.activation = static_cast<Activation>(table.next(0, 2));
@@ -78,15 +86,19 @@ void read_layer(TableReader& table, std::size_t inputs, std::size_t outputs,
 }
 
 void read_network(TableReader& table, NetworkParameters& network) {
+  using Decay = FirstOrderLag<BoardNumbers>::Decay;
   network.input_count = next_count(table, kMostNetworkInputs);
   const std::size_t hidden = next_count(table, kMostHidden);
   if (hidden == 0) return;
   table.require(network.input_count > 0);
   for (std::size_t i = 0; i < network.input_count; ++i) {
-    network.inputs[i].signal = static_cast<NetworkInput>(table.next(0, 1));
-    network.inputs[i].centre = table.next();
-    network.inputs[i].multiplier = table.next(1 << 30, kMost32);
-    network.inputs[i].shift = table.next(0, 62);
+    InputScaling& input = network.inputs[i];
+    input.signal = static_cast<NetworkInput>(table.next(0, kNetworkInputs - 1));
+    input.decay = Decay::from_raw(table.next(0, kMost32));
+    table.require((input.signal == NetworkInput::lagged_temperature) == (input.decay > Decay{}));
+    input.centre = table.next();
+    input.multiplier = table.next(1 << 30, kMost32);
+    input.shift = table.next(0, 62);
   }
   read_layer(table, network.input_count, hidden, network.hidden);
   read_layer(table, hidden, 1, network.output);
@@ -156,11 +168,14 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   read_calibration(table, parameters);
   read_thermal(table, parameters);
   const EffectMask enabled = read_effects(table, room.effect_fits, parameters.effects);
+  read_expressions(table, room.expressions_fit, parameters.expressions);
   read_network(table, parameters.network);
   read_denoise(table, parameters.denoise);
   parameters.output = static_cast<OutputSelection>(table.next(0, 2));
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
-  if ((enabled & ~room.effects) != 0U || parameters.denoise.levels() > room.levels ||
+  if ((parameters.expressions.used & ~room.expressions) != 0U) return ModelError::not_in_image;
+  if ((enabled & ~room.effects) != 0U || (parameters.network.used() & ~room.network_inputs) != 0U ||
+      parameters.denoise.levels() > room.levels ||
       (room.taps != kAnyTaps && parameters.denoise.taps() != room.taps)) {
     return ModelError::not_in_image;
   }
@@ -198,7 +213,8 @@ const char* describe(ModelError error) {
     case ModelError::out_of_range:
       return "model table holds a value out of range";
     case ModelError::not_in_image:
-      return "model uses an effect or filter that this image was not built with";
+      return "model uses an effect, operation, network input or filter that this image was not "
+             "built with";
   }
   return "unknown";
 }

@@ -19,19 +19,23 @@ namespace fog {
 enum class OutputSelection : std::int32_t { kvh = 0, compact = 1, both = 2 };
 
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
-constexpr std::int32_t kModelLayout = 1;          ///< of the table; SPEC.md, "Model table"
+constexpr std::int32_t kModelLayout = 2;          ///< of the table; SPEC.md, "Model table"
 constexpr std::size_t kMostModelWords = 4096;
 
 /// What an image has room for: fixed by the header that it is built with.
 struct ModelShape {
   EffectMask effects = 0;
+  ExpressionMask expressions = 0;
+  NetworkInputMask network_inputs = 0;
   std::size_t taps = 0;    ///< exactly, or kAnyTaps
   std::size_t levels = 0;  ///< at most
   EffectCheck effect_fits = fog::effect_fits<kAllEffects>;
+  ExpressionCheck expressions_fit = fog::expressions_fit;
 };
 
 /// Room for any model.
-constexpr ModelShape kAnyModel{kAllEffects, kAnyTaps, kMostLevels};
+constexpr ModelShape kAnyModel{kAllEffects, kAllExpressions, kAllNetworkInputs, kAnyTaps,
+                               kMostLevels};
 
 /// A model table taken apart. Arrays stay in the table, which must outlive this.
 /// As constructed it is the parameters of a board without a usable model: no rate is valid.
@@ -45,9 +49,16 @@ struct ModelParameters {
   ThermalParameters<BoardNumbers> thermal;
   DriftPolicy policy;
   EffectsParameters effects;
+  ExpressionParameters expressions;
   NetworkParameters network;
   DenoiseParameters denoise;
   OutputSelection output = OutputSelection::kvh;
+
+  /// What the model needs beside the coil's temperature.
+  InputMask needs() const {
+    return needs_of(effects.enabled()) | needs_of_expressions(expressions.used) |
+           needs_of_network(network.used());
+  }
 };
 
 /// Why a table was refused.
@@ -57,7 +68,8 @@ enum class ModelError : std::uint8_t {
   other_layout,  ///< made for another version of the firmware
   damaged,       ///< CRC
   out_of_range,  ///< a value that no export writes
-  not_in_image,  ///< an effect or a filter that this image was not built for
+  not_in_image,  ///< an effect, operation, network input or filter that this image was not built
+                 ///< for
 };
 
 /// Checks everything once, so that the pipeline need not: CRC, layout, ranges, and sums that must

@@ -25,6 +25,7 @@ TEST(SineTable, HoldsTheRoundedFunctionAndConstants) {
     EXPECT_EQ(fog::kSineTable[i], rounded(std::sin(kTwoPi * i / 64), 30)) << i;
   }
   EXPECT_EQ(rounded(kTwoPi, 28), 1686629713);
+  EXPECT_EQ(rounded(1 / kTwoPi, 32), 683565276);  // expression_bank.hpp
   EXPECT_EQ(rounded(1.0L / 6, 30), 178956971);
   EXPECT_EQ(rounded(1.0L / 24, 30), 44739243);
 }

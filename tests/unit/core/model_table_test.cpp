@@ -6,6 +6,7 @@
 #include "core/protocol/byte_order.hpp"
 #include "core/protocol/crc.hpp"
 #include "support/sample_models.hpp"
+#include "support/typical_effects.hpp"
 
 namespace {
 
@@ -19,6 +20,15 @@ ModelError read(const std::vector<std::int32_t>& words,
 
 std::vector<std::int32_t> good_words() {
   return fogcomp::make_board_table(fog::test::paper_like_model(), {}).words;
+}
+
+std::vector<std::int32_t> words_with_expressions() {
+  fogcomp::Model model = fog::test::paper_like_model();
+  for (const char* text : {"a = T^3/(2+abs(dTdt))", "b = play(lag(T,300),4)*sin(t/9)",
+                           "c = exp(-T/30)-min(tanh(W),max(T,3))"}) {
+    model.terms.push_back(fog::test::written_term(text));
+  }
+  return fogcomp::make_board_table(model, {}).words;
 }
 
 void repair_crc(std::vector<std::int32_t>& words) {
@@ -42,6 +52,23 @@ TEST(ModelTable, IsRefusedForEveryFlippedBit) {
   }
 }
 
+TEST(ModelTable, IsRefusedWhereALaggedInputHasNoLagOrAnotherHasOne) {
+  for (const std::int32_t decay : {0, 1000}) {
+    for (const auto signal :
+         {fog::NetworkInput::temperature, fog::NetworkInput::lagged_temperature}) {
+      auto words = good_words();
+      std::size_t input = 0;  // the first one's words: signal, decay, centre...
+      const std::int32_t centre = 10 * 65536;
+      while (words[input] != 0 || words[input + 1] != 0 || words[input + 2] != centre) ++input;
+      words[input] = static_cast<std::int32_t>(signal);
+      words[input + 1] = decay;
+      repair_crc(words);
+      const bool right = (signal == fog::NetworkInput::lagged_temperature) == (decay > 0);
+      EXPECT_EQ(read(words), right ? ModelError::none : ModelError::out_of_range);
+    }
+  }
+}
+
 TEST(ModelTable, IsRefusedWhereItsFiltersAreNotOneFilter) {
   // From the end: CRC, output, 5 thresholds, then 16 words each of synthesis, high-pass, low-pass.
   const std::size_t last_synthesis = good_words().size() - 8;
@@ -59,27 +86,31 @@ TEST(ModelTable, SaysWhyItIsRefused) {
   words[0] ^= 1;
   EXPECT_EQ(read(words), ModelError::not_a_model);
   words = good_words();
-  words[1] = 2;
+  words[1] = fog::kModelLayout - 1;
   repair_crc(words);
   EXPECT_EQ(read(words), ModelError::other_layout);
   words = good_words();
   words.pop_back();
   EXPECT_EQ(read(words), ModelError::damaged);
   words = good_words();
-  EXPECT_EQ(read(words, {0x3, 16, 5}), ModelError::not_in_image);
-  EXPECT_EQ(read(words, {0x7, 16, 4}), ModelError::not_in_image);
-  EXPECT_EQ(read(words, {0x7, 14, 5}), ModelError::not_in_image);
-  EXPECT_EQ(read(words, {0x7, 16, 5}), ModelError::none);
+  EXPECT_EQ(read(words, {0x7, 0, 0x3, 16, 5}), ModelError::none);
+  EXPECT_EQ(read(words_with_expressions(), {0x7, 0, 0x3, 16, 5}), ModelError::not_in_image);
+  EXPECT_EQ(read(words_with_expressions(), {0x7, fog::kAllExpressions, 0x3, 16, 5}),
+            ModelError::none);
+  EXPECT_EQ(read(words, {0x3, 0, 0x3, 16, 5}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 0, 0x1, 16, 5}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 0, 0x3, 16, 4}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 0, 0x3, 14, 5}), ModelError::not_in_image);
 }
 
 // Whatever numbers a table with a good CRC holds, reading it ends in a verdict, and one that is
 // accepted can be run. (ASan and UBSan watch in the sanitized build.)
 TEST(ModelTable, WithAGoodCrcAndAnyNumbersIsReadSafely) {
   std::mt19937 random(1);
-  const auto good = good_words();
+  const std::vector<std::vector<std::int32_t>> good{good_words(), words_with_expressions()};
   int accepted = 0;
-  for (int i = 0; i < 20000; ++i) {
-    auto words = good;
+  for (std::size_t i = 0; i < 40000; ++i) {
+    auto words = good[i % 2];
     for (int n = static_cast<int>(random() % 3); n >= 0; --n) {
       std::int32_t& word = words[4 + random() % (words.size() - 5)];
       word = random() % 2 == 0 ? static_cast<std::int32_t>(random())
@@ -92,8 +123,9 @@ TEST(ModelTable, WithAGoodCrcAndAnyNumbersIsReadSafely) {
       continue;
     }
     ++accepted;
-    fog::DriftModel<fog::kAllEffects> model(parameters.thermal, parameters.effects,
-                                            parameters.network, parameters.policy);
+    fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs> model(
+        parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
+        parameters.policy);
     model.start({fog::Temperature::from_raw(static_cast<std::int32_t>(random()))});
     for (int block = 0; block < 5; ++block) {
       model.step({fog::Temperature::from_raw(static_cast<std::int32_t>(random()))});

@@ -6,6 +6,7 @@
 
 #include "identification/effect_list.hpp"
 #include "support/input_error.hpp"
+#include "support/typical_effects.hpp"
 #include "unit/identification/simulated_gyro.hpp"
 
 namespace {
@@ -134,11 +135,54 @@ TEST(Identify, RefusesWhatTheDataCannotDetermine) {
   EXPECT_THROW(fit(model, recording), fogcomp::InputError);
 }
 
+// Two play operators, of which the second is off unless it is asked for; the narrower is the first,
+// wherever the search began.
+TEST(Identify, FindsASecondRadiusOfHysteresisWhereAsked) {
+  Model real = truth();
+  real.terms.push_back(fog::test::natural_term("thermal_hysteresis", {4, 17}, {0.06, 0.09}));
+  const auto recording = fog::test::recording_of(real, {0.024, 0.003, 300}, 2);
+  const std::string others = "bias,bias_temperature:order=3,temperature_rate,";
+  for (const char* effect :
+       {"thermal_hysteresis:radius2=?", "thermal_hysteresis:radius=?[1,10],radius2=?[10,30]"}) {
+    Model model = unknown();
+    model.terms = fogcomp::parse_effects(others + effect);
+    fit(model, recording);
+    const fogcomp::EffectTerm& term = model.terms.back();
+    ASSERT_EQ(term.coefficients_dph.size(), 2U) << effect;
+    EXPECT_NEAR(term.parameters[0], 4, 4 * term.parameter_sigma[0]) << effect;
+    EXPECT_NEAR(term.parameters[1], 17, 4 * term.parameter_sigma[1]) << effect;
+    EXPECT_LT(term.parameter_sigma[1], 2) << effect;
+    EXPECT_NEAR(term.coefficients_dph[0], 0.06, 4 * term.sigma_dph[0]) << effect;
+    EXPECT_NEAR(term.coefficients_dph[1], 0.09, 4 * term.sigma_dph[1]) << effect;
+  }
+  Model one = unknown();
+  one.terms = fogcomp::parse_effects(others + "thermal_hysteresis");
+  fit(one, recording);
+  EXPECT_EQ(one.terms.back().coefficients_dph.size(), 1U);
+}
+
 TEST(EffectList, KeepsWhatIsGivenAndLeavesTheRestToTheFit) {
   const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,temperature_rate");
   ASSERT_EQ(terms.size(), 3U);
   EXPECT_EQ(terms[1].parameters, std::vector<double>{3});
   EXPECT_FALSE(terms[1].identified[0]);
+}
+
+TEST(EffectList, TakesAQuestionMarkAndItsBounds) {
+  const auto terms =
+      fogcomp::parse_effects("bias,thermal_hysteresis:radius=7,radius2=?[5,20],shupe");
+  ASSERT_EQ(terms.size(), 3U);
+  EXPECT_FALSE(terms[1].identified[0]);
+  EXPECT_TRUE(terms[1].identified[1]);
+  EXPECT_EQ(terms[1].bounds[1].least, 5);
+  EXPECT_EQ(terms[1].bounds[1].most, 20);
+  EXPECT_GE(terms[1].parameters[1], 5);
+  EXPECT_LE(terms[1].parameters[1], 20);
+  for (const char* wrong :
+       {"bias_temperature:order=?", "shupe:tau=?[1,30]", "shupe:tau=?[30,20]", "shupe:tau=?[30]",
+        "shupe:tau=?30", "bias_step:at=?[1,2]", "shupe:tau=[1,2]"}) {
+    EXPECT_THROW(fogcomp::parse_effects(wrong), fogcomp::InputError) << wrong;
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "export/header.hpp"
 #include "support/input_error.hpp"
 #include "support/sample_models.hpp"
+#include "support/typical_effects.hpp"
 
 namespace {
 
@@ -57,6 +58,26 @@ TEST(ModelFile, KeepsTheWholeHistory) {
   EXPECT_NEAR(read.history[1].excess_removed().value_or(0), 0.88494, 1e-5);
 }
 
+TEST(ModelFile, KeepsEveryInputThatANetworkCanHave) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  model.network = fog::test::network_of({{fog::NetworkInput::lagged_temperature, 10, 51, 300},
+                                         {fog::NetworkInput::elapsed, 30000, 30000, 0},
+                                         {fog::NetworkInput::input_rate, 8.5, 10, 0}});
+  const std::string text = fogcomp::model_text(model);
+  EXPECT_EQ(fogcomp::model_text(fogcomp::parse_model(text, "gyro.model")), text);
+  EXPECT_EQ(fogcomp::parse_model(text, "gyro.model").network.inputs[0].tau_s, 300);
+}
+
+TEST(ModelFile, KeepsExpressions) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  model.terms.push_back(fog::test::written_term("late = lag(T, ?tau[60, 900]) -  T2 * exp(-t/7)"));
+  const std::string text = fogcomp::model_text(model);
+  const fogcomp::Model read = fogcomp::parse_model(text, "gyro.model");
+  EXPECT_EQ(fogcomp::model_text(read), text);
+  EXPECT_EQ(read.terms.back().expression->ranges[4].most, 110);
+  EXPECT_EQ(read.terms.back().expression->scale_log2, model.terms.back().expression->scale_log2);
+}
+
 TEST(ModelFile, RefusesEveryDamagedByte) {
   const std::string good = fogcomp::model_text(fog::test::paper_like_model());
   for (std::size_t i = 0; i < good.size(); ++i) {
@@ -74,7 +95,7 @@ TEST(ModelFile, NamesFileLineAndRemedy) {
             "gyro.model: is not a fogcomp model; fogcomp fit makes one");
   EXPECT_EQ(error_of("fogcomp-model 9\ncrc 0\n"),
             "gyro.model:1: is a model of another version ('fogcomp-model 9', this fogcomp reads "
-            "'fogcomp-model 1'); fit it again");
+            "'fogcomp-model 2'); fit it again");
 }
 
 TEST(Header, ReadsBackToTheSameTable) {

@@ -1,0 +1,223 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "core/effects/thermal_hysteresis.hpp"
+#include "core/effects/weighted_sum.hpp"
+#include "core/expression/expression_program.hpp"
+#include "core/fixed_point/exponential.hpp"
+#include "core/fixed_point/logistic.hpp"
+#include "core/fixed_point/sine.hpp"
+#include "core/thermal/first_order_lag.hpp"
+#include "core/thermal/signals.hpp"
+
+namespace fog {
+
+/// Runs the expressions of a model, once per block. Operations and signals that are not in
+/// kCompiled have no code in the image; a table with one is refused before this is built
+/// (ModelParameters::read).
+template <ExpressionMask kCompiled>
+class ExpressionBank {
+ public:
+  using BoardSignals = Signals<BoardNumbers>;
+
+  ExpressionBank(const ExpressionParameters& parameters, int coefficient_fraction)
+      : parameters_(parameters), coefficient_fraction_(coefficient_fraction) {}
+
+  /// Starts all states from these signals.
+  void reset(const BoardSignals& signals) { run(signals, true); }
+
+  /// Advances all states by one block and returns the expressions' drift.
+  DriftSum step(const BoardSignals& signals) {
+    run(signals, false);
+    return weighted_sum(parameters_.coefficients, regressors_.data(), coefficient_fraction_);
+  }
+
+  /// What the last run gave, for the host's check of the export.
+  const std::array<Regressor, kMostExpressions>& regressors() const { return regressors_; }
+
+ private:
+  using Op = ExpressionOp;
+  using Lag = FirstOrderLag<BoardNumbers>;
+  using Play = effects::Play<BoardNumbers>;
+
+  // Lag and play are homogeneous: whatever format the values have, these may take them for theirs,
+  // which has 22 fractional bits.
+  struct State {
+    Lag lag{Lag::Decay{}};
+    Play play{Play::Value{}};
+  };
+
+  static constexpr bool has(Op op) { return (kCompiled & bit_of(op)) != 0U; }
+  static constexpr bool has(ExpressionSignal signal) { return (kCompiled & bit_of(signal)) != 0U; }
+
+  static std::int32_t narrow(std::int64_t value) { return saturate<std::int32_t>(value); }
+  static std::int32_t shifted(std::int32_t value, int bits) {
+    if (bits >= 0) return narrow(round_shift(std::int64_t{value}, bits));
+    return narrow(shift_left(std::int64_t{value}, -bits));
+  }
+
+  static std::int32_t quotient(std::int32_t a, std::int32_t b, int bits) {
+    constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+    if (b == 0) return a < 0 ? -kMost : kMost;
+    const std::int64_t numerator = shift_left(std::int64_t{a}, bits);
+    if (b > 0) return narrow(round_divide(numerator, b));
+    return narrow(round_divide(-numerator, b < -kMost ? kMost : -b));
+  }
+
+  static SineCosine wave(std::int32_t radians, int fraction) {
+    // 2^32 / (2 pi); the test "SineTable" recomputes it.
+    constexpr std::int64_t kTurnsPerRadian = 683565276;
+    return sine_cosine(
+        static_cast<std::uint32_t>(round_shift(radians * kTurnsPerRadian, fraction)));
+  }
+
+  static std::int32_t raw_signal(int number, const BoardSignals& signals) {
+    switch (static_cast<ExpressionSignal>(number)) {
+      case ExpressionSignal::temperature:
+        break;
+      case ExpressionSignal::temperature_rate:
+        return signals.temperature_rate.raw();
+      case ExpressionSignal::elapsed:
+        return signals.block.elapsed.raw();
+      case ExpressionSignal::input_rate:
+        return signals.block.input_rate.raw();
+      case ExpressionSignal::temperature2:
+        return signals.block[Input::temperature2].raw();
+      case ExpressionSignal::magnetic:
+        return signals.block[Input::magnetic].raw();
+      case ExpressionSignal::light_power:
+        return signals.block[Input::light_power].raw();
+      case ExpressionSignal::supply:
+        return signals.block[Input::supply].raw();
+    }
+    return signals.temperature.raw();
+  }
+
+  static std::int32_t lagged(State& state, std::int32_t x, std::int32_t decay, bool restart) {
+    const auto input = round_to<Lag::State>(Play::Value::from_raw(x));
+    if (restart) {
+      state.lag = Lag(Lag::Decay::from_raw(decay));
+      state.lag.reset(input);
+    }
+    return narrow(round_to<Fixed<std::int64_t, 22>>(state.lag.step(input)).raw());
+  }
+
+  static std::int32_t played(State& state, std::int32_t x, std::int32_t radius, bool restart) {
+    constexpr auto kMost = Play::Value::from_raw(1 << 30);
+    const auto input = clamp(Play::Value::from_raw(x), -kMost, kMost);
+    if (restart) {
+      state.play = Play(Play::Value::from_raw(radius));
+      state.play.centre(input);
+    }
+    return (input - state.play.step(input)).raw();
+  }
+
+  // expressions_fit() has seen to it that neither words nor stack nor states run out.
+  void run(const BoardSignals& signals, bool restart) {
+    std::array<std::int32_t, kMostExpressionStack + 1> stack;  // the top is in `x`
+    std::int32_t* below = stack.data();
+    std::int32_t x = 0;
+    State* state = states_.data();
+    Regressor* regressor = regressors_.data();
+    const std::int32_t* word = parameters_.program.data;
+    const std::int32_t* const end = word + parameters_.program.size;
+    const auto push = [&](std::int32_t value) {
+      *below++ = x;
+      x = value;
+    };
+    while (word != end) {
+      const Op op = op_of(*word);
+      const int bits = floor_shift(*word, 8);
+      ++word;
+      switch (op) {
+        case Op::signal:
+          push(clamp(raw_signal(bits, signals), word[0], word[1]));
+          word += 2;
+          break;
+        case Op::constant:
+          push(*word++);
+          break;
+        case Op::duplicate:
+          push(x);
+          break;
+        case Op::over:
+          push(below[-1]);
+          break;
+        case Op::nip:
+          --below;
+          break;
+        case Op::shift:
+          x = shifted(x, bits);
+          break;
+        case Op::add:
+          x = narrow(std::int64_t{*--below} + x);
+          break;
+        case Op::subtract:
+          x = narrow(std::int64_t{*--below} - x);
+          break;
+        case Op::multiply:
+          x = narrow(round_shift(std::int64_t{*--below} * x, bits));
+          break;
+        case Op::divide:
+          if constexpr (has(Op::divide)) x = quotient(*--below, x, bits);
+          break;
+        case Op::negate:
+          x = narrow(-std::int64_t{x});
+          break;
+        case Op::absolute:
+          x = narrow(x < 0 ? -std::int64_t{x} : x);
+          break;
+        case Op::least:
+          x = clamp(x, std::numeric_limits<std::int32_t>::min(), *--below);
+          break;
+        case Op::most:
+          x = clamp(x, *--below, std::numeric_limits<std::int32_t>::max());
+          break;
+        case Op::sine:
+          if constexpr (has(Op::sine)) x = wave(x, bits).sine.raw();
+          break;
+        case Op::cosine:
+          if constexpr (has(Op::cosine)) x = wave(x, bits).cosine.raw();
+          break;
+        case Op::decay:
+          if constexpr (has(Op::decay)) {
+            x = exponential_decay(Fixed<std::int32_t, 26>::from_raw(x)).raw();
+          }
+          break;
+        case Op::tanh:
+          if constexpr (has(Op::tanh)) x = hyperbolic_tangent(ActivationInput::from_raw(x)).raw();
+          break;
+        case Op::lag:
+          if constexpr (has(Op::lag)) x = lagged(*state++, x, *word++, restart);
+          break;
+        case Op::play:
+          if constexpr (has(Op::play)) x = played(*state++, x, *word++, restart);
+          break;
+        case Op::output:
+          *regressor++ = Regressor::from_raw(shifted(x, bits));
+          x = *--below;
+          break;
+      }
+    }
+  }
+
+  ExpressionParameters parameters_;
+  int coefficient_fraction_;
+  std::array<Regressor, kMostExpressions> regressors_{};
+  std::array<State, has(Op::lag) || has(Op::play) ? kMostExpressionStates : 1> states_{};
+};
+
+/// An image without expressions: no state, no code.
+template <>
+class ExpressionBank<0> {
+ public:
+  ExpressionBank(const ExpressionParameters& /*parameters*/, int /*coefficient_fraction*/) {}
+  void reset(const Signals<BoardNumbers>& /*signals*/) {}
+  DriftSum step(const Signals<BoardNumbers>& /*signals*/) { return {}; }
+};
+
+}  // namespace fog

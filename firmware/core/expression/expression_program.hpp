@@ -1,0 +1,136 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/signal/inputs.hpp"
+#include "core/signal/span.hpp"
+
+/* A drift term that is data: a program for a stack of 32-bit integers, made by fogcomp export from
+   an expression. Which format a value has is known to the exporter alone, which chooses it so that
+   nothing overflows; where a table says otherwise, every operation saturates. */
+
+namespace fog {
+
+/// One word: operation + 256 * argument (-62 to 62), then the words named here. `bits`: the
+/// argument.
+enum class ExpressionOp : std::uint8_t {
+  signal = 0,     ///< + least, most: pushes signal number `bits`, clamped, in its own format
+  constant = 1,   ///< + value
+  duplicate = 2,  ///< pushes the top once more
+  over = 3,       ///< pushes the value below the top once more
+  nip = 4,        ///< removes the value below the top
+  shift = 5,      ///< round_shift by `bits`; to the left where negative, at most 31
+  add = 6,
+  subtract = 7,
+  multiply = 8,  ///< round_shift(a * b, bits)
+  divide = 9,  ///< round_divide(a * 2^bits, b), bits at most 30; the limit of a's sign where b is 0
+  negate = 10,
+  absolute = 11,
+  least = 12,
+  most = 13,
+  sine = 14,    ///< of radians with `bits` fractional bits -> 30 fractional bits
+  cosine = 15,  ///< the same
+  decay = 16,   ///< exp(-x), x >= 0 with 26 fractional bits -> 30
+  tanh = 17,    ///< 27 fractional bits -> 30
+  lag = 18,     ///< + decay (31 fractional bits, > 0): through a first-order lag
+  play = 19,    ///< + radius (>= 0): play operator
+  output = 20,  ///< pops the next regressor; `bits` as for shift
+};
+constexpr std::size_t kExpressionOps = 21;
+
+/// Signals of an expression, their numbers in a program and formats.
+enum class ExpressionSignal : std::uint8_t {
+  temperature = 0,       ///< degC, in the trained range
+  temperature_rate = 1,  ///< degC/min
+  elapsed = 2,           ///< blocks since power-on
+  input_rate = 3,        ///< deg/h
+  temperature2 = 4,      ///< degC
+  magnetic = 5,          ///< uT
+  light_power = 6,       ///< uW
+  supply = 7,            ///< V
+};
+constexpr std::size_t kExpressionSignals = 8;
+
+constexpr std::size_t kMostExpressions = 8;       ///< outputs of a program
+constexpr std::size_t kMostExpressionStates = 8;  ///< lags and plays
+constexpr std::size_t kMostExpressionStack = 16;
+constexpr std::size_t kMostExpressionWords = 512;
+
+/// Operations and, above them, signals that a program has; 0: no expressions.
+using ExpressionMask = std::uint32_t;
+constexpr ExpressionMask bit_of(ExpressionOp op) {
+  return ExpressionMask{1} << static_cast<unsigned>(op);
+}
+constexpr ExpressionMask bit_of(ExpressionSignal signal) {
+  return ExpressionMask{1} << (kExpressionOps + static_cast<unsigned>(signal));
+}
+constexpr ExpressionMask kAllExpressions =
+    (ExpressionMask{1} << (kExpressionOps + kExpressionSignals)) - 1U;
+
+constexpr InputMask needs_of(ExpressionSignal signal) {
+  switch (signal) {
+    case ExpressionSignal::temperature:
+    case ExpressionSignal::temperature_rate:
+      break;
+    case ExpressionSignal::elapsed:
+      return bit_of(Input::elapsed);
+    case ExpressionSignal::input_rate:
+      return bit_of(Input::input_rate);
+    case ExpressionSignal::temperature2:
+      return bit_of(Input::temperature2);
+    case ExpressionSignal::magnetic:
+      return bit_of(Input::magnetic);
+    case ExpressionSignal::light_power:
+      return bit_of(Input::light_power);
+    case ExpressionSignal::supply:
+      return bit_of(Input::supply);
+  }
+  return 0;
+}
+
+/// What expressions with these signals need beside the coil's temperature.
+constexpr InputMask needs_of_expressions(ExpressionMask mask) {
+  InputMask needs = 0;
+  for (std::size_t i = 0; i < kExpressionSignals; ++i) {
+    const auto signal = static_cast<ExpressionSignal>(i);
+    if ((mask & bit_of(signal)) != 0U) needs |= needs_of(signal);
+  }
+  return needs;
+}
+
+/// The expressions of a model: one program with an output for each coefficient.
+struct ExpressionParameters {
+  Span<const std::int32_t> program;
+  Span<const std::int32_t> coefficients;  ///< deg/h, EffectsParameters::coefficient_fraction bits
+
+  ExpressionMask used = 0;  ///< by the program; set by the check
+};
+
+/// Whether a program can be run as far as the image has expressions. Sets `used`.
+using ExpressionCheck = bool (*)(ExpressionParameters& expressions);
+
+/// For images with expressions: known operations with their words and arguments in range, a stack
+/// that neither runs empty nor over, states in number, as many outputs as coefficients.
+bool expressions_fit(ExpressionParameters& expressions);
+
+/// For images without: whatever is there needs more than there is.
+inline bool expressions_unknown(ExpressionParameters& expressions) {
+  expressions.used = expressions.program.size == 0 ? 0U : kAllExpressions;
+  return expressions.program.size != 0 || expressions.coefficients.size == 0;
+}
+
+/// The check for an image with kCompiled.
+template <ExpressionMask kCompiled>
+constexpr ExpressionCheck expression_check() {
+  return kCompiled == 0U ? expressions_unknown : expressions_fit;
+}
+
+/// Words of an operation, its own included.
+std::size_t words_of(ExpressionOp op);
+
+constexpr ExpressionOp op_of(std::int32_t word) {
+  return static_cast<ExpressionOp>(static_cast<std::uint32_t>(word) & 0xFFU);
+}
+
+}  // namespace fog

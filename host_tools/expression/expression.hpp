@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/expression/expression_program.hpp"
+#include "core/signal/inputs.hpp"
+
+namespace fogcomp {
+
+using fog::ExpressionSignal;
+using fog::kExpressionSignals;
+
+/// One operation. Operands are nodes before it.
+struct ExpressionNode {
+  enum class Kind : std::uint8_t {
+    number,     // value
+    parameter,  // index into Expression::parameters
+    signal,
+    add,
+    subtract,
+    multiply,
+    divide,
+    power,  // right: constant
+    negate,
+    sine,
+    cosine,
+    exponential,
+    hyperbolic_tangent,
+    absolute,
+    least,
+    most,
+    lag,   // right: time constant in s, constant
+    play,  // right: radius, constant
+  };
+  Kind kind = Kind::number;
+  std::size_t left = 0;
+  std::size_t right = 0;
+  double value = 0;
+  std::size_t parameter = 0;
+  ExpressionSignal signal{};
+  bool constant = false;  ///< of numbers and parameters alone
+};
+
+/// The value of an operation on numbers; of signals, lags and plays, `left`.
+double apply(ExpressionNode::Kind kind, double left, double right);
+
+/// A parameter of an expression, to be identified.
+struct ExpressionParameter {
+  std::string name;
+  double least = 0;
+  double most = 0;
+};
+
+/// A term of the drift written by hand: `NAME = T*T*dTdt`.
+struct Expression {
+  std::string name;
+  std::string text;                   ///< right of the equals sign
+  std::vector<ExpressionNode> nodes;  ///< operands first; the last one is the whole
+  std::vector<ExpressionParameter> parameters;
+
+  /// What it needs beside the coil's temperature.
+  fog::InputMask needs() const;
+  bool uses(ExpressionSignal signal) const;
+  /// Values of the nodes that are constant; 0 for the others.
+  std::vector<double> constants(const std::vector<double>& parameter_values) const;
+};
+
+/// Reads `NAME = EXPRESSION` (host_tools/README.md, "Expressions"). Throws InputError that names
+/// the column, counted from 1 at the beginning of `definition`.
+Expression parse_expression(const std::string& definition);
+
+}  // namespace fogcomp

@@ -1,0 +1,63 @@
+#include "model/expression_effect.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fogcomp {
+
+using Kind = ExpressionNode::Kind;
+
+double value_of(ExpressionSignal signal, const fog::Signals<RealNumbers>& signals, double block_s) {
+  switch (signal) {
+    case ExpressionSignal::temperature:
+      break;
+    case ExpressionSignal::temperature_rate:
+      return signals.temperature_rate;
+    case ExpressionSignal::elapsed:
+      return signals.block.elapsed * block_s;
+    case ExpressionSignal::input_rate:
+      return signals.block.input_rate;
+    case ExpressionSignal::temperature2:
+      return signals.block[fog::Input::temperature2];
+    case ExpressionSignal::magnetic:
+      return signals.block[fog::Input::magnetic];
+    case ExpressionSignal::light_power:
+      return signals.block[fog::Input::light_power];
+    case ExpressionSignal::supply:
+      return signals.block[fog::Input::supply];
+  }
+  return signals.temperature;
+}
+
+ExpressionEffect::ExpressionEffect(ExpressionTerm term, const std::vector<double>& parameters,
+                                   double block_s)
+    : term_(std::move(term)),
+      block_s_(block_s),
+      values_(term_.expression.constants(parameters)),
+      states_(values_.size()) {}
+
+double ExpressionEffect::evaluate(const fog::Signals<RealNumbers>& signals, bool restart) {
+  const std::vector<ExpressionNode>& nodes = term_.expression.nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const ExpressionNode& node = nodes[i];
+    if (node.constant) continue;
+    const double left = values_[node.left];
+    const double right = values_[node.right];
+    double& state = states_[i];
+    if (node.kind == Kind::signal) {
+      const SignalRange& range = term_.ranges[static_cast<std::size_t>(node.signal)];
+      values_[i] = std::clamp(value_of(node.signal, signals, block_s_), range.least, range.most);
+    } else if (node.kind == Kind::lag) {
+      state = restart ? left : state + (left - state) * RealNumbers::decay(block_s_ / right);
+      values_[i] = state;
+    } else if (node.kind == Kind::play) {
+      state = restart ? left : std::clamp(state, left - right, left + right);
+      values_[i] = state;
+    } else {
+      values_[i] = apply(node.kind, left, right);
+    }
+  }
+  return std::ldexp(values_.back(), -term_.scale_log2);
+}
+
+}  // namespace fogcomp

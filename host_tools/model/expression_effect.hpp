@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/thermal/first_order_lag.hpp"
+#include "core/thermal/signals.hpp"
+#include "expression/expression.hpp"
+#include "model/real_effect.hpp"
+
+namespace fogcomp {
+
+struct SignalRange {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+};
+using SignalRanges = std::array<SignalRange, kExpressionSignals>;
+
+/// What a term of a model that is an expression has beside any other: its regressor is
+/// expression / 2^scale_log2. Signals are clamped to `ranges`, what they went through in the fit
+/// and some more, on host and board alike: there a formula is known to be finite and of which size.
+struct ExpressionTerm {
+  Expression expression;
+  int scale_log2 = 0;
+  SignalRanges ranges{};
+};
+
+/// A signal's value in the expression's unit; blocks are `block_s` long.
+double value_of(ExpressionSignal signal, const fog::Signals<RealNumbers>& signals, double block_s);
+
+/// The regressor of an expression, in double.
+class ExpressionEffect : public RealEffect {
+ public:
+  /// `parameters` as Expression::parameters lists them.
+  ExpressionEffect(ExpressionTerm term, const std::vector<double>& parameters, double block_s);
+
+  std::size_t regressor_count() const override { return 1; }
+  void reset(const fog::Signals<RealNumbers>& signals) override { evaluate(signals, true); }
+  void step(const fog::Signals<RealNumbers>& signals, double* regressors) override {
+    regressors[0] = evaluate(signals, false);
+  }
+
+ private:
+  double evaluate(const fog::Signals<RealNumbers>& signals, bool restart);
+
+  ExpressionTerm term_;
+  double block_s_;
+  std::vector<double> values_;  // of every node; constants stay
+  std::vector<double> states_;  // of lags and plays, at their node
+};
+
+}  // namespace fogcomp

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/thermal/signals.hpp"
+#include "model/real_numbers.hpp"
+
+namespace fogcomp {
+
+/// A term of the drift running in double, for identification: an effect of the firmware's registry
+/// or an expression.
+class RealEffect {
+ public:
+  virtual ~RealEffect() = default;
+  virtual std::size_t regressor_count() const = 0;
+  virtual void reset(const fog::Signals<RealNumbers>& signals) = 0;
+  /// Advances one block; writes regressor_count() values.
+  virtual void step(const fog::Signals<RealNumbers>& signals, double* regressors) = 0;
+};
+
+}  // namespace fogcomp

@@ -1,0 +1,30 @@
+#include "dataset/data_hash.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/protocol/crc.hpp"
+#include "dataset/input_columns.hpp"
+
+namespace {
+
+TEST(DataHash, ChangesWithEveryColumnThatAFitCanDependOn) {
+  fogcomp::Recording plain;
+  plain.time_s = {0, 1, 2};
+  plain.temperature_degc = {20, 21, 22};
+  plain.rate_dph = {0.1, 0.2, 0.3};
+  const auto hash = [](const fogcomp::Recording& recording) {
+    return fogcomp::data_hash(recording, fog::kCrc32Initial);
+  };
+  std::set<std::uint32_t> hashes{hash(plain)};
+  for (const fogcomp::Column column : fogcomp::kInputColumns) {
+    fogcomp::Recording recording = plain;
+    recording.*fogcomp::column_info(column).values = {1, 2, 4};
+    EXPECT_TRUE(hashes.insert(hash(recording)).second) << fogcomp::column_info(column).name;
+  }
+  plain.temperature_degc[1] = 21.001;
+  EXPECT_TRUE(hashes.insert(hash(plain)).second);
+}
+
+}  // namespace
