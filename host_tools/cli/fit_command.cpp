@@ -7,6 +7,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/recording_options.hpp"
+#include "cli/training_options.hpp"
 #include "core/protocol/crc.hpp"
 #include "dataset/recording.hpp"
 #include "dataset/recording_writer.hpp"
@@ -16,7 +17,6 @@
 #include "model/model_file.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
-#include "training/levenberg_marquardt.hpp"
 #include "wavelet/denoise_parts.hpp"
 #include "wavelet/filters.hpp"
 
@@ -142,21 +142,45 @@ std::uint32_t read_runs(const Arguments& arguments, Model& model, SignalSeries& 
   return hash;
 }
 
+// The network learns what the effects leave from temperature and temperature rate.
+NetworkTask network_task(const Rows& rows, const Eigen::VectorXd& target) {
+  NetworkTask task;
+  task.inputs.resize(rows.size(), 2);
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    const auto& signals = rows.signals[static_cast<std::size_t>(i)];
+    task.inputs.row(i) << signals.temperature, signals.temperature_rate;
+  }
+  task.target_dph = target;
+  task.weights = rows.weights;
+  task.run_starts = rows.run_starts;
+  return task;
+}
+
+RealNetwork as_model(const TrainedNetwork& trained) {
+  RealNetwork network;
+  network.inputs = {
+      {fog::NetworkInput::temperature, trained.inputs[0].centre, trained.inputs[0].half_range},
+      {fog::NetworkInput::temperature_rate, trained.inputs[1].centre,
+       trained.inputs[1].half_range}};
+  network.hidden = trained.hidden;
+  network.output = trained.output;
+  network.centre_dph = trained.centre_dph;
+  network.amplitude_dph = trained.amplitude_dph;
+  return network;
+}
+
 struct Fit {
   Model model;
   Eigen::Index rows = 0;
   double row_s = 0;
   double raw_std_dph = 0;
   Identification identified;
-  double effective_weights = 0;  // of the network
+  std::optional<double> effective_weights;  // of the network; lm knows
 };
 
 Fit fit(const Arguments& arguments) {
-  arguments.choice("trainer", {"lm"});
   const std::optional<DenoiseMethod> denoising = row_denoising(arguments);
-  TrainingSettings training;
-  training.hidden = static_cast<int>(arguments.integer("network", 0, 32));
-  training.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
+  const NetworkSettings training = network_settings(arguments);
 
   Fit fit;
   Model& model = fit.model;
@@ -174,13 +198,12 @@ Fit fit(const Arguments& arguments) {
 
   Eigen::VectorXd target = fit.identified.residual_dph;
   if (denoising) denoise_rows(rows, *denoising, target);
-  const TrainingResult trained =
-      train_levenberg_marquardt(rows.signals, target, rows.weights, training);
-  model.network = trained.network;
+  const TrainedNetwork trained = train_watched(network_task(rows, target), training);
+  model.network = as_model(trained);
   model.residual_rms_dph = trained.rms_after_dph;
-  model.history.push_back(
-      {format("network %d", training.hidden), hash, trained.rms_before_dph, trained.rms_after_dph});
-  fit.effective_weights = trained.effective_parameters;
+  model.history.push_back({format("network %d %s", training.hidden, training.trainer.c_str()), hash,
+                           trained.rms_before_dph, trained.rms_after_dph});
+  fit.effective_weights = trained.result.effective_parameters;
   return fit;
 }
 
@@ -197,7 +220,8 @@ void print_json(const Fit& fit, const std::string& output) {
   result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
   result.set("effects", terms_json(fit.model));
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
-  result.set("network_effective_parameters", fit.effective_weights);
+  result.set("network_effective_parameters",
+             fit.effective_weights ? Json(*fit.effective_weights) : Json());
   std::puts(result.text().c_str());
 }
 
@@ -209,8 +233,8 @@ void print_text(const Fit& fit, const std::string& output) {
     std::printf("  %-44s %.4f -> %.4f deg/h rms\n", step.action.c_str(), step.rms_before_dph,
                 step.rms_after_dph);
   }
-  if (fit.model.network.present()) {
-    std::printf("  (of the network's weights the data determine %.1f)\n", fit.effective_weights);
+  if (fit.effective_weights) {
+    std::printf("  (of the network's weights the data determine %.1f)\n", *fit.effective_weights);
   }
   std::printf("\nwritten: %s\n", output.c_str());
 }
@@ -242,9 +266,6 @@ Command fit_command() {
   command.options = {
       {"o", "MODEL", "model file to write", ""},
       {"effects", "LIST", "a,b:parameter=value,c (fogcomp effects lists them)", ""},
-      {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
-      {"trainer", "NAME", "lm (Levenberg-Marquardt, Bayesian regularisation)", "lm"},
-      {"seed", "N", "of the network's first weights", "1"},
       {"average", "S", "rows of the fit, seconds", "10"},
       {"run-offsets", "", "every recording has a bias of its own; the model keeps the first's", ""},
       {"derivative-tau", "S", "time constant of the two lags behind dT/dt", "30"},
@@ -256,6 +277,7 @@ Command fit_command() {
       {"denoise-rows", "RULE", "denoise what the network is trained on, by heursure, ...", "none"},
       {"json", "", "one JSON object on stdout", ""},
   };
+  for (Option& option : training_options()) command.options.push_back(std::move(option));
   for (Option& option : recording_options()) command.options.push_back(std::move(option));
   command.run = run_fit;
   return command;
