@@ -1,0 +1,97 @@
+#include "paper/study.hpp"
+
+#include <cmath>
+
+#include "comparators/comparator.hpp"
+#include "evaluation/comparison.hpp"
+#include "support/input_error.hpp"
+#include "wavelet/denoise.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kRow = 10;  // s
+constexpr double kDerivativeTau = 20;
+
+Eigen::VectorXd denoised(Eigen::VectorXd values, bool hard) {
+  DenoiseMethod method;
+  method.hard = hard;
+  denoise({values.data(), static_cast<std::size_t>(values.size())}, method);
+  return values;
+}
+
+Score score(const SimulatedRun& run, const Eigen::VectorXd& predicted) {
+  Score result;
+  result.residual = mean_and_std(run.series.rows().drift_dph - predicted);
+  result.drift_dph = floor_removed(result.residual.std_dph, run.noise_floor_dph);
+  result.truth_rms_dph =
+      (predicted - run.truth_dph).norm() / std::sqrt(static_cast<double>(predicted.size()));
+  return result;
+}
+
+}  // namespace
+
+const char* const kStudyEffects =
+    "bias,bias_temperature:order=2,temperature_rate,temperature_rate_product,"
+    "polarization_ripple,warm_up";
+
+MeanStd mean_and_std(const Eigen::VectorXd& values) {
+  const auto count = static_cast<double>(values.size());
+  const double mean = values.mean();
+  const double square = (values.array() - mean).square().sum();
+  return {mean, std::sqrt(square / std::max(count - 1, 1.0))};
+}
+
+const ModelResult& Study::model(const std::string& name) const {
+  for (const ModelResult& result : models) {
+    if (result.name == name) return result;
+  }
+  throw InputError("paper", "model '" + name + "' was left out; name it in --models");
+}
+
+const Model& study_model() {
+  static const Model model = [] {
+    Model settings;
+    settings.average_s = kRow;
+    settings.derivative_tau_s = kDerivativeTau;
+    return settings;
+  }();
+  return model;
+}
+
+Study run_study(const StudySettings& settings) {
+  const Model& model = study_model();
+  Study study{simulate_run("paper", settings.seed, model), {}, {}, {}, {}, {}, {}};
+  const Eigen::VectorXd& measured = study.run.series.rows().drift_dph;
+  study.raw = mean_and_std(measured);
+  study.denoised_dph = denoised(measured, false);
+  study.hard_dph = denoised(measured, true);
+  std::vector<SimulatedRun> held_out;
+  for (const std::string& profile : kHeldOutProfiles) {
+    held_out.push_back(simulate_run(profile, settings.seed, model));
+    study.held_out_raw_std_dph.push_back(
+        mean_and_std(held_out.back().series.rows().drift_dph).std_dph);
+    study.held_out_floor_dph.push_back(held_out.back().noise_floor_dph);
+  }
+  ComparatorSettings comparing;
+  comparing.seed = settings.seed;
+  comparing.epochs = settings.epochs;
+  comparing.iterations = settings.iterations;
+  comparing.effects = kStudyEffects;
+  for (const std::string& name : settings.models) {
+    const auto comparator = find_comparator(name).make(comparing);
+    comparator->fit(study.run.series, study.denoised_dph);
+    ModelResult result;
+    result.name = name;
+    result.chosen = comparator->chosen();
+    result.own_dph = comparator->drift_dph(study.run.series);
+    result.own = score(study.run, result.own_dph);
+    for (const SimulatedRun& run : held_out) {
+      result.held_out.push_back(score(run, comparator->drift_dph(run.series)));
+    }
+    study.models.push_back(std::move(result));
+  }
+  return study;
+}
+
+}  // namespace fogcomp
