@@ -37,6 +37,7 @@ Command effects_command();
 Command export_command();
 Command fit_command();
 Command info_command();
+Command paper_command();
 Command replay_command();
 Command simulate_command();
 Command stream_command();

@@ -32,7 +32,7 @@ std::vector<Option> training_options() {
       {"goal", "MSE", "training ends at this mean square of the normalised target (not lm)", "0"},
       {"learning-rate", "R", "of the gradient trainers at their start", "0.05"},
       {"particles", "N", "of pso-bp; population of ga-bp", "20"},
-      {"iterations", "N", "of the swarm or the population, before backpropagation", "200"},
+      {"iterations", "N", "of the swarm or the population, before backpropagation", "300"},
       {"seed", "N", "of all that training draws", "1"},
   };
 }

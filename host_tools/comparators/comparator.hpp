@@ -29,7 +29,7 @@ struct ComparatorSettings {
   std::uint64_t seed = 1;
   int hidden = 10;       ///< neurons of the networks
   int epochs = 5000;     ///< of backpropagation
-  int iterations = 200;  ///< of swarm and population
+  int iterations = 300;  ///< of swarm and population
   std::string effects;   ///< of the models that have some, as fit --effects takes them
 };
 

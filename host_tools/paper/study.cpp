@@ -49,6 +49,15 @@ const ModelResult& Study::model(const std::string& name) const {
   throw InputError("paper", "model '" + name + "' was left out; name it in --models");
 }
 
+Eigen::VectorXd Study::of_segment(const std::string& name, const Eigen::VectorXd& values) const {
+  if (name == "all") return values;
+  std::vector<Eigen::Index> rows;
+  for (std::size_t i = 0; i < run.segments.size(); ++i) {
+    if (run.segments[i] == name) rows.push_back(static_cast<Eigen::Index>(i));
+  }
+  return values(rows);
+}
+
 const Model& study_model() {
   static const Model model = [] {
     Model settings;

@@ -46,12 +46,16 @@ struct Study {
   std::vector<ModelResult> models;
 
   const ModelResult& model(const std::string& name) const;
+  /// What the best model could cut of the whole run's std: 1 - floor / raw std.
+  double bound() const { return 1 - run.noise_floor_dph / raw.std_dph; }
+  /// Values of the rows of one of the programme's segments; of all rows for "all".
+  Eigen::VectorXd of_segment(const std::string& name, const Eigen::VectorXd& values) const;
 };
 
 struct StudySettings {
   std::uint64_t seed = 1;
   int epochs = 5000;                ///< of backpropagation
-  int iterations = 200;             ///< of swarm and population
+  int iterations = 300;             ///< of swarm and population
   std::vector<std::string> models;  ///< names of comparators()
 };
 

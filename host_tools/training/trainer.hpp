@@ -26,7 +26,7 @@ struct TrainerSettings {
   double goal = 0;
   double learning_rate = 0.05;  ///< of traingdx at the start
   int particles = 20;           ///< of pso-bp, and of ga-bp's population
-  int iterations = 200;         ///< of the swarm, or generations, before backpropagation
+  int iterations = 300;         ///< of the swarm, or generations, before backpropagation
   /// Called now and then with the fraction done; false ends training with the best so far.
   std::function<bool(double)> go_on;
 };
