@@ -33,6 +33,7 @@ constexpr std::size_t kAnyNumber = 1000;
 
 Command compare_command();
 Command denoise_command();
+Command diagnose_command();
 Command effects_command();
 Command export_command();
 Command fit_command();

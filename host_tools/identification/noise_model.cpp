@@ -1,5 +1,7 @@
 #include "identification/noise_model.hpp"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -13,7 +15,9 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kLadderStep = 4;  // between neighbouring time constants
 constexpr int kUpdates = 300;
-constexpr double kNegligible = 1e-3;  // of the white variance: such a component is dropped
+constexpr double kNegligible = 1e-5;  // of the white variance: such a component is dropped
+constexpr double kLateStart =
+    1e-3;  // of the mean power: single components grow where flicker fails
 
 struct Spectrum {
   std::vector<double> angle;  // per row, 0..pi
@@ -56,6 +60,38 @@ double density(double phi, double angle) {
   return (1 - phi * phi) / (1 - 2 * phi * std::cos(angle) + phi * phi);
 }
 
+// Expected power over variances: columns white, flicker, then a Gauss-Markov component each.
+Eigen::ArrayXXd basis_of(const std::vector<double>& angles, double row_s,
+                         const std::vector<double>& taus_s, std::size_t own) {
+  const auto points = static_cast<Eigen::Index>(angles.size());
+  Eigen::ArrayXXd basis = Eigen::ArrayXXd::Zero(points, 2 + static_cast<Eigen::Index>(own));
+  for (Eigen::Index i = 0; i < points; ++i) {
+    basis(i, 0) = 1;
+    for (std::size_t j = 0; j < taus_s.size(); ++j) {
+      const double power =
+          density(std::exp(-row_s / taus_s[j]), angles[static_cast<std::size_t>(i)]);
+      basis(i, 1) += power;
+      if (j < own) basis(i, 2 + static_cast<Eigen::Index>(j)) = power;
+    }
+  }
+  return basis;
+}
+
+// Two variances behind the power at a low frequency, as if it had been estimated from so many
+// values: from the curvature of Whittle's likelihood.
+double freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
+                  const Eigen::ArrayXd& low) {
+  const Eigen::ArrayXd model = (basis.matrix() * variance.matrix()).array();
+  const Eigen::MatrixXd scaled = (basis.leftCols(2).colwise() / model).matrix();
+  const Eigen::Matrix2d information = scaled.transpose() * scaled;
+  const Eigen::Vector2d towards = low.head(2).matrix();
+  const double power = (low * variance).sum();
+  const double spread = towards.dot(information.inverse() * towards);
+  constexpr double kLeast = 3;
+  constexpr double kMost = 1000;
+  return std::clamp(2 * power * power / spread, kLeast, kMost);
+}
+
 }  // namespace
 
 double NoiseModel::white_dph() const {
@@ -68,33 +104,24 @@ double NoiseModel::wander_dph() const {
   return std::sqrt(variance);
 }
 
-NoiseModel fit_noise(const std::vector<Eigen::VectorXd>& quiet, double row_s) {
+NoiseModel fit_noise(const std::vector<Eigen::VectorXd>& quiet, double row_s, double run_s) {
   Spectrum spectrum;
   double longest_s = 0;
   for (const Eigen::VectorXd& stretch : quiet) {
     add_periodogram(stretch, spectrum);
     longest_s = std::max(longest_s, static_cast<double>(stretch.size()) * row_s);
   }
-  NoiseModel noise;
-  noise.row_s = row_s;
-  noise.from_quiet_parts = true;
-  for (double tau_s = 2 * row_s; tau_s <= longest_s / 2; tau_s *= kLadderStep) {
-    noise.components.push_back({tau_s, 0});
+  std::vector<double> taus_s;
+  std::size_t own = 0;
+  for (double tau_s = 2 * row_s; tau_s <= std::max(longest_s / 2, run_s); tau_s *= kLadderStep) {
+    taus_s.push_back(tau_s);
+    if (tau_s <= longest_s / 2) ++own;
   }
-
-  const auto points = static_cast<Eigen::Index>(spectrum.power.size());
-  const auto terms = static_cast<Eigen::Index>(noise.components.size()) + 1;
-  Eigen::ArrayXXd basis(points, terms);
-  for (Eigen::Index i = 0; i < points; ++i) {
-    basis(i, 0) = 1;
-    for (Eigen::Index j = 1; j < terms; ++j) {
-      const double tau_s = noise.components[static_cast<std::size_t>(j - 1)].tau_s;
-      basis(i, j) = density(std::exp(-row_s / tau_s), spectrum.angle[static_cast<std::size_t>(i)]);
-    }
-  }
-  const Eigen::Map<const Eigen::ArrayXd> power(spectrum.power.data(), points);
-  Eigen::ArrayXd variance =
-      Eigen::ArrayXd::Constant(terms, power.mean() / static_cast<double>(terms));
+  const Eigen::ArrayXXd basis = basis_of(spectrum.angle, row_s, taus_s, own);
+  const Eigen::Map<const Eigen::ArrayXd> power(spectrum.power.data(), basis.rows());
+  Eigen::ArrayXd variance = Eigen::ArrayXd::Constant(basis.cols(), kLateStart * power.mean());
+  variance[0] = power.mean() / 2;
+  variance[1] = power.mean() / (2 * basis.col(1).mean());
   for (int update = 0; update < kUpdates; ++update) {
     const Eigen::ArrayXd model = (basis.matrix() * variance.matrix()).array();
     const Eigen::ArrayXd up =
@@ -102,15 +129,21 @@ NoiseModel fit_noise(const std::vector<Eigen::VectorXd>& quiet, double row_s) {
     const Eigen::ArrayXd down = (basis.matrix().transpose() * model.inverse().matrix()).array();
     variance *= (up / down).sqrt();
   }
+
+  NoiseModel noise;
+  noise.row_s = row_s;
+  noise.from_quiet_parts = true;
   noise.white_variance = variance[0];
-  for (Eigen::Index j = 1; j < terms; ++j) {
-    noise.components[static_cast<std::size_t>(j - 1)].variance = variance[j];
+  constexpr double kLowest = 4;  // periods in a run: slower is the model's, not the noise's
+  noise.freedom = freedom_of(
+      basis, variance,
+      basis_of({2 * kPi * kLowest * row_s / std::max(run_s, longest_s)}, row_s, taus_s, own)
+          .row(0));
+  for (std::size_t j = 0; j < taus_s.size(); ++j) {
+    const double alone = j < own ? variance[2 + static_cast<Eigen::Index>(j)] : 0;
+    const double all = variance[1] + alone;
+    if (all >= kNegligible * variance[0]) noise.components.push_back({taus_s[j], all});
   }
-  const double least = kNegligible * variance[0];
-  noise.components.erase(
-      std::remove_if(noise.components.begin(), noise.components.end(),
-                     [&](const NoiseModel::Component& c) { return c.variance < least; }),
-      noise.components.end());
   return noise;
 }
 

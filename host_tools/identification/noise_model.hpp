@@ -15,6 +15,8 @@ struct NoiseModel {
   double row_s = 0;
   double white_variance = 0;  ///< of a full row, (deg/h)^2
   std::vector<Component> components;
+  /// How well the level of slow noise is known: as many independent values as a variance from them.
+  double freedom = 1000;
   bool from_quiet_parts = false;  ///< else from neighbouring rows alone: white, a lower bound
 
   double white_dph() const;
@@ -23,10 +25,12 @@ struct NoiseModel {
 
 /// Fits the model to stretches of a residual in which only noise is left (soaks that have settled),
 /// by Whittle's likelihood over all of them: each stretch's straight line is removed first, with
-/// the one or two lowest frequencies that it spoils. The variances of a fixed ladder of time
-/// constants, from two rows to half the longest stretch, follow multiplicative updates
-/// (non-negative, never overshoot; Fevotte, Bertin & Durrieu 2009 for this divergence).
-NoiseModel fit_noise(const std::vector<Eigen::VectorXd>& quiet, double row_s);
+/// the one or two lowest frequencies that it spoils. White noise and flicker come first, then what
+/// differs from them at single time constants (four times apart, from two rows on); variances
+/// follow multiplicative updates (non-negative, never overshoot; Fevotte, Bertin & Durrieu 2009 for
+/// this divergence). Flicker goes on, as it does in every gyro, at time constants longer than any
+/// stretch, up to `run_s`: what it does over hours must not be taken for an effect.
+NoiseModel fit_noise(const std::vector<Eigen::VectorXd>& quiet, double row_s, double run_s);
 
 /// For data without quiet stretches: white noise from second differences of neighbouring rows.
 NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s);

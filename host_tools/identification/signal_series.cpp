@@ -6,6 +6,7 @@
 
 #include "identification/block_walk.hpp"
 #include "identification/required_inputs.hpp"
+#include "identification/zero_phase.hpp"
 #include "model/drift_model.hpp"
 
 namespace fogcomp {
@@ -44,6 +45,48 @@ struct RowSums {
   fog::Signals<RealNumbers> signals;
 };
 
+namespace {
+
+void add_weighted(double weight, const fog::Signals<RealNumbers>& signals,
+                  fog::Signals<RealNumbers>& sum) {
+  sum.temperature += weight * signals.temperature;
+  sum.temperature_rate += weight * signals.temperature_rate;
+  sum.block.temperature += weight * signals.block.temperature;
+  sum.block.input_rate += weight * signals.block.input_rate;
+  sum.block.elapsed += weight * signals.block.elapsed;
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    sum.block.extension[i] += weight * signals.block.extension[i];
+  }
+}
+
+}  // namespace
+
+// Sums blocks up to rows, and tells every block its row.
+class RowCollector {
+ public:
+  RowCollector(std::int64_t blocks_per_row, Eigen::Index first_row)
+      : per_row_(blocks_per_row), first_row_(static_cast<std::int32_t>(first_row)) {}
+
+  void take(const BlockSeries::Block& block, SignalSeries::Block& current) {
+    if (sums_.empty() || sums_.back().number != block.number / per_row_) {
+      sums_.push_back({block.number / per_row_, 0, 0, 0, {}});
+    }
+    current.row = first_row_ + static_cast<std::int32_t>(sums_.size()) - 1;
+    current.samples = block.samples;
+    RowSums& row = sums_.back();
+    row.samples += current.samples;
+    row.time += current.samples * block.time_s;
+    row.drift += current.samples * (block.rate_dph - block.means.input_rate);
+    add_weighted(current.samples, current.signals, row.signals);
+  }
+  const std::vector<RowSums>& sums() const { return sums_; }
+
+ private:
+  std::int64_t per_row_;
+  std::int32_t first_row_;
+  std::vector<RowSums> sums_;
+};
+
 std::int64_t blocks_per_row(double average_s, double block_s) {
   return std::max(1LL, std::llround(average_s / block_s));
 }
@@ -51,26 +94,29 @@ std::int64_t blocks_per_row(double average_s, double block_s) {
 void SignalSeries::add(const BlockSeries& series) {
   require_inputs(model_.terms, series);
   runs_.push_back({series.block_s, {}});
-  SignalRecorder recorder(model_, runs_.back());
   const std::int64_t per_row = blocks_per_row(model_.average_s, series.block_s);
-  const auto first_row = static_cast<std::int32_t>(rows_.size());
-  std::vector<RowSums> sums;
-  walk_blocks(series, recorder, [&](const BlockSeries::Block& block) {
-    if (sums.empty() || sums.back().number != block.number / per_row) {
-      sums.push_back({block.number / per_row, 0, 0, 0, {}});
-    }
-    Block& current = recorder.current();
-    current.row = first_row + static_cast<std::int32_t>(sums.size()) - 1;
-    current.samples = block.samples;
-    RowSums& row = sums.back();
-    row.samples += current.samples;
-    row.time += current.samples * block.time_s;
-    row.drift += current.samples * (block.rate_dph - block.means.input_rate);
-    row.signals.temperature += current.samples * current.signals.temperature;
-    row.signals.temperature_rate += current.samples * current.signals.temperature_rate;
-  });
+  RowCollector rows(per_row, rows_.size());
+  if (phase_ == Phase::board) {
+    add_as_the_board(series, rows);
+  } else {
+    add_without_delay(series, rows);
+  }
   rows_.row_s = std::max(rows_.row_s, static_cast<double>(per_row) * series.block_s);
-  append_rows(sums, series.block_s / series.samples_per_block);
+  append_rows(rows.sums(), series.block_s / series.samples_per_block);
+}
+
+void SignalSeries::add_as_the_board(const BlockSeries& series, RowCollector& rows) {
+  SignalRecorder recorder(model_, runs_.back());
+  walk_blocks(series, recorder,
+              [&](const BlockSeries::Block& block) { rows.take(block, recorder.current()); });
+}
+
+void SignalSeries::add_without_delay(const BlockSeries& series, RowCollector& rows) {
+  const ZeroPhaseSignals seen = zero_phase_signals(series, model_.derivative_tau_s);
+  for (std::size_t i = 0; i < series.blocks.size(); ++i) {
+    runs_.back().blocks.push_back({seen.signals[i], seen.restart[i], kNoRow, 0});
+    rows.take(series.blocks[i], runs_.back().blocks.back());
+  }
 }
 
 void SignalSeries::append_rows(const std::vector<RowSums>& sums, double sample_s) {
@@ -85,8 +131,8 @@ void SignalSeries::append_rows(const std::vector<RowSums>& sums, double sample_s
     rows_.drift_dph[at] = row.drift / row.samples;
     seconds_[at] = row.samples * sample_s;
     rows_.time_s.push_back(row.time / row.samples);
-    rows_.signals.push_back(
-        {row.signals.temperature / row.samples, row.signals.temperature_rate / row.samples, {}});
+    rows_.signals.emplace_back();
+    add_weighted(1 / row.samples, row.signals, rows_.signals.back());
   }
   rows_.weights = seconds_ / rows_.row_s;
 }

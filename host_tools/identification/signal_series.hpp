@@ -16,19 +16,26 @@ struct Rows {
   Eigen::VectorXd weights;    ///< time behind a row, relative to a full one
   double row_s = 0;           ///< of a full row; the longest where recordings differ
   std::vector<double> time_s;
-  std::vector<fog::Signals<RealNumbers>> signals;  ///< means of temperature and its rate
+  std::vector<fog::Signals<RealNumbers>> signals;  ///< means
   std::vector<std::size_t> run_starts;             ///< first row of each recording
 
   Eigen::Index size() const { return drift_dph.size(); }
 };
 
-/// What the board's effects would see over one or more recordings, kept so that an effect of any
-/// shape can be run over it: signals block by block, and the row that each block is part of.
+/// How a temperature becomes the signals that effects see.
+enum class Phase : std::uint8_t {
+  board,  ///< by the board's own code, with its delays: what a compensation is fitted with
+  zero,   ///< without delay (zero_phase.hpp): what a diagnosis looks at
+};
+
+/// What effects see over one or more recordings, kept so that an effect of any shape can be run
+/// over it: signals block by block, and the row that each block is part of.
 class SignalSeries {
  public:
   /// `model` gives the derivative's time constant and the averaging. Temperature is not clamped: a
   /// fit has no trained range yet.
-  explicit SignalSeries(const Model& model) : model_(model) {}
+  explicit SignalSeries(const Model& model, Phase phase = Phase::board)
+      : model_(model), phase_(phase) {}
 
   /// Adds a recording. Throws InputError where it lacks a column that one of the model's effects
   /// needs.
@@ -53,10 +60,14 @@ class SignalSeries {
     std::vector<Block> blocks;
   };
   friend class SignalRecorder;
+  friend class RowCollector;
 
+  void add_as_the_board(const BlockSeries& series, class RowCollector& rows);
+  void add_without_delay(const BlockSeries& series, class RowCollector& rows);
   void append_rows(const std::vector<struct RowSums>& sums, double sample_s);
 
   const Model& model_;
+  Phase phase_;
   std::vector<Run> runs_;
   Eigen::VectorXd seconds_;  // behind each row
   Rows rows_;

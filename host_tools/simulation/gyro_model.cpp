@@ -99,7 +99,13 @@ std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& pr
   std::vector<double> scales(effects.size(), 1);
   std::vector<double> wanted(effects.size(), 0);
   for (std::size_t i = 0; i < effects.size(); ++i) {
-    if (effects[i].parameters.was_set("peak")) wanted[i] = effects[i].parameters["peak"];
+    const Parameters& parameters = effects[i].parameters;
+    if (parameters.was_set("scale")) scales[i] = parameters["scale"];
+    if (parameters.was_set("peak")) wanted[i] = parameters["peak"];
+    if (wanted[i] > 0 && parameters.was_set("scale")) {
+      throw InputError("effect " + effects[i].description->name,
+                       "has both peak= and scale=; give one of them");
+    }
   }
   if (std::none_of(wanted.begin(), wanted.end(), [](double peak) { return peak > 0; })) {
     return scales;

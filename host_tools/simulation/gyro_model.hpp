@@ -63,8 +63,9 @@ class GyroModel {
   double sensor2_degc_ = 0;
 };
 
-/// The scales that give every effect with a `peak` its largest magnitude over the programme, found
-/// by running it once. Throws InputError where an effect stays zero and cannot be scaled.
+/// What multiplies each effect: its `scale`, or what gives it the largest magnitude `peak` over the
+/// programme, found by running that once. Throws InputError where an effect has both, or stays zero
+/// and cannot be given a peak.
 std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& programme,
                                 const EarthRate& earth, std::uint64_t seed);
 

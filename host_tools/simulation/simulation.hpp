@@ -47,7 +47,7 @@ class Simulation {
   /// Names of RowChunk::effects_dph and noises_dph.
   const std::vector<std::string>& effect_names() const { return effect_names_; }
   const std::vector<std::string>& noise_names() const { return noise_names_; }
-  /// What `peak` made of each effect's natural size; 1 without it.
+  /// What `peak` or `scale` made of each effect's natural size; 1 without them.
   const std::vector<double>& effect_scales() const { return scales_; }
   /// Rows of the whole programme, those without power included.
   std::size_t total_rows() const { return total_rows_; }

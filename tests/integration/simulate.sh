@@ -12,7 +12,7 @@ hidden=(--profile random_steps --seed 5 --effect glass_transition:peak=0.05,tg_d
 "$fogcomp" simulate -o closed.csv "${hidden[@]}" --hide truth.csv --json >said.json
 cmp open.csv closed.csv
 ! grep -il glass closed.csv said.json || { echo "the hidden effect shows" >&2; exit 1; }
-grep -q '^# effect glass_transition: peak=0.05 tg_degc=22 ' truth.csv
+grep -q '^# effect glass_transition: peak=0.05 scale=1 tg_degc=22 ' truth.csv
 [[ $(grep -c '^[0-9]' truth.csv) == $(grep -c '^[0-9]' closed.csv) ]]
 
 for format in csv stream; do

@@ -41,6 +41,7 @@ EffectDescription aging_effect() {
   return {"aging",
           "creep and moisture; no power cycle resets them",
           {peak_parameter(),
+           scale_parameter(),
            {"creep_dph", "deg/h", 0.01, -1e3, 1e3, "per decade of time"},
            {"moisture_dph", "deg/h", 0.005, -1e3, 1e3, "after the first day, growing as its root"},
            {"onset_s", "s", 3600, 1, 1e8, "start of the logarithm"},

@@ -28,6 +28,7 @@ EffectDescription axial_gradient_effect() {
   return {"axial_gradient",
           "gradient along the coil's axis; seen with --columns temperature2 and a heater profile",
           {peak_parameter(),
+           scale_parameter(),
            {"asymmetry_m", "m", 1, -100, 100, "fibre on each face"},
            {"stress", "deg/h/K", 0.02, -100, 100, "of the lower face's excess over the upper's"}},
           make_effect<AxialGradient>};

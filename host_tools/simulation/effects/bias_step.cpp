@@ -47,6 +47,7 @@ EffectDescription bias_step_effect() {
       "bias_step",
       "jumps at random times: mode hops, stick-slip; not repeatable in time or temperature",
       {peak_parameter(),
+       scale_parameter(),
        {"size_dph", "deg/h", 0.05, 0, 1e4, "typical; each is 0.5 to 1.5 times this, either way"},
        {"per_hour", "1/h", 0.1, 0, 1000, "how often, on average, after the first"},
        {"first_s", "s", 0, 0, 1e9, "time of the first one; 0: somewhere within the programme"},

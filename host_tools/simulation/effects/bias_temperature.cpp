@@ -35,6 +35,7 @@ EffectDescription bias_temperature_effect() {
   return {"bias_temperature",
           "static temperature sensitivity of the bias, zero at 20 degC (IEEE 952: D_T)",
           {peak_parameter(),
+           scale_parameter(),
            {"slope", "deg/h/K", 3e-4, -1, 1, "of the temperature above 20 degC"},
            {"curvature", "deg/h/K^2", 3e-6, -1, 1, "of its square"},
            {"cubic", "deg/h/K^3", 0, -1, 1, "of its cube"},

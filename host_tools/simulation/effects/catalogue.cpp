@@ -20,6 +20,11 @@ const std::vector<EffectDescription>& effect_catalogue() {
       vibration_effect(),
       light_power_effect(),
       bias_step_effect(),
+      random_telegraph_effect(),
+      fast_cycle_effect(),
+      squared_lag_effect(),
+      warmest_so_far_effect(),
+      rate_nonlinearity_effect(),
       proper_frequency_effect(),
       pyroelectric_effect(),
       scale_factor_temperature_effect(),
@@ -31,6 +36,10 @@ const std::vector<EffectDescription>& effect_catalogue() {
 
 ParameterSpec peak_parameter() {
   return {"peak", "deg/h", 0, 0, 1e6, "largest magnitude over this programme; 0: natural size"};
+}
+
+ParameterSpec scale_parameter() {
+  return {"scale", "", 1, -1e9, 1e9, "times the natural size, the same on every programme"};
 }
 
 }  // namespace fogcomp::simulation

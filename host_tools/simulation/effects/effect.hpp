@@ -64,6 +64,8 @@ const std::vector<EffectDescription>& effect_catalogue();
 /// `peak` replaces the natural size: the effect is scaled so that its largest magnitude over this
 /// programme is as given. 0 leaves the natural size.
 ParameterSpec peak_parameter();
+/// `scale` multiplies the natural size: the same gyro on every programme, which `peak` is not.
+ParameterSpec scale_parameter();
 
 /// The `make` of a class constructed from (const Parameters&, const EffectContext&).
 template <class Kind>

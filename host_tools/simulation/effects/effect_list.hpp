@@ -11,6 +11,7 @@ EffectDescription bias_effect();
 EffectDescription bias_step_effect();
 EffectDescription bias_temperature_effect();
 EffectDescription dead_band_effect();
+EffectDescription fast_cycle_effect();
 EffectDescription glass_transition_effect();
 EffectDescription half_wave_voltage_effect();
 EffectDescription light_power_effect();
@@ -18,13 +19,17 @@ EffectDescription magnetic_effect();
 EffectDescription polarization_ripple_effect();
 EffectDescription proper_frequency_effect();
 EffectDescription pyroelectric_effect();
+EffectDescription random_telegraph_effect();
+EffectDescription rate_nonlinearity_effect();
 EffectDescription scale_factor_temperature_effect();
 EffectDescription shupe_effect();
+EffectDescription squared_lag_effect();
 EffectDescription temperature_rate_effect();
 EffectDescription temperature_rate_product_effect();
 EffectDescription thermal_hysteresis_effect();
 EffectDescription thermal_lag_effect();
 EffectDescription vibration_effect();
 EffectDescription warm_up_effect();
+EffectDescription warmest_so_far_effect();
 
 }  // namespace fogcomp::simulation

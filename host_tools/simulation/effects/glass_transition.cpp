@@ -48,6 +48,7 @@ EffectDescription glass_transition_effect() {
   return {"glass_transition",
           "potting turns from rubber to glass: a step of the bias, and another rate term below",
           {peak_parameter(),
+           scale_parameter(),
            {"tg_degc", "degC", -20, -90, 140, "where half of it has frozen in a slow ramp"},
            {"width_k", "K", 4, 0.2, 40, "standard deviation over the potting"},
            {"step_dph", "deg/h", 0.03, -1e3, 1e3, "glassy less rubbery"},

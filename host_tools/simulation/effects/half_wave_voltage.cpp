@@ -37,6 +37,7 @@ EffectDescription half_wave_voltage_effect() {
   return {"half_wave_voltage",
           "2 pi reset error behind the second loop; needs an input rate (simulator only)",
           {peak_parameter(),
+           scale_parameter(),
            {"half_wave_ppm", "ppm/K", 500, -5000, 5000, "of the modulator's half-wave voltage"},
            {"loop_tau_s", "s", 10, 0.1, 1e5, "time constant of the second loop"},
            {"left", "", 2e-3, 0, 1, "share of the change that the loop never corrects"}},

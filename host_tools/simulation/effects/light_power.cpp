@@ -24,6 +24,7 @@ EffectDescription light_power_effect() {
   return {"light_power",
           "electronic pick-up weighs more with less light; --columns light_power records the power",
           {peak_parameter(),
+           scale_parameter(),
            {"pickup_dph", "deg/h", 0.1, -1e3, 1e3, "of the pick-up at nominal power"},
            {"nominal_uw", "uW", 100, 0.1, 1e5, "power at which the pick-up is trimmed"}},
           make_effect<LightPower>};

@@ -30,6 +30,7 @@ EffectDescription magnetic_effect() {
   return {"magnetic",
           "Faraday effect of the field in the coil's plane; --columns magnetic records the field",
           {peak_parameter(),
+           scale_parameter(),
            {"sensitivity", "deg/h/uT", 6e-4, -10, 10, "0.03 deg/h in the Earth's 50 uT: shielded"},
            {"temperature_slope", "1/K", 2e-3, -0.1, 0.1, "relative change of the sensitivity"}},
           make_effect<Magnetic>};

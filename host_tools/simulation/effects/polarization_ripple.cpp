@@ -41,6 +41,7 @@ EffectDescription polarization_ripple_effect() {
   return {"polarization_ripple",
           "interference of cross-coupled light: periodic in temperature, not in time",
           {peak_parameter(),
+           scale_parameter(),
            {"amplitude_dph", "deg/h", 0.01, 0, 1e3, "of the main ripple"},
            {"period_k", "K", 13, 0.5, 200, "13 K for 0.2 m of birefringent path"},
            {"phase_deg", "deg", 40, -360, 360, "at 20 degC"},

@@ -36,6 +36,7 @@ EffectDescription proper_frequency_effect() {
   return {"proper_frequency",
           "modulation off the coil's proper frequency, which falls 0.8 Hz/K (simulator only)",
           {peak_parameter(),
+           scale_parameter(),
            {"coefficient", "deg/h/Hz", 2e-4, -10, 10, "size of the synchronous pick-up"},
            {"detuning_hz", "Hz", 0, -1e4, 1e4, "clock less proper frequency at 20 degC"}},
           make_effect<ProperFrequency>};

@@ -44,6 +44,7 @@ EffectDescription pyroelectric_effect() {
   return {"pyroelectric",
           "charge in the integrated optics after fast changes in the cold (simulator only)",
           {peak_parameter(),
+           scale_parameter(),
            {"coefficient", "deg/h/K", 0.01, -1e3, 1e3, "per kelvin of charge above the threshold"},
            {"threshold_k", "K", 5, 0, 100, "charge that does no harm"},
            {"leak_s", "s", 200, 1, 1e6, "time constant of the leakage at 20 degC"}},

@@ -34,6 +34,7 @@ EffectDescription scale_factor_temperature_effect() {
   return {"scale_factor_temperature",
           "source wavelength and coil size change the scale factor; needs an input rate",
           {peak_parameter(),
+           scale_parameter(),
            {"wavelength_ppm", "ppm/K", 5, -1000, 1000, "of the source's mean wavelength"},
            {"coil_ppm", "ppm/K", 4, -1000, 1000, "of length times diameter"}},
           make_effect<ScaleFactorTemperature>};

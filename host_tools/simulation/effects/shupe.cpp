@@ -29,6 +29,7 @@ EffectDescription shupe_effect() {
   return {"shupe",
           "transient gradient through the winding (Shupe 1980; IEEE 952: D_gradTdot)",
           {peak_parameter(),
+           scale_parameter(),
            {"asymmetry_m", "m", 0.2, -100, 100, "by how much the fibre is not centred"}},
           make_effect<Shupe>};
 }

@@ -29,6 +29,7 @@ EffectDescription temperature_rate_effect() {
       "temperature_rate",
       "elasto-optic stress differs from layer to layer: K dT/dt (Mohr; IEEE 952: D_Tdot)",
       {peak_parameter(),
+       scale_parameter(),
        {"coefficient", "deg/h/(K/min)", 0, -1e3, 1e3, "in a long ramp; 0: what the strains give"},
        {"inside_ppm", "ppm/K", 1e6 * kStrainInside, -100, 100, "strain of the innermost layer"},
        {"outside_ppm", "ppm/K", 1e6 * kStrainOutside, -100, 100, "of the outermost"}},

@@ -38,6 +38,7 @@ EffectDescription temperature_rate_product_effect() {
   return {"temperature_rate_product",
           "the rate term's size depends on temperature: modulus of the potting, dn/dT(T)",
           {peak_parameter(),
+           scale_parameter(),
            {"coefficient", "deg/h/(K/min)/K", 5e-4, -10, 10,
             "change of the rate term per K, at 20 degC"}},
           make_effect<TemperatureRateProduct>};

@@ -57,6 +57,7 @@ EffectDescription thermal_hysteresis_effect() {
   return {"thermal_hysteresis",
           "the bias at a temperature depends on the turning points before it, not on the rate",
           {peak_parameter(),
+           scale_parameter(),
            {"width_dph", "deg/h", 0.03, 0, 1e3, "of a full loop, warming less cooling branch"},
            {"threshold_k", "K", 6, 0.5, 60, "typical reversal that moves the bias"}},
           make_effect<ThermalHysteresis>};

@@ -26,6 +26,7 @@ EffectDescription thermal_lag_effect() {
   return {"thermal_lag",
           "a rate term that comes late: strain from a mass that follows the coil slowly",
           {peak_parameter(),
+           scale_parameter(),
            {"coefficient", "deg/h/(K/min)", 0.05, -1e3, 1e3, "in a long ramp"},
            {"tau_s", "s", 400, 10, 20000, "time constant of the mass behind its bond"}},
           make_effect<ThermalLag>};

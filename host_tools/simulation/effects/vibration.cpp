@@ -28,7 +28,9 @@ class Vibration : public Effect {
 EffectDescription vibration_effect() {
   return {"vibration",
           "vibration rectification, k g^2; --columns vibration records g",
-          {peak_parameter(), {"coefficient", "deg/h/g^2", 0.02, -1e4, 1e4, "at 20 degC"}},
+          {peak_parameter(),
+           scale_parameter(),
+           {"coefficient", "deg/h/g^2", 0.02, -1e4, 1e4, "at 20 degC"}},
           make_effect<Vibration>};
 }
 

@@ -40,6 +40,7 @@ EffectDescription warm_up_effect() {
   return {"warm_up",
           "decays after every power-on",
           {peak_parameter(),
+           scale_parameter(),
            {"amplitude_dph", "deg/h", 0.05, -1e3, 1e3, "at a cold power-on"},
            {"tau_s", "s", 1200, 10, 40000, "time constant of the board"}},
           make_effect<WarmUp>};

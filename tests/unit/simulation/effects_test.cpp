@@ -51,6 +51,22 @@ TEST(Effects, ReachThePeakAskedForInEveryCase) {
   }
 }
 
+TEST(Effects, AreMultipliedByTheirScaleOnEveryProgramme) {
+  for (const char* const profile : {"ramp_rates", "heater_pulses"}) {
+    const auto shupe = [&](const std::string& option) {
+      return whole_run(gyro_of({option}), profile_of(profile), {}).effect("shupe");
+    };
+    const std::vector<double> natural = shupe("shupe");
+    const std::vector<double> scaled = shupe("shupe:scale=-3");
+    for (std::size_t i = 0; i < natural.size(); ++i) {
+      ASSERT_NEAR(scaled[i], -3 * natural[i], 1e-12) << profile << " " << i;
+    }
+  }
+  EXPECT_THROW(
+      whole_run(gyro_of({"shupe:scale=2,peak=0.05"}), profile_of("static"), SimulationOptions{}),
+      InputError);
+}
+
 TEST(Effects, ThatStayZeroCannotBeScaled) {
   EXPECT_THROW(whole_run(gyro_of({"scale_factor_temperature:peak=0.05"}), profile_of("static"), {}),
                InputError);
@@ -262,6 +278,61 @@ TEST(Pyroelectric, NeedsAFastChangeInTheCold) {
   };
   EXPECT_GT(peak("start -40 degC\nsoak 1 h\nramp to 0 degC at 5 degC/min\nsoak 1 h\n"), 0.05);
   EXPECT_EQ(peak("start 20 degC\nsoak 1 h\nramp to 60 degC at 0.2 degC/min\nsoak 1 h\n"), 0);
+}
+
+TEST(RandomTelegraph, KnowsTwoLevelsAndKeepsEachForTheTimeAsked) {
+  const auto levels = run_text({"random_telegraph:height_dph=0.02,dwell_s=600"}, "soak 100 h\n")
+                          .effect("random_telegraph");
+  std::size_t changes = 0;
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    EXPECT_TRUE(levels[i] >= -1e-12 && levels[i] < 0.02 + 1e-12);
+    if ((levels[i] > 0.01) != (levels[i - 1] > 0.01)) ++changes;
+  }
+  EXPECT_NEAR(static_cast<double>(changes), 600, 100);  // 4 standard deviations
+}
+
+TEST(FastCycle, RepeatsInTimeWhateverTheTemperature) {
+  const auto cycle = run_text({"fast_cycle:period_s=600"}, kOneRamp).effect("fast_cycle");
+  for (std::size_t i = 60; i < cycle.size(); ++i) ASSERT_NEAR(cycle[i], cycle[i - 60], 1e-9);
+  EXPECT_GT(largest(cycle), 0.009);
+}
+
+TEST(SquaredLag, CountsCoolingLikeWarmingAndComesLate) {
+  const auto up = run_text({"squared_lag"}, kOneRamp).effect("squared_lag");
+  EXPECT_NEAR(mean(up, kRampEnd - 60, kRampEnd), 0.1 * 0.25, 0.001);
+  EXPECT_GT(up[kRampEnd + 90], 0.3 * up[kRampEnd]);
+  const auto down = run_text({"squared_lag"},
+                             "start 0 degC\nsoak 2 h\nramp to -90 degC at 0.5 "
+                             "degC/min\n")
+                        .effect("squared_lag");
+  // The electronics warm the coil meanwhile, in either direction.
+  EXPECT_NEAR(down[kRampStart + 600], up[kRampStart + 600], 5e-3 * up[kRampStart + 600]);
+}
+
+TEST(WarmestSoFar, MovesOnlyAtANewRecord) {
+  const auto moved = run_text({"warmest_so_far"},
+                              "start 20 degC\nramp to 0 degC at 1 degC/min\nsoak 2 h\n"
+                              "ramp to 50 degC at 1 degC/min\nsoak 4 h\n"
+                              "ramp to 20 degC at 1 degC/min\nsoak 2 h\n")
+                         .effect("warmest_so_far");
+  EXPECT_LT(moved[720], 1e-4);  // what the electronics warm the coil at the start
+  EXPECT_NEAR(moved.back(), 0.03, 0.003);
+  EXPECT_TRUE(std::is_sorted(moved.begin(), moved.end()));
+}
+
+TEST(RateNonlinearity, HasTheFormAskedForInALongRamp) {
+  const auto at_ramp = [](const std::string& form) {
+    const auto values =
+        run_text({"rate_nonlinearity:form=" + form}, kOneRamp).effect("rate_nonlinearity");
+    return std::pair(mean(values, kRampEnd - 360, kRampEnd),
+                     mean(values, kRampEnd + 1200, kRampEnd + 1440));
+  };
+  EXPECT_NEAR(at_ramp("magnitude").first, 0.05 * 0.5, 0.0005);
+  EXPECT_NEAR(at_ramp("square").first, 0.05 * 0.25, 0.0005);
+  EXPECT_GT(at_ramp("temperature_squared").first, 0.05 * 0.5 * 1.0);
+  for (const char* form : {"magnitude", "square", "temperature_squared"}) {
+    EXPECT_NEAR(at_ramp(form).second, 0, 0.001) << form;
+  }
 }
 
 }  // namespace

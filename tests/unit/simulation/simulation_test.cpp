@@ -209,7 +209,8 @@ TEST(GyroDescription, SaysWhatIsWrongWithAnOption) {
             "test: no effect or part 'shuppe' (did you mean 'shupe'?); fogcomp simulate --list "
             "shows them");
   EXPECT_EQ(error_of({"shupe:peek=1"}),
-            "test: shupe has no parameter 'peek' (did you mean 'peak'?); it has peak, asymmetry_m");
+            "test: shupe has no parameter 'peek' (did you mean 'peak'?); it has peak, scale, "
+            "asymmetry_m");
   EXPECT_EQ(error_of({"shupe:peak"}), "test: 'peak' is not of the form name=value");
   EXPECT_EQ(error_of({"shupe:peak=-1"}),
             "test: shupe: peak '-1' is not a number from 0 to 1e+06 deg/h");

@@ -1,0 +1,245 @@
+#include "diagnosis/candidates.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "dataset/input_columns.hpp"
+#include "identification/effect_list.hpp"
+#include "identification/shape_search.hpp"
+#include "model/catalogue.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kLeastVisible = 0.03;
+constexpr double kAlike = 0.85;
+constexpr double kTheSame = 0.98;
+constexpr int kFirstPlaces = 7;
+constexpr std::size_t kMostPlaces = 72;  // of one parameter
+constexpr std::array<double, 3> kOtherPlaces{0.2, 0.5, 0.8};
+constexpr int kStepsPerRun = 48;
+
+// What the effect's columns are behind those that the model has already.
+class ShapeMaker {
+ public:
+  ShapeMaker(const SignalSeries& series, const ToVisible& to_visible, Eigen::Index owned)
+      : series_(series), to_visible_(to_visible), owned_(owned) {}
+
+  std::optional<Candidate::Shape> operator()(const EffectTerm& term) const {
+    const Eigen::MatrixXd all = series_.regressors(term);
+    const Eigen::Index added = all.cols() - owned_;
+    if (added <= 0) return std::nullopt;
+    VisiblePart part = to_visible_(all.rightCols(added));
+    if (part.visible.maxCoeff() < kLeastVisible) return std::nullopt;
+    // One of two columns may be invisible (the static part of an effect beside a polynomial).
+    Eigen::Index kept = 0;
+    for (Eigen::Index i = 0; i < added; ++i) {
+      if (part.visible[i] < kLeastVisible) continue;
+      part.columns.col(kept++) = part.columns.col(i).normalized();
+    }
+    return Candidate::Shape{term, part.columns.leftCols(kept)};
+  }
+
+ private:
+  const SignalSeries& series_;
+  const ToVisible& to_visible_;
+  Eigen::Index owned_;
+};
+
+// Mean share of a's directions that b explains; 1 for the same subspace.
+double likeness(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  const Eigen::MatrixXd qa = Eigen::HouseholderQR<Eigen::MatrixXd>(a).householderQ() *
+                             Eigen::MatrixXd::Identity(a.rows(), a.cols());
+  const Eigen::MatrixXd qb = Eigen::HouseholderQR<Eigen::MatrixXd>(b).householderQ() *
+                             Eigen::MatrixXd::Identity(b.rows(), b.cols());
+  return (qa.transpose() * qb).squaredNorm() / static_cast<double>(std::max(a.cols(), b.cols()));
+}
+
+// Lays one parameter out; the others stay as they are in `term`.
+void lay_out(const ShapeMaker& make, EffectTerm term, const ShapeParameter& parameter,
+             std::vector<Candidate::Shape>& shapes) {
+  struct Place {
+    double unit;
+    std::optional<Candidate::Shape> shape;
+  };
+  const auto at = [&](double unit) {
+    term.parameters[parameter.index] = parameter.from_unit(unit);
+    return Place{unit, make(term)};
+  };
+  std::vector<Place> places;
+  for (int i = 0; i < kFirstPlaces; ++i) {
+    places.push_back(at(static_cast<double>(i) / (kFirstPlaces - 1)));
+  }
+  for (bool halved = true; halved && places.size() < kMostPlaces;) {
+    halved = false;
+    std::vector<Place> finer;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const bool more = i + 1 < places.size() && finer.size() + places.size() - i < kMostPlaces;
+      const double left = places[i].unit;
+      const bool here = places[i].shape.has_value();
+      const bool next = i + 1 < places.size() && places[i + 1].shape.has_value();
+      const bool different = more && (here || next) &&
+                             (here != next ? places[i + 1].unit - left > 0.02
+                                           : likeness(places[i].shape->columns,
+                                                      places[i + 1].shape->columns) < kAlike);
+      finer.push_back(std::move(places[i]));
+      if (!different) continue;
+      finer.push_back(at((left + places[i + 1].unit) / 2));
+      halved = true;
+    }
+    places = std::move(finer);
+  }
+  for (Place& place : places) {
+    if (place.shape) shapes.push_back(std::move(*place.shape));
+  }
+}
+
+// All shapes of a term whose marked parameters may move: the first finely, the others coarsely.
+std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const EffectTerm& term) {
+  std::vector<Candidate::Shape> shapes;
+  const std::vector<ShapeParameter> parameters = shape_parameters({term});
+  if (parameters.empty()) {
+    if (auto shape = make(term)) shapes.push_back(std::move(*shape));
+    return shapes;
+  }
+  std::vector<EffectTerm> starts{term};
+  for (std::size_t i = 1; i < parameters.size(); ++i) {
+    std::vector<EffectTerm> more;
+    for (const EffectTerm& start : starts) {
+      for (const double place : kOtherPlaces) {
+        more.push_back(start);
+        more.back().parameters[parameters[i].index] = parameters[i].from_unit(place);
+      }
+    }
+    starts = std::move(more);
+  }
+  for (const EffectTerm& start : starts) lay_out(make, start, parameters[0], shapes);
+  return shapes;
+}
+
+// An event has a moment, not a shape: a step at evenly spaced times of each recording.
+std::vector<Candidate::Shape> step_shapes(const Rows& rows, const ToVisible& to_visible) {
+  std::vector<Candidate::Shape> shapes;
+  const auto size = static_cast<std::size_t>(rows.size());
+  for (std::size_t run = 0; run < rows.run_starts.size(); ++run) {
+    const std::size_t first = rows.run_starts[run];
+    const std::size_t end = run + 1 < rows.run_starts.size() ? rows.run_starts[run + 1] : size;
+    for (int i = 1; i < kStepsPerRun; ++i) {
+      const std::size_t at = first + (end - first) * static_cast<std::size_t>(i) / kStepsPerRun;
+      if (at <= first || at >= end) continue;
+      Eigen::MatrixXd step = Eigen::MatrixXd::Zero(rows.size(), 1);
+      step.col(0)
+          .segment(static_cast<Eigen::Index>(at), static_cast<Eigen::Index>(end - at))
+          .setOnes();
+      VisiblePart part = to_visible(step);
+      if (part.visible[0] < kLeastVisible) continue;
+      EffectTerm term = parse_effects("bias_step")[0];
+      term.parameters[0] = rows.time_s[at];
+      shapes.push_back({term, part.columns.colwise().normalized()});
+    }
+  }
+  return shapes;
+}
+
+// What the term of the model could become.
+std::vector<EffectTerm> grown(const EffectTerm& own) {
+  std::vector<EffectTerm> more;
+  const CatalogueEntry& entry = find_effect(own.name);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    const fog::ParameterDescription& parameter = entry.parameters[i];
+    EffectTerm term = own;
+    term.identified.assign(term.identified.size(), false);
+    if (parameter.whole && own.parameters[i] < parameter.most_milli / 1000.0) {
+      term.parameters[i] += 1;
+      more.push_back(term);
+    } else if (parameter.default_milli == 0 && own.parameters[i] == 0) {
+      term.identified[i] = true;  // an optional part
+      more.push_back(term);
+    }
+  }
+  return more;
+}
+
+std::string missing_input(const CatalogueEntry& entry, fog::InputMask inputs) {
+  const fog::InputMask missing = entry.description.needs & ~inputs;
+  for (std::size_t i = 0; i < fog::kInputs; ++i) {
+    if (has(missing, static_cast<fog::Input>(i))) {
+      return std::string(input_column(static_cast<fog::Input>(i)).name);
+    }
+  }
+  return "";
+}
+
+// Why nothing of an effect shows although its inputs are there.
+std::string what_would_show(const CatalogueEntry& entry) {
+  for (std::size_t i = 0; i < fog::kInputs; ++i) {
+    const auto input = static_cast<fog::Input>(i);
+    if (!has(entry.description.needs, input)) continue;
+    if (input == fog::Input::elapsed) return "a recording that begins at power-on";
+    return std::string(input_column(input).name) + " varying";
+  }
+  return "temperature_degc varying more";
+}
+
+// A lag of five seconds is no lag: a shape that is what an effect without any shape parameter
+// is already belongs to that one.
+void leave_to_simpler(std::vector<Candidate>& candidates) {
+  std::vector<const Candidate*> simple;
+  for (const Candidate& candidate : candidates) {
+    if (shape_parameters({candidate.shapes[0].term}).empty()) simple.push_back(&candidate);
+  }
+  for (Candidate& candidate : candidates) {
+    if (shape_parameters({candidate.shapes[0].term}).empty()) continue;
+    const auto is_simpler = [&](const Candidate::Shape& shape) {
+      return std::any_of(simple.begin(), simple.end(), [&](const Candidate* other) {
+        return likeness(shape.columns, other->shapes[0].columns) > kTheSame;
+      });
+    };
+    auto& shapes = candidate.shapes;
+    shapes.erase(std::remove_if(shapes.begin(), shapes.end(), is_simpler), shapes.end());
+  }
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                  [](const Candidate& c) { return c.shapes.empty(); }),
+                   candidates.end());
+}
+
+}  // namespace
+
+CandidateList find_candidates(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+                              fog::InputMask inputs, const ToVisible& to_visible) {
+  CandidateList list;
+  for (const CatalogueEntry& entry : catalogue()) {
+    const std::string name = entry.description.name;
+    const std::string missing = missing_input(entry, inputs);
+    if (!missing.empty()) {
+      list.untestable.push_back({name, missing});
+      continue;
+    }
+    Candidate candidate{name, {}};
+    const auto own = std::find_if(terms.begin(), terms.end(),
+                                  [&](const EffectTerm& term) { return term.name == name; });
+    if (name == "bias_step") {
+      candidate.shapes = step_shapes(series.rows(), to_visible);
+    } else if (own == terms.end()) {
+      candidate.shapes = all_shapes({series, to_visible, 0}, parse_effects(name)[0]);
+    } else {
+      const Eigen::Index owned = series.regressors(*own).cols();
+      for (const EffectTerm& term : grown(*own)) {
+        for (auto& shape : all_shapes({series, to_visible, owned}, term)) {
+          candidate.shapes.push_back(std::move(shape));
+        }
+      }
+    }
+    if (!candidate.shapes.empty()) {
+      list.testable.push_back(std::move(candidate));
+    } else if (own == terms.end()) {
+      list.untestable.push_back({name, what_would_show(entry)});
+    }
+  }
+  leave_to_simpler(list.testable);
+  return list;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "identification/signal_series.hpp"
+
+namespace fogcomp {
+
+/// An effect that the model may lack, at several places of its shape parameters.
+struct Candidate {
+  std::string effect;
+  struct Shape {
+    EffectTerm term;          ///< what would be added, or what the model's own would become
+    Eigen::MatrixXd columns;  ///< whitened, rows x 1 or more: what that adds to the model
+  };
+  std::vector<Shape> shapes;
+};
+
+/// An effect about which these recordings say nothing.
+struct Untestable {
+  std::string effect;
+  std::string needs;  ///< e.g. "temperature2_degc", "input_rate_dph varying"
+};
+
+struct CandidateList {
+  std::vector<Candidate> testable;
+  std::vector<Untestable> untestable;
+};
+
+/// Whitens regressors and takes out of them what the model could do itself (rows x any, same shape
+/// back); `visible` says per column how much was left of it, 0..1.
+struct VisiblePart {
+  Eigen::MatrixXd columns;
+  Eigen::VectorXd visible;
+};
+using ToVisible = std::function<VisiblePart(const Eigen::MatrixXd& regressors)>;
+
+/// Every effect of the catalogue that `terms` lack, and what they have of it could grow by: a
+/// higher order, a second radius. Shape parameters are laid out so that neighbours look alike on
+/// these recordings: an interval is halved as long as its ends explain less than 85 % of each
+/// other. A shape of which the model leaves less than 3 % counts as invisible: to be seen at all it
+/// would have to be thirty times what it shows, hidden by the model's own terms.
+CandidateList find_candidates(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+                              fog::InputMask inputs, const ToVisible& to_visible);
+
+}  // namespace fogcomp

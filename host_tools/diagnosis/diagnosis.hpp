@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/recording.hpp"
+#include "diagnosis/candidates.hpp"
+#include "diagnosis/structure.hpp"
+#include "identification/noise_model.hpp"
+#include "identification/signal_series.hpp"
+#include "model/model.hpp"
+
+namespace fogcomp {
+
+/// Recordings as a diagnosis sees them: signals without delay, segments by name.
+class DiagnosisData {
+ public:
+  /// `model` gives averaging and derivative; it must outlive this.
+  explicit DiagnosisData(const Model& model) : series_(model, Phase::zero) {}
+
+  void add(const Recording& recording);
+
+  struct Segment {
+    std::string name;
+    Eigen::Index first = 0;  ///< row
+    Eigen::Index end = 0;
+  };
+  const SignalSeries& series() const { return series_; }
+  const std::vector<Segment>& segments() const { return segments_; }
+  fog::InputMask inputs() const { return inputs_; }
+  /// Of a row, from the recordings alone; the rms of all; none where they are too short.
+  std::optional<double> noise_floor_dph() const;
+
+ private:
+  SignalSeries series_;
+  std::vector<Segment> segments_;
+  fog::InputMask inputs_ = ~fog::InputMask{0};
+  double floor_square_rows_ = 0;
+  double floor_rows_ = 0;
+};
+
+enum class Verdict : std::uint8_t { none, missing_effect, ambiguous, unknown };
+const char* name_of(Verdict verdict);
+
+/// What a diagnosis says of one effect of the catalogue.
+struct CandidateFinding {
+  std::string effect;
+  EffectTerm term;                ///< best shape with coefficients, as it would be added
+  double explained_fraction = 0;  ///< of what the model leaves above the noise, 0..1
+  double rms_after_dph = 0;       ///< rms of a row, this effect added and all refitted
+  double evidence = 0;            ///< ln of the odds against "nothing is missing"
+  double probability = 0;         ///< that this effect is among those that are missing
+};
+
+struct Diagnosis {
+  Verdict verdict = Verdict::none;
+  std::string effect;                        ///< the one named, "" unless missing_effect
+  std::vector<std::string> confusable;       ///< best first, for ambiguous
+  std::vector<CandidateFinding> candidates;  ///< most probable first
+  std::vector<Untestable> untestable;
+
+  struct Share {
+    std::string name;
+    double share = 0;
+  };
+  std::string variable;          ///< on which what is left depends most
+  std::vector<Share> variables;  ///< how much of it each variable alone could describe
+  std::vector<Share> segments;   ///< where in the runs it sits; sums to 1
+  FastStructure fast;
+
+  double residual_rms_dph = 0;  ///< of a row, the model refitted to these runs
+  double noise_floor_dph = 0;
+  double unexplained_fraction = 0;  ///< of the excess, by the best of the catalogue
+  double chance = 1;                ///< that noise alone would look like this
+  NoiseModel noise;
+  Eigen::Index rows = 0;
+  double row_s = 0;
+  std::vector<std::string> notes;  ///< whole sentences: what limits the answer
+};
+
+struct DiagnosisSettings {
+  std::optional<NoiseModel> noise;  ///< from a static record; otherwise from the runs' quiet parts
+  std::uint64_t seed = 1;           ///< of the draws that calibrate the test
+};
+
+/// Finds out whether the effects of `model` leave more than noise, and which effect of the
+/// catalogue is missing if so. Its network, if any, is left out. The effects are solved for anew
+/// together with every candidate. Throws InputError for data too short for the model's effects.
+Diagnosis diagnose(const Model& model, const DiagnosisData& data,
+                   const DiagnosisSettings& settings = {});
+
+}  // namespace fogcomp

@@ -1,0 +1,72 @@
+#include "diagnosis/explained_space.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+namespace fogcomp {
+namespace {
+
+// Of unit columns: two that agree to 1e-8 count as one.
+constexpr double kRidge = 1e-8;
+
+}  // namespace
+
+ColumnRange ExplainedSpace::add(const Eigen::MatrixXd& columns) {
+  const ColumnRange range{width_, columns.cols()};
+  pending_.push_back(columns);
+  width_ += columns.cols();
+  return range;
+}
+
+void ExplainedSpace::finish() {
+  Eigen::MatrixXd all(residual_.size(), width_);
+  Eigen::Index at = 0;
+  for (const Eigen::MatrixXd& columns : pending_) {
+    all.middleCols(at, columns.cols()) = columns;
+    at += columns.cols();
+  }
+  pending_.clear();
+  gram_.setZero(width_, width_);
+  gram_.selfadjointView<Eigen::Lower>().rankUpdate(all.transpose());
+  gram_.triangularView<Eigen::StrictlyUpper>() = gram_.transpose();
+  along_ = all.transpose() * residual_;
+}
+
+ExplainedSpace::System ExplainedSpace::system(const std::vector<ColumnRange>& parts,
+                                              const Eigen::VectorXd& along) const {
+  Eigen::Index size = 0;
+  for (const ColumnRange& part : parts) size += part.count;
+  System system{Eigen::MatrixXd(size, size), Eigen::VectorXd(size)};
+  Eigen::Index row = 0;
+  for (const ColumnRange& a : parts) {
+    Eigen::Index column = 0;
+    for (const ColumnRange& b : parts) {
+      system.matrix.block(row, column, a.count, b.count) =
+          gram_.block(a.first, b.first, a.count, b.count);
+      column += b.count;
+    }
+    system.right.segment(row, a.count) = along.segment(a.first, a.count);
+    row += a.count;
+  }
+  system.matrix.diagonal().array() += kRidge;
+  return system;
+}
+
+double ExplainedSpace::gain(const std::vector<ColumnRange>& parts,
+                            const Eigen::VectorXd& along) const {
+  if (parts.size() == 1 && parts[0].count == 1) return std::pow(along[parts[0].first], 2);
+  const System all = system(parts, along);
+  return all.right.dot(all.matrix.llt().solve(all.right));
+}
+
+Eigen::VectorXd ExplainedSpace::coefficients(const std::vector<ColumnRange>& parts) const {
+  const System all = system(parts, along_);
+  return all.matrix.llt().solve(all.right);
+}
+
+double log_evidence(double gain, double columns) {
+  if (gain <= columns) return 0;
+  return (gain - columns) / 2 - columns / 2 * std::log(gain / columns);
+}
+
+}  // namespace fogcomp

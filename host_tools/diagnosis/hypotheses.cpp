@@ -1,0 +1,169 @@
+#include "diagnosis/hypotheses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fogcomp {
+namespace {
+
+constexpr std::size_t kExtended = 8;  // pairs that are tried with a third effect
+
+class Search {
+ public:
+  Search(const ExplainedSpace& space, const std::vector<Candidate>& candidates,
+         const Library& library, const HypothesisSettings& settings)
+      : space_(space), candidates_(candidates), library_(library), settings_(settings) {}
+
+  std::vector<Hypothesis> run() {
+    for (std::size_t i = 0; i < library_.size(); ++i) keep(settle({{{i, 0}}}));
+    std::vector<Hypothesis> pairs;
+    for (std::size_t i = 0; i < library_.size(); ++i) {
+      for (std::size_t j = i; j < library_.size(); ++j) {
+        pairs.push_back(settle({{{i, alone_[i]}, {j, alone_[j]}}}));
+      }
+    }
+    std::sort(pairs.begin(), pairs.end(), [](const Hypothesis& a, const Hypothesis& b) {
+      return a.log_evidence > b.log_evidence;
+    });
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      keep(pairs[p]);
+      if (p >= kExtended) continue;
+      for (std::size_t k = 0; k < library_.size(); ++k) {
+        Hypothesis three = pairs[p];
+        three.parts.push_back({k, alone_[k]});
+        keep(settle(three));
+      }
+    }
+    weigh();
+    return std::move(found_);
+  }
+
+ private:
+  std::vector<ColumnRange> columns(const Hypothesis& hypothesis, std::size_t without) const {
+    std::vector<ColumnRange> ranges;
+    for (std::size_t i = 0; i < hypothesis.parts.size(); ++i) {
+      const Hypothesis::Part& part = hypothesis.parts[i];
+      if (i != without) ranges.push_back(library_[part.candidate][part.shape]);
+    }
+    return ranges;
+  }
+
+  // Moves the shapes, one part at a time, to where they explain most together.
+  Hypothesis settle(Hypothesis h) {
+    const std::size_t passes = h.parts.size() == 1 ? 1 : 2;
+    double width = 0;
+    double unlikely = 0;  // what averaging over each part's shapes costs
+    for (std::size_t pass = 0; pass < passes; ++pass) {
+      unlikely = 0;
+      for (std::size_t i = h.parts.size(); i-- > 0;) {
+        const BestShape best =
+            best_shape(space_, library_[h.parts[i].candidate], columns(h, i), space_.along());
+        h.parts[i].shape = best.shape;
+        h.gain = best.gain;
+        width = 0;
+        for (const ColumnRange& range : columns(h, h.parts.size())) {
+          width += static_cast<double>(range.count);
+        }
+        unlikely += log_evidence(best.gain, width) - best.log_evidence;
+      }
+    }
+    h.log_evidence = log_evidence(h.gain, width) - unlikely;
+    if (h.parts.size() == 1) alone_.push_back(h.parts[0].shape);
+    return h;
+  }
+
+  void keep(Hypothesis h) {
+    for (std::size_t i = 0; i < h.parts.size(); ++i) {
+      if (candidates_[h.parts[i].candidate].effect != "bias_step") continue;
+      const std::vector<ColumnRange> rest = columns(h, i);
+      const double without = rest.empty() ? 0 : space_.gain(rest);
+      if (h.gain - without < settings_.least_step_gain) return;
+    }
+    found_.push_back(std::move(h));
+  }
+
+  // One more effect out of those that are left.
+  double log_prior(const Hypothesis& h) const {
+    double prior = 0;
+    auto left = static_cast<double>(library_.size()) - 1;
+    for (std::size_t i = 1; i < h.effects(); ++i) {
+      prior += std::log(settings_.another * static_cast<double>(i + 1) / std::max(1.0, left));
+      left -= 1;
+    }
+    return prior + std::log(0.5) * static_cast<double>(h.parts.size() - h.effects());
+  }
+
+  void weigh() {
+    if (found_.empty()) return;
+    double most = 0;
+    for (const Hypothesis& h : found_) most = std::max(most, h.log_evidence);
+    const double temper = 1 + settings_.model_form_tolerance * 2 * most;
+    double best = -HUGE_VAL;
+    const auto score = [&](const Hypothesis& h) { return h.log_evidence / temper + log_prior(h); };
+    for (const Hypothesis& h : found_) best = std::max(best, score(h));
+    double sum = 0;
+    for (Hypothesis& h : found_) sum += h.probability = std::exp(score(h) - best);
+    for (Hypothesis& h : found_) h.probability /= sum;
+    std::sort(found_.begin(), found_.end(), [](const Hypothesis& a, const Hypothesis& b) {
+      return a.probability > b.probability;
+    });
+  }
+
+  const ExplainedSpace& space_;
+  const std::vector<Candidate>& candidates_;
+  const Library& library_;
+  const HypothesisSettings& settings_;
+  std::vector<std::size_t> alone_;  // best shape of each candidate by itself
+  std::vector<Hypothesis> found_;
+};
+
+}  // namespace
+
+bool Hypothesis::has(std::size_t candidate) const {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const Part& part) { return part.candidate == candidate; });
+}
+
+std::size_t Hypothesis::effects() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool first =
+        std::none_of(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(i),
+                     [&](const Part& p) { return p.candidate == parts[i].candidate; });
+    count += first ? 1 : 0;
+  }
+  return count;
+}
+
+BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>& shapes,
+                     const std::vector<ColumnRange>& others, const Eigen::VectorXd& along) {
+  BestShape best;
+  std::vector<ColumnRange> parts = others;
+  double width = 0;
+  for (const ColumnRange& other : others) width += static_cast<double>(other.count);
+  parts.push_back({});
+  std::vector<double> evidence;
+  evidence.reserve(shapes.size());
+  for (std::size_t shape = 0; shape < shapes.size(); ++shape) {
+    parts.back() = shapes[shape];
+    const double gain = space.gain(parts, along);
+    evidence.push_back(log_evidence(gain, width + static_cast<double>(shapes[shape].count)));
+    if (shape > 0 && gain <= best.gain) continue;
+    best.gain = gain;
+    best.shape = shape;
+  }
+  const double most = *std::max_element(evidence.begin(), evidence.end());
+  double sum = 0;
+  for (const double one : evidence) sum += std::exp(one - most);
+  best.log_evidence = most + std::log(sum / static_cast<double>(shapes.size()));
+  return best;
+}
+
+std::vector<Hypothesis> find_hypotheses(const ExplainedSpace& space,
+                                        const std::vector<Candidate>& candidates,
+                                        const Library& library,
+                                        const HypothesisSettings& settings) {
+  return Search(space, candidates, library, settings).run();
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/candidates.hpp"
+#include "diagnosis/explained_space.hpp"
+
+namespace fogcomp {
+
+/// Where each shape of each candidate lies in the space.
+using Library = std::vector<std::vector<ColumnRange>>;  // candidate, shape
+
+/// A set of effects, each at one shape, that might be what is missing. One effect may stand in it
+/// twice: two radii of hysteresis, two lags.
+struct Hypothesis {
+  struct Part {
+    std::size_t candidate = 0;
+    std::size_t shape = 0;
+  };
+  std::vector<Part> parts;
+  double gain = 0;          ///< fall of chi^2
+  double log_evidence = 0;  ///< against "nothing is missing", averaged over shapes
+  double probability = 0;   ///< among all hypotheses
+
+  bool has(std::size_t candidate) const;
+  /// Number of different effects.
+  std::size_t effects() const;
+};
+
+/// Average over the shapes of a candidate, given `others`: its evidence, and its best shape.
+struct BestShape {
+  std::size_t shape = 0;
+  double gain = 0;          ///< with the others, at the best shape
+  double log_evidence = 0;  ///< with the others, averaged over shapes
+};
+BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>& shapes,
+                     const std::vector<ColumnRange>& others, const Eigen::VectorXd& along);
+
+struct HypothesisSettings {
+  /// No catalogued regressor is exactly what a gyro does: differences of the explained chi^2 below
+  /// about this share of it say nothing about which effect it is.
+  double model_form_tolerance = 0.02;
+  /// How much likelier one more missing effect is than none more.
+  double another = 0.15;
+  /// Events need more evidence than physics, as flicker noise looks like steps: fall of chi^2.
+  double least_step_gain = 60;
+};
+
+/// One, two or three of the candidates at a time, most probable first. Sets that contain a
+/// bias_step need it to bring `least_step_gain`.
+std::vector<Hypothesis> find_hypotheses(const ExplainedSpace& space,
+                                        const std::vector<Candidate>& candidates,
+                                        const Library& library,
+                                        const HypothesisSettings& settings = {});
+
+}  // namespace fogcomp

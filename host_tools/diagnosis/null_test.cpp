@@ -1,0 +1,66 @@
+#include "diagnosis/null_test.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace fogcomp {
+namespace {
+
+constexpr int kDraws = 400;
+constexpr double kTailShare = 0.15;  // of the draws that an exponential tail is fitted to
+constexpr double kRidge = 1e-7;
+
+double best_evidence(const ExplainedSpace& space, const Library& library,
+                     const Eigen::VectorXd& along) {
+  double most = 0;
+  for (const std::vector<ColumnRange>& shapes : library) {
+    most = std::max(most, best_shape(space, shapes, {}, along).log_evidence);
+  }
+  return most;
+}
+
+// Logarithm of the share of draws beyond `value`; beyond the upper draws, by their exponential
+// tail.
+double tail_log_p(std::vector<double> draws, double value) {
+  std::sort(draws.begin(), draws.end());
+  const auto size = static_cast<double>(draws.size());
+  const auto above =
+      static_cast<double>(draws.end() - std::lower_bound(draws.begin(), draws.end(), value));
+  if (above > kTailShare * size) return std::log(above / size);
+  const auto start = draws.end() - static_cast<std::ptrdiff_t>(kTailShare * size);
+  double mean = 0;
+  for (auto draw = start; draw != draws.end(); ++draw) mean += *draw - *start;
+  mean = std::max(mean / (kTailShare * size), 1e-6);
+  return std::log(kTailShare) - std::max(0.0, value - *start) / mean;
+}
+
+}  // namespace
+
+NullTest test_against_noise(const ExplainedSpace& space, const Library& library,
+                            const ColumnRange& structure, double freedom, std::uint64_t seed) {
+  Eigen::MatrixXd gram = space.gram();
+  gram.diagonal().array() += kRidge * gram.diagonal().maxCoeff();
+  const Eigen::MatrixXd root = gram.llt().matrixL();
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  std::gamma_distribution<double> variance(freedom / 2, 2 / freedom);
+  std::vector<double> evidence;
+  std::vector<double> smooth;
+  Eigen::VectorXd white(gram.rows());
+  for (int draw = 0; draw < kDraws; ++draw) {
+    for (double& value : white) value = normal(random);
+    white /= std::sqrt(variance(random));
+    const Eigen::VectorXd along = root.triangularView<Eigen::Lower>() * white;
+    evidence.push_back(best_evidence(space, library, along));
+    smooth.push_back(along.segment(structure.first, structure.count).squaredNorm());
+  }
+  NullTest test;
+  test.library_log_p = tail_log_p(evidence, best_evidence(space, library, space.along()));
+  test.structure_log_p =
+      tail_log_p(smooth, space.along().segment(structure.first, structure.count).squaredNorm());
+  return test;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include "diagnosis/explained_space.hpp"
+#include "diagnosis/hypotheses.hpp"
+
+namespace fogcomp {
+
+/// How often noise alone would seem to contain an effect.
+struct NullTest {
+  double library_log_p = 0;    ///< of the best effect of the catalogue being this good
+  double structure_log_p = 0;  ///< of smooth structure of any kind being this strong
+};
+
+/// The best over all effects and shapes of many draws of white noise, put through the same space.
+/// `freedom`: how well the noise itself is known, as the degrees of freedom of a variance.
+NullTest test_against_noise(const ExplainedSpace& space, const Library& library,
+                            const ColumnRange& structure, double freedom, std::uint64_t seed);
+
+}  // namespace fogcomp

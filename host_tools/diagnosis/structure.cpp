@@ -1,0 +1,199 @@
+#include "diagnosis/structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <unsupported/Eigen/FFT>
+
+#include "dataset/input_columns.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr int kTemperatureKnots = 8;
+constexpr int kRateKnots = 6;
+constexpr int kProductKnots = 4;
+constexpr int kTimeKnots = 8;  // per run
+constexpr int kMostTimeKnots = 32;
+constexpr std::array<double, 4> kLags_s{240, 960, 3840, 15360};
+constexpr std::array<double, 4> kRadii_degc{2, 5, 10, 20};
+
+Eigen::VectorXd column_of(const Rows& rows,
+                          const std::function<double(const fog::Signals<RealNumbers>&)>& value) {
+  Eigen::VectorXd column(rows.size());
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    column[i] = value(rows.signals[static_cast<std::size_t>(i)]);
+  }
+  return column;
+}
+
+// Cubic B-splines over the range of x, evenly spaced: smooth, local, and they sum to 1.
+Eigen::MatrixXd smooths(const Eigen::VectorXd& x, int knots) {
+  const double least = x.minCoeff();
+  const double step = (x.maxCoeff() - least) / (knots - 1);
+  Eigen::MatrixXd columns(x.size(), step > 0 ? knots : 0);
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    columns.col(k) = x.unaryExpr([&](double value) {
+      const double u = std::abs((value - least) / step - static_cast<double>(k));
+      if (u >= 2) return 0.0;
+      return u < 1 ? 2.0 / 3 - u * u + u * u * u / 2 : std::pow(2 - u, 3) / 6;
+    });
+  }
+  return columns;
+}
+
+Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows) {
+  Eigen::Index width = 0;
+  for (const Eigen::MatrixXd& part : parts) width += part.cols();
+  Eigen::MatrixXd all(rows, width);
+  Eigen::Index at = 0;
+  for (const Eigen::MatrixXd& part : parts) {
+    all.middleCols(at, part.cols()) = part;
+    at += part.cols();
+  }
+  return all;
+}
+
+bool starts_run(const Rows& rows, std::size_t row) {
+  return std::binary_search(rows.run_starts.begin(), rows.run_starts.end(), row);
+}
+
+Eigen::VectorXd lagging(const Rows& rows, const Eigen::VectorXd& x, double tau_s) {
+  Eigen::VectorXd behind(x.size());
+  double state = 0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (starts_run(rows, row)) {
+      state = x[i];
+    } else {
+      state += -std::expm1(-(rows.time_s[row] - rows.time_s[row - 1]) / tau_s) * (x[i] - state);
+    }
+    behind[i] = x[i] - state;
+  }
+  return behind;
+}
+
+Eigen::VectorXd played(const Rows& rows, const Eigen::VectorXd& x, double radius) {
+  Eigen::VectorXd behind(x.size());
+  double state = 0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    state = starts_run(rows, static_cast<std::size_t>(i))
+                ? x[i]
+                : std::clamp(state, x[i] - radius, x[i] + radius);
+    behind[i] = x[i] - state;
+  }
+  return behind;
+}
+
+std::size_t run_end(const Rows& rows, std::size_t run) {
+  return run + 1 < rows.run_starts.size() ? rows.run_starts[run + 1]
+                                          : static_cast<std::size_t>(rows.size());
+}
+
+Eigen::MatrixXd of_time(const Rows& rows) {
+  const auto runs = static_cast<int>(rows.run_starts.size());
+  const int knots = std::clamp(kMostTimeKnots / runs, 3, kTimeKnots);
+  std::vector<Eigen::MatrixXd> parts;
+  for (std::size_t run = 0; run < rows.run_starts.size(); ++run) {
+    const auto first = static_cast<Eigen::Index>(rows.run_starts[run]);
+    const auto count = static_cast<Eigen::Index>(run_end(rows, run)) - first;
+    const Eigen::VectorXd time =
+        Eigen::Map<const Eigen::VectorXd>(&rows.time_s[rows.run_starts[run]], count);
+    Eigen::MatrixXd here = smooths(time, knots);
+    Eigen::MatrixXd part = Eigen::MatrixXd::Zero(rows.size(), here.cols());
+    part.middleRows(first, count) = here;
+    parts.push_back(std::move(part));
+  }
+  return side_by_side(parts, rows.size());
+}
+
+}  // namespace
+
+std::vector<StructureGroup> structure_groups(const Rows& rows) {
+  const Eigen::VectorXd temperature = column_of(rows, [](const auto& s) { return s.temperature; });
+  const Eigen::VectorXd rate = column_of(rows, [](const auto& s) { return s.temperature_rate; });
+  std::vector<StructureGroup> groups;
+  groups.push_back({"temperature_degc", smooths(temperature, kTemperatureKnots)});
+  groups.push_back({"temperature_rate", smooths(rate, kRateKnots)});
+  const Eigen::MatrixXd product = smooths(temperature, kProductKnots);
+  groups.push_back({"temperature_degc x temperature_rate",
+                    side_by_side({rate.asDiagonal() * product,
+                                  rate.cwiseAbs2().asDiagonal() *
+                                      product.leftCols(std::min<Eigen::Index>(2, product.cols()))},
+                                 rows.size())});
+  std::vector<Eigen::MatrixXd> history;
+  for (const double tau_s : kLags_s) history.push_back(lagging(rows, temperature, tau_s));
+  for (const double radius : kRadii_degc) history.push_back(played(rows, temperature, radius));
+  groups.push_back({"temperature history", side_by_side(history, rows.size())});
+  groups.push_back({"time_s", of_time(rows)});
+
+  const auto add_input = [&](std::string_view name, const Eigen::VectorXd& values) {
+    if (!(values.maxCoeff() > values.minCoeff())) return;
+    const Eigen::VectorXd x = values.array() - values.mean();
+    groups.push_back({std::string(name),
+                      side_by_side({x, x.cwiseAbs2(), x.cwiseProduct(temperature)}, rows.size())});
+  };
+  add_input("input_rate_dph", column_of(rows, [](const auto& s) { return s.block.input_rate; }));
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    add_input(input_column(static_cast<fog::Input>(i)).name,
+              column_of(rows, [i](const auto& s) { return s.block.extension[i]; }));
+  }
+  return groups;
+}
+
+FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& whitened_residual) {
+  constexpr double kLongest = 20;  // of a run's length
+  constexpr int kMostOctaves = 24;
+  struct Octave {
+    double power = 0;
+    double count = 0;
+    double period_s = 0;
+  };
+  std::vector<Octave> octaves(kMostOctaves);
+  FastStructure fast;
+  double lines = 0;
+  Eigen::FFT<double> fft;
+  for (std::size_t run = 0; run < rows.run_starts.size(); ++run) {
+    const std::size_t first = rows.run_starts[run];
+    const std::vector<double> values(
+        whitened_residual.begin() + static_cast<std::ptrdiff_t>(first),
+        whitened_residual.begin() + static_cast<std::ptrdiff_t>(run_end(rows, run)));
+    std::vector<std::complex<double>> spectrum;
+    fft.fwd(spectrum, values);
+    const auto size = static_cast<double>(values.size());
+    for (std::size_t k = static_cast<std::size_t>(kLongest); 2 * k < values.size(); ++k) {
+      const double power = std::norm(spectrum[k]) / size;
+      const double period_s = size * rows.row_s / static_cast<double>(k);
+      const int at = std::min(kMostOctaves - 1,
+                              static_cast<int>(std::log2(size / (2 * static_cast<double>(k)))));
+      Octave& octave = octaves[static_cast<std::size_t>(at)];
+      octave.power += power;
+      octave.count += 1;
+      octave.period_s += period_s;
+      lines += 1;
+      if (power <= fast.line_power) continue;
+      fast.line_power = power;
+      fast.line_period_s = period_s;
+    }
+  }
+  if (lines == 0) return fast;
+  fast.line_log_p = std::min(0.0, std::log(lines) - fast.line_power);
+  for (const Octave& octave : octaves) {
+    if (octave.count < 8) continue;
+    // A mean of exponential variables is normal after Wilson and Hilferty's cube root.
+    const double mean = octave.power / octave.count;
+    const double variance = 1 / (9 * octave.count);
+    const double z = (std::cbrt(mean) - (1 - variance)) / std::sqrt(variance);
+    const double log_p = z < 1 ? 0 : -z * z / 2 - std::log(z * 2.5066) + std::log(12.0);
+    if (log_p >= fast.band_log_p) continue;
+    fast.band_log_p = log_p;
+    fast.band_excess = mean - 1;
+    fast.band_period_s = octave.period_s / octave.count;
+    fast.share = (mean - 1) * octave.count / lines;
+  }
+  if (fast.line_log_p < fast.band_log_p) fast.share = fast.line_power / lines;
+  return fast;
+}
+
+}  // namespace fogcomp

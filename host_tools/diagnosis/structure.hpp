@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "identification/signal_series.hpp"
+
+namespace fogcomp {
+
+/// Smooth functions of one thing that a drift can depend on; no physics in them. They find out
+/// whether a residual has structure that no catalogued effect explains, and on what it depends.
+struct StructureGroup {
+  std::string variable;     ///< "temperature_degc", "temperature_rate", "time_s", ...
+  Eigen::MatrixXd columns;  ///< rows x any, neither whitened nor scaled
+};
+
+/// Smooths of temperature, of its rate, of their product, of history (lagged temperatures and play
+/// operators), of time within each run, and of every further input that varies.
+std::vector<StructureGroup> structure_groups(const Rows& rows);
+
+/// Fast structure: the strongest line and the strongest octave of the residual's periodogram.
+struct FastStructure {
+  double line_period_s = 0;
+  double line_power = 0;     ///< of white noise of variance 1: exponentially distributed, mean 1
+  double line_log_p = 0;     ///< logarithm of the chance that any line of white noise is as strong
+  double band_period_s = 0;  ///< middle of the octave
+  double band_excess = 0;    ///< of the octave's power above white noise, relative
+  double band_log_p = 0;     ///< the same for any octave
+  /// Share of the residual's squares that is line, or excess of the octave.
+  double share = 0;
+};
+
+/// Looks at a whitened residual, run by run, at periods of two rows to a twentieth of the run.
+FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& whitened_residual);
+
+}  // namespace fogcomp

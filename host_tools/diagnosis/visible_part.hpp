@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "diagnosis/candidates.hpp"
+#include "identification/noise_weighted_fit.hpp"
+#include "identification/whitening.hpp"
+
+namespace fogcomp {
+
+/// Takes out of whitened columns what a fitted model could do itself: its coefficients, small
+/// changes of its shape parameters, and an error in the time of the temperature sensor.
+class ModelRemover {
+ public:
+  ModelRemover(const Rows& rows, const NoiseWeightedFit& fit);
+
+  /// Whitened, without the model; one row more than given (the sensor's delay is known a priori,
+  /// which is like one more measurement of it).
+  VisiblePart operator()(const Eigen::MatrixXd& regressors) const;
+  /// What the model leaves of the measurement.
+  const Eigen::VectorXd& residual() const { return residual_; }
+  const Whitening& whitening() const { return whitening_; }
+  /// Unknowns that the model takes.
+  Eigen::Index rank() const { return basis_.cols(); }
+
+ private:
+  Eigen::MatrixXd without_model(Eigen::MatrixXd columns) const;
+
+  Whitening whitening_;
+  Eigen::MatrixXd basis_;  // orthonormal
+  Eigen::VectorXd residual_;
+};
+
+}  // namespace fogcomp

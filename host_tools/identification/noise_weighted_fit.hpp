@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "identification/least_squares.hpp"
+#include "identification/noise_model.hpp"
+#include "identification/shape_search.hpp"
+#include "identification/signal_series.hpp"
+
+namespace fogcomp {
+
+/// Effects solved for together, rows weighted with their noise.
+struct NoiseWeightedFit {
+  std::vector<EffectTerm> terms;       ///< as given, shape parameters where the cost is least
+  std::vector<ShapeParameter> shapes;  ///< those that were moved
+  NoiseModel noise;                    ///< what the rows were weighted with
+  Eigen::VectorXd row_weights;         ///< time behind a row times its weight as an outlier
+  std::size_t outliers = 0;            ///< rows weighted down
+
+  Eigen::MatrixXd columns;       ///< rows x linear: regressors of all terms, then the nuisance
+  Eigen::VectorXd coefficients;  ///< linear
+  Eigen::VectorXd residual_dph;  ///< per row
+
+  Eigen::MatrixXd whitened;           ///< the columns whitened, then a column per shape parameter
+  Eigen::VectorXd whitened_measured;  ///< rows of noise variance 1
+  Eigen::VectorXd whitened_residual;
+  Eigen::MatrixXd covariance;  ///< of coefficients and shapes (0..1); empty where rank is lacking
+  Eigen::Index rank = 0;       ///< of the linear columns
+
+  Eigen::Index linear() const { return columns.cols(); }
+};
+
+/// Solves for the coefficients of `terms` and of the nuisance columns (rows x any), and for those
+/// shape parameters that the terms mark. Three rounds of: noise from the quiet parts of what is
+/// left, weights of outliers, shapes by variable projection. `known_noise` is taken as it is.
+/// Columns that depend on each other are no error here: see `rank`.
+NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+                          const Eigen::MatrixXd& nuisance,
+                          const std::optional<NoiseModel>& known_noise = std::nullopt);
+
+/// A column of ones for every recording but the first (rows x runs - 1).
+Eigen::MatrixXd run_offset_columns(const Rows& rows);
+
+}  // namespace fogcomp

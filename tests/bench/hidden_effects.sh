@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# hidden_effects.sh [--quick] [--seeds dev|final] [--cases N] [--case ID] [--jobs N] [--stages LIST] [--build DIR] [-o DIR]:
+# how well `fogcomp diagnose` names what is hidden in simulated gyros (hidden_effects/README.md). Stages: make,
+# answer, propose, score. Resumes: a case is made or answered again only where something it depends on has changed.
+set -euo pipefail
+source=$(realpath "$(dirname "$0")/../..")
+here=$source/tests/bench/hidden_effects
+seeds=dev cases=1508 jobs=$(nproc) out= build=$source/build/host stages=make,answer,propose,score only=
+while (($#)); do
+  case $1 in
+    --quick) cases=116; shift; continue ;;
+    --seeds | --cases | --case | --jobs | --stages | --build | -o) (($# >= 2)) || { echo "$1 needs a value" >&2; exit 2; } ;;
+    *) sed -n '2s/^# //p' "$0" >&2; exit 2 ;;
+  esac
+  case $1 in
+    --seeds) seeds=$2 ;;
+    --cases) cases=$2 ;;
+    --case) only=$2 ;;
+    --jobs) jobs=$2 ;;
+    --stages) stages=$2 ;;
+    --build) build=$(realpath "$2") ;;
+    -o) out=$2 ;;
+  esac
+  shift 2
+done
+[[ $seeds == dev || $seeds == final ]] || { echo "--seeds $seeds: dev or final" >&2; exit 2; }
+out=$(realpath -m "${out:-$build/hidden_effects}")
+fogcomp=$build/fogcomp programmes=$build/tests/bench/hidden_effects
+[[ -x $fogcomp && -x $programmes/plan_case ]] ||
+  { echo "no programmes in $build; cmake --preset host && cmake --build build/host" >&2; exit 2; }
+mkdir -p "$out"
+
+if [[ $only ]]; then
+  ids=("$only")
+  export KEEP=1 # the rows of the truth stay, for a look
+else
+  mapfile -t ids < <(seq -f "$seeds%.0f" "$cases")
+fi
+
+wants() { [[ ,$stages, == *,$1,* ]]; }
+
+# each WHAT COMMAND... : COMMAND ID for every case that stdin names, $jobs at a time; says how far it is.
+each() {
+  local what=$1 list
+  shift
+  mapfile -t list
+  local begun=$SECONDS total=${#list[@]} failed="$out/failed_$what.txt"
+  : >"$failed"
+  # shellcheck disable=SC2016
+  printf '%s\n' "${list[@]}" | xargs -P "$jobs" -I{} bash -c '"${@:2}" || echo "$2" >>"$0"; echo "$1"' "$failed" {} "$@" {} |
+    awk -v what="$what" -v total="$total" '
+      { done++; if (done == total || done % (total > 40 ? int(total / 20) : 10) == 0)
+          printf "%s: %d of %d\n", what, done, total >"/dev/stderr" }'
+  echo "$what: $total cases in $((SECONDS - begun)) s" >&2
+  [[ ! -s $failed ]] || { echo "$what: $(wc -l <"$failed") cases failed" >&2; exit 1; }
+}
+
+echo "hidden_effects: ${#ids[@]} cases of the $seeds seeds, $jobs jobs, in $out" >&2
+if wants make; then
+  # What recordings depend on: the simulator and the drawing of the cases.
+  made_by=$(cat "$build/host_tools/libfogcomp_simulation.a" "$here"/{case_plan,gyro_draw,hidden_draw,programmes,visible,case_facts}.cpp |
+    cksum | tr ' ' -)
+  printf '%s\n' "${ids[@]}" | each make "$here/make_case.sh" "$fogcomp" "$programmes" "$out" "$made_by"
+fi

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# answer_case.sh FOGCOMP DIR KEY ID: what the tool says to the recordings in DIR/runs/ID, into DIR/answers/ID. Knows
+# the declared effects and nothing of the truth. Done already where tool and recordings are those of DIR/answers/ID/key.
+set -euo pipefail
+fogcomp=$1 runs=$2/runs/$4 answers=$2/answers/$4
+key="$3 $(cat "$runs"/* | cksum)"
+[[ -f $answers/key && $(<"$answers/key") == "$key" ]] && exit 0
+rm -rf "$answers"
+mkdir -p "$answers"
+recordings=("$runs"/run*.csv)
+
+# ask NAME COMMAND...: stdout into NAME.json; exit codes above 1, and signals, are failures of the tool.
+ask() {
+  local name=$1 status=0
+  shift
+  "$@" >"$answers/$name.json" 2>"$answers/$name.err" || status=$?
+  ((status <= 1)) || echo "$name exit $status: $(tail -n 1 "$answers/$name.err")" >>"$answers/failed.txt"
+  ((status <= 1))
+}
+
+if ask fit "$fogcomp" fit "${recordings[@]}" -o "$answers/declared.model" --effects "$(<"$runs/effects.txt")" --json; then
+  TIMEFORMAT='%U'
+  { time ask diagnosis "$fogcomp" diagnose "$answers/declared.model" "${recordings[@]}" --json || true; } \
+    2>"$answers/seconds.txt"
+  effect=$(sed -nE 's/.*"verdict":"missing_effect","effect":"([a-z_]+)".*/\1/p' "$answers/diagnosis.json")
+  if [[ $effect && -f $runs/unseen.csv ]]; then
+    ask add "$fogcomp" add "$answers/declared.model" "$effect" "${recordings[@]}" -o "$answers/added.model" --json &&
+      ask unseen "$fogcomp" compare "$answers/added.model" "$runs/unseen.csv" --json || true
+  fi
+  if grep -qw loop "$runs/request.txt"; then
+    ask loop "$fogcomp" diagnose "$answers/declared.model" "${recordings[@]}" --max-effects 4 --json || true
+  fi
+fi
+echo "$key" >"$answers/key"

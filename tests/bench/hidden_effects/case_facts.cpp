@@ -1,0 +1,105 @@
+// case_facts RUNS TRUTH: what the score needs to know of a case, from its recordings and the truth
+// of `simulate --hide`: TRUTH/facts.txt. Sizes are in noise of a row.
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "dataset/recording.hpp"
+#include "key_values.hpp"
+#include "support/input_error.hpp"
+#include "support/output_file.hpp"
+#include "support/text.hpp"
+#include "truth_file.hpp"
+#include "visible.hpp"
+
+namespace {
+
+using namespace fogcomp;
+using namespace fogcomp::bench;
+
+struct Case {
+  std::vector<Recording> recordings;
+  std::vector<TruthFile> truths;
+
+  Eigen::VectorXd rows(const Sight& sight, const std::string& effect) const {
+    std::vector<std::vector<double>> values;
+    for (const TruthFile& truth : truths) values.push_back(truth.effect(effect));
+    return rows_of(sight, recordings, values);
+  }
+};
+
+Case read_case(const std::string& runs, const std::string& truth) {
+  Case files;
+  for (int number = 1;; ++number) {
+    const std::string name = format("/run%d.csv", number);
+    if (!std::filesystem::exists(runs + name)) return files;
+    files.recordings.push_back(read_recording(runs + name, {}));
+    files.truths.emplace_back(truth + name);
+  }
+}
+
+std::string facts_of_hidden(const Sight& sight, const BesideDeclared& beside,
+                            const std::string& what, const Eigen::VectorXd& contribution,
+                            double noise_dph) {
+  const Eigen::VectorXd left = beside.left_of(contribution);
+  std::string text = format("visible %s %.4f\n", what.c_str(), rms(left) / noise_dph);
+  for (const Imitation& imitation : imitations(sight, beside, left)) {
+    text += format("imitation %s %s %.4f\n", what.c_str(), imitation.effect.c_str(),
+                   imitation.fraction);
+  }
+  return text;
+}
+
+double noise_rms(const TruthFile& truth) {
+  double sum = 0;
+  const std::vector<double> noise = truth.noise();
+  for (const double value : noise) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(noise.size()));
+}
+
+void write_facts(const std::string& runs, const std::string& truth) {
+  const KeyValues plan(truth + "/plan.txt");
+  const double noise_dph = plan.number("row_noise_dph");
+  const Case files = read_case(runs, truth);
+  Sight sight(split(plan.word("declared"), ','), files.recordings);
+
+  // A hidden bias_temperature shares its name with the declared order.
+  const auto is_hidden = [&](const std::string& name) {
+    for (const auto& words : plan.all("hidden")) {
+      if (words[1] == name) return true;
+    }
+    return false;
+  };
+  std::vector<Eigen::VectorXd> declared;
+  Eigen::VectorXd all_declared = Eigen::VectorXd::Zero(sight.series.rows().size());
+  for (const EffectTerm& term : sight.model.terms) {
+    declared.push_back(files.rows(sight, term.name));
+    if (!is_hidden(term.name)) all_declared += declared.back();
+  }
+  const BesideDeclared beside(sight, declared);
+  std::string text = format("rows %td\nmisfit %.4f\n", sight.series.rows().size(),
+                            rms(beside.left_of(all_declared)) / noise_dph);
+  for (const auto& words : plan.all("hidden")) {
+    text += facts_of_hidden(sight, beside, words[0], files.rows(sight, words[1]), noise_dph);
+  }
+  if (std::filesystem::exists(truth + "/unseen.csv")) {
+    text += format("unseen_noise_dph %.8g\n", noise_rms(TruthFile(truth + "/unseen.csv")));
+  }
+  write_file(truth + "/facts.txt", text);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count != 3) {
+    std::fputs("usage: case_facts RUNS TRUTH\n", stderr);
+    return 2;
+  }
+  try {
+    write_facts(words[1], words[2]);
+    return 0;
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "case_facts: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,194 @@
+#include "case_plan.hpp"
+
+#include <algorithm>
+
+#include "programmes.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+#include "trial.hpp"
+#include "visible.hpp"
+
+namespace fogcomp::bench {
+namespace {
+
+constexpr double kLeastVisible = 0.05;  // of an effect's rms about its mean
+constexpr int kAttempts = 40;
+constexpr double kExtraColumns = 0.3;  // of the cases have columns that they do not need
+constexpr double kUnseen = 0.35;       // have a recording of another programme
+constexpr double kLoopAnyway = 0.1;    // of the cases with less than two effects
+constexpr double kLatitude_deg = 34.27;
+
+const std::vector<double> kSizes{0.2, 0.35, 0.6, 1.5};
+const std::vector<double> kForeignSizes{0.7, 2};
+
+Flicker flicker_of(std::size_t number) {
+  return static_cast<Flicker>(number % 3);
+}
+
+// Every kind of case in its share, in an order of its own for every cycle.
+std::vector<CaseKind> cycle_of(const CaseId& id) {
+  const std::uint64_t cycle_number = (id.number - 1) / kCycle;
+  CaseId first = id;
+  first.number = cycle_number * kCycle + 1;
+  Draws draws(first.seed() * 64 + 63);
+  std::vector<CaseKind> cycle;
+  for (const std::string& effect : catalogued_effects()) {
+    for (const double size : kSizes) {
+      cycle.push_back({"single", {effect}, {size}, flicker_of(cycle.size() + cycle_number)});
+    }
+  }
+  for (std::size_t i = 0; i < 26; ++i) {
+    cycle.push_back({"clean", {}, {}, flicker_of(i + cycle_number)});
+  }
+  for (std::size_t i = 0; i < 12; ++i) {
+    std::vector<std::string> effects = catalogued_effects();
+    effects.pop_back();  // steps are events of one run
+    draws.shuffle(effects);
+    cycle.push_back({"two",
+                     {effects[0], effects[1]},
+                     {draws.chance(0.5) ? 0.6 : 1.5, draws.chance(0.5) ? 0.6 : 1.5},
+                     flicker_of(i)});
+  }
+  for (const std::string& disturbance : foreign_disturbances()) {
+    for (const double size : kForeignSizes) {
+      cycle.push_back({"foreign", {disturbance}, {size}, flicker_of(cycle.size())});
+    }
+  }
+  draws.shuffle(cycle);
+  return cycle;
+}
+
+std::string columns_of(Draws& draws, const std::vector<std::string>& hidden) {
+  if (draws.chance(kExtraColumns)) return "all";
+  std::string columns;
+  for (const std::string& what : hidden) {
+    const std::string needed = columns_that_show(what);
+    if (!needed.empty()) columns += (columns.empty() ? "" : ",") + needed;
+  }
+  return columns;
+}
+
+void draw_runs(Draws& draws, const CaseId& id, CasePlan& plan) {
+  std::vector<std::string> required;
+  for (const std::string& what : plan.what.hidden) {
+    const std::vector<std::string> these = programmes_that_show(what);
+    if (!these.empty()) required.push_back(draws.pick(these));
+  }
+  std::vector<std::string> chosen =
+      draw_programmes(draws, required.empty() ? required : std::vector<std::string>{required[0]});
+  for (const std::string& name : required) {
+    if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
+  }
+  if (plan.what.hidden == std::vector<std::string>{"bias_step"}) {
+    chosen.resize(1);  // an event of one run: no other run has it at the same time
+  }
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    plan.runs.push_back({format("run%zu", i + 1), chosen[i], id.seed() * 16 + i});
+  }
+  const std::string unseen = draws.chance(kUnseen) ? draw_unseen(draws, chosen) : "";
+  if (!unseen.empty()) plan.unseen = PlannedRun{"unseen", unseen, id.seed() * 16 + 9};
+  plan.columns = columns_of(draws, plan.what.hidden);
+  const bool turned = std::any_of(chosen.begin(), chosen.end(), [](const std::string& name) {
+    return name == "axis_flips" || name == "rate_table";
+  });
+  if (turned || plan.columns == "all") plan.latitude_deg = kLatitude_deg;
+}
+
+CasePlan draw(const CaseId& id, std::uint64_t attempt) {
+  CasePlan plan;
+  plan.what = kind_of(id);
+  Draws draws(id.seed() * 64 + attempt);
+  plan.gyro = draw_gyro(draws, plan.what.flicker, plan.what.hidden);
+  for (const std::string& what : plan.what.hidden) {
+    plan.hidden.push_back(draw_hidden(draws, what, plan.gyro));
+  }
+  draw_runs(draws, id, plan);
+  plan.loop = plan.what.kind == "two" || draws.chance(kLoopAnyway);
+  return plan;
+}
+
+std::vector<double> contribution_of(const TrialRun& run, const std::string& effect) {
+  for (std::size_t i = 0; i < run.effects.size(); ++i) {
+    if (run.effects[i] == effect) return run.contributions_dph[i];
+  }
+  return std::vector<double>(run.recording.rows(), 0);
+}
+
+// Finds the values that give the wanted sizes; false where an effect hardly shows.
+bool set_sizes(CasePlan& plan) {
+  if (plan.hidden.empty()) return true;
+  std::vector<TrialRun> trials;
+  std::vector<Recording> recordings;
+  for (const PlannedRun& run : plan.runs) {
+    trials.push_back(simulate_trial(plan, run));
+    recordings.push_back(trials.back().recording);
+  }
+  const auto rows = [&](const Sight& sight, const std::string& effect) {
+    std::vector<std::vector<double>> values;
+    for (const TrialRun& trial : trials) values.push_back(contribution_of(trial, effect));
+    return rows_of(sight, recordings, values);
+  };
+  Sight sight(plan.gyro.declared, recordings);
+  std::vector<Eigen::VectorXd> declared;
+  for (const EffectTerm& term : sight.model.terms) declared.push_back(rows(sight, term.name));
+  const BesideDeclared beside(sight, declared);
+  plan.values.clear();
+  for (std::size_t i = 0; i < plan.hidden.size(); ++i) {
+    const Eigen::VectorXd natural = rows(sight, plan.hidden[i].name);
+    const double visible = rms(beside.left_of(natural));
+    const double all = rms(natural.array() - natural.mean());
+    if (!(visible > kLeastVisible * all)) return false;
+    plan.values.push_back(plan.hidden[i].natural * plan.what.sizes[i] * plan.gyro.row_noise_dph() /
+                          visible);
+  }
+  return true;
+}
+
+}  // namespace
+
+CaseId::CaseId(const std::string& text) {
+  for (const char* const known : {"dev", "final"}) {
+    if (text.compare(0, std::string(known).size(), known) == 0) range = known;
+  }
+  const auto parsed = parse_number(text.substr(range.size()));
+  if (range.empty() || !parsed || *parsed < 1 || *parsed > 999'999 ||
+      *parsed != static_cast<double>(static_cast<std::uint64_t>(*parsed))) {
+    throw InputError("case '" + text + "'", "is not of the form dev12 or final12");
+  }
+  number = static_cast<std::uint64_t>(*parsed);
+}
+
+std::uint64_t CaseId::seed() const {
+  return (range == "dev" ? 1'000'000 : 2'000'000) + number;
+}
+
+CaseKind kind_of(const CaseId& id) {
+  return cycle_of(id)[(id.number - 1) % kCycle];
+}
+
+std::vector<std::string> CasePlan::effect_options() const {
+  std::vector<std::string> options = gyro.parts;
+  options.insert(options.end(), gyro.effects.begin(), gyro.effects.end());
+  for (std::size_t i = 0; i < hidden.size(); ++i) options.push_back(hidden[i].option(values[i]));
+  return options;
+}
+
+std::string CasePlan::arguments(const PlannedRun& run) const {
+  std::string text =
+      format("--profile %s --seed %llu --preset none --rate 0.1 --noise %s", run.programme.c_str(),
+             static_cast<unsigned long long>(run.seed), gyro.noise_option().c_str());
+  for (const std::string& option : effect_options()) text += " --effect " + option;
+  if (!columns.empty()) text += " --columns " + columns;
+  if (latitude_deg) text += format(" --latitude %g", *latitude_deg);
+  return text;
+}
+
+CasePlan plan_case(const CaseId& id) {
+  for (std::uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
+    CasePlan plan = draw(id, attempt);
+    if (set_sizes(plan)) return plan;
+  }
+  throw InputError("case", format("none of %d gyros shows the effect", kAttempts));
+}
+
+}  // namespace fogcomp::bench

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gyro_draw.hpp"
+#include "hidden_draw.hpp"
+
+namespace fogcomp::bench {
+
+/// What a case is about; drawn before anything else about it, in a fixed share of every cycle.
+struct CaseKind {
+  std::string kind;                 ///< clean, single, two or foreign
+  std::vector<std::string> hidden;  ///< as draw_hidden() takes them
+  std::vector<double> sizes;        ///< visible rms over the noise of a row, one per hidden effect
+  Flicker flicker = Flicker::none;
+};
+
+/// Cases in one cycle: 16 effects x 4 sizes, 26 clean, 12 with two effects, 7 disturbances x 2
+/// sizes.
+constexpr std::size_t kCycle = 64 + 26 + 12 + 14;
+
+/// "dev12" or "final12": the range of seeds and the number in it. The ranges share no seed. Throws
+/// InputError.
+struct CaseId {
+  explicit CaseId(const std::string& text);
+  std::string range;
+  std::uint64_t number;
+  std::uint64_t seed() const;
+};
+
+CaseKind kind_of(const CaseId& id);
+
+/// One recording to make.
+struct PlannedRun {
+  std::string name;  ///< run1, run2, run3, unseen
+  std::string programme;
+  std::uint64_t seed;
+};
+
+/// A gyro, what is hidden in it, and the recordings that are made of it.
+struct CasePlan {
+  CaseKind what;
+  DrawnGyro gyro;
+  std::vector<HiddenEffect> hidden;
+  std::vector<double> values;  ///< of each HiddenEffect::sized
+  std::vector<PlannedRun> runs;
+  std::optional<PlannedRun> unseen;
+  std::string columns;  ///< of simulate --columns
+  std::optional<double> latitude_deg;
+  bool loop = false;  ///< the answer is also asked for by `diagnose --max-effects`
+
+  /// `--effect` options with the hidden effects at `values`.
+  std::vector<std::string> effect_options() const;
+  /// Arguments of `fogcomp simulate` for a run, without files, blanks between.
+  std::string arguments(const PlannedRun& run) const;
+};
+
+/// Draws the case; trial simulations find the sizes. Gyros on which the effect would be almost
+/// invisible (less than 5 % of it is left beside the declared model) are drawn again.
+CasePlan plan_case(const CaseId& id);
+
+}  // namespace fogcomp::bench

@@ -1,0 +1,81 @@
+#include "programmes.hpp"
+
+#include <algorithm>
+
+#include "support/input_error.hpp"
+
+namespace fogcomp::bench {
+namespace {
+
+constexpr std::size_t kMostRows = 16'000;
+constexpr double kOneRun = 0.35;
+constexpr double kTwoRuns = 0.4;  // else three
+
+const ProgrammeFacts& facts_of(const std::string& name) {
+  for (const ProgrammeFacts& facts : programmes()) {
+    if (facts.name == name) return facts;
+  }
+  throw InputError("programme '" + name + "'", "is not one of the benchmark's");
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+const std::vector<ProgrammeFacts>& programmes() {
+  static const std::vector<ProgrammeFacts> all{
+      {"paper", 5955, -40, 60, true},         {"reversed", 5955, -40, 60, true},
+      {"random_steps", 3780, 10, 30, true},   {"minor_loops", 8640, -40, 60, true},
+      {"ramp_rates", 8040, -40, 60, true},    {"power_cycles", 5640, -20, 50, true},
+      {"axis_flips", 5820, -40, 60, false},   {"rate_table", 3660, -40, 60, false},
+      {"heater_pulses", 2880, 20, 30, false}, {"field_and_vibration", 2760, 20, 20, false},
+  };
+  return all;
+}
+
+std::vector<std::string> draw_programmes(Draws& draws, const std::vector<std::string>& required) {
+  std::vector<std::string> thermal;
+  for (const ProgrammeFacts& facts : programmes()) {
+    if (facts.thermal) thermal.push_back(facts.name);
+  }
+  const double which = draws.uniform(0, 1);
+  std::size_t wanted = 3;
+  if (which < kOneRun + kTwoRuns) wanted = 2;
+  if (which < kOneRun) wanted = 1;
+
+  std::vector<std::string> chosen{draws.pick(required.empty() ? thermal : required)};
+  // A bench without a chamber teaches no thermal model: what has no ramps gets a chamber test too.
+  if (facts_of(chosen[0]).most_degc <= 30 && !facts_of(chosen[0]).thermal) {
+    wanted = std::max<std::size_t>(wanted, 2);
+  }
+  std::size_t rows = facts_of(chosen[0]).rows;
+  draws.shuffle(thermal);
+  for (const std::string& name : thermal) {
+    const std::size_t more = facts_of(name).rows;
+    if (chosen.size() >= wanted || contains(chosen, name) || rows + more > kMostRows) continue;
+    chosen.push_back(name);
+    rows += more;
+  }
+  return chosen;
+}
+
+std::string draw_unseen(Draws& draws, const std::vector<std::string>& seen) {
+  double least = 1e9;
+  double most = -1e9;
+  for (const std::string& name : seen) {
+    least = std::min(least, facts_of(name).least_degc);
+    most = std::max(most, facts_of(name).most_degc);
+  }
+  std::vector<std::string> possible;
+  for (const ProgrammeFacts& facts : programmes()) {
+    if (facts.thermal && facts.least_degc >= least && facts.most_degc <= most &&
+        !contains(seen, facts.name)) {
+      possible.push_back(facts.name);
+    }
+  }
+  return possible.empty() ? "" : draws.pick(possible);
+}
+
+}  // namespace fogcomp::bench

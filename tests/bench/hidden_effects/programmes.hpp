@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "draws.hpp"
+
+namespace fogcomp::bench {
+
+/// A ready-made profile of the simulator, as far as a choice depends on it.
+struct ProgrammeFacts {
+  std::string name;
+  std::size_t rows;  ///< of 10 s
+  double least_degc;
+  double most_degc;
+  bool thermal;  ///< a plain chamber test; the others are for effects that need more than that
+};
+
+const std::vector<ProgrammeFacts>& programmes();
+
+/// One to three different programmes of at most 16,000 rows together, the first from `required`,
+/// or, where that is empty, any thermal one.
+std::vector<std::string> draw_programmes(Draws& draws, const std::vector<std::string>& required);
+
+/// A programme within the temperatures that `seen` covered and not among them, or "" where there is
+/// none.
+std::string draw_unseen(Draws& draws, const std::vector<std::string>& seen);
+
+}  // namespace fogcomp::bench

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "case_plan.hpp"
+#include "dataset/recording.hpp"
+
+namespace fogcomp::bench {
+
+/// A recording without noise, in memory, with what each of the simulator's effects contributes.
+struct TrialRun {
+  Recording recording;
+  std::vector<std::string> effects;
+  std::vector<std::vector<double>> contributions_dph;  ///< per effect, per row
+};
+
+/// Simulates a run of the plan with the hidden effects at their natural size, and bias_temperature,
+/// where it is hidden, without its lower orders.
+TrialRun simulate_trial(const CasePlan& plan, const PlannedRun& run);
+
+}  // namespace fogcomp::bench

@@ -1,0 +1,193 @@
+#include "visible.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "identification/effect_list.hpp"
+#include "identification/shape_search.hpp"
+#include "model/catalogue.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::bench {
+namespace {
+
+constexpr double kRow_s = 10;
+constexpr double kDerivativeTau_s = 30;  // as `fogcomp fit` has it by default
+constexpr double kDependent = 1e-6;      // of a column's length: the rest is arithmetic
+
+// Points over the range of a shape parameter; the ripple's period needs many, as its phase runs
+// through many turns over the range of temperature.
+int grid_points(const EffectTerm& term, std::size_t parameter) {
+  if (term.name == "polarization_ripple") return 64;
+  if (term.name == "glass_transition") return parameter == 0 ? 14 : 4;
+  if (term.name == "bias_step") return 40;
+  return 12;
+}
+
+double fraction_explained(const Eigen::MatrixXd& regressors, const Eigen::MatrixXd& left,
+                          const Eigen::VectorXd& target) {
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < left.cols(); ++i) {
+    if (left.col(i).norm() > kDependent * regressors.col(i).norm()) kept.push_back(i);
+  }
+  const double all = target.squaredNorm();
+  if (kept.empty() || all == 0) return 0;
+  Eigen::MatrixXd columns(left.rows(), static_cast<Eigen::Index>(kept.size()));
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    columns.col(static_cast<Eigen::Index>(i)) = left.col(kept[i]).normalized();
+  }
+  const Eigen::VectorXd coefficients = columns.colPivHouseholderQr().solve(target);
+  return 1 - (target - columns * coefficients).squaredNorm() / all;
+}
+
+// Puts the shape where the fraction of the target explained is largest; returns that.
+template <class Left>
+double best_shape(const Sight& sight, EffectTerm& term, const Eigen::VectorXd& target, Left left) {
+  const auto fraction = [&] {
+    const Eigen::MatrixXd regressors = sight.series.regressors(term);
+    return fraction_explained(regressors, left(regressors), target);
+  };
+  std::vector<ShapeParameter> shapes = shape_parameters({term});
+  double best = fraction();
+  std::vector<double> best_parameters = term.parameters;
+  const auto keep_if_better = [&] {
+    const double now = fraction();
+    if (now <= best) return;
+    best = now;
+    best_parameters = term.parameters;
+  };
+  const std::size_t first_points =
+      shapes.empty() ? 1 : static_cast<std::size_t>(grid_points(term, 0));
+  const std::size_t second_points =
+      shapes.size() < 2 ? 1 : static_cast<std::size_t>(grid_points(term, 1));
+  for (ShapeParameter& shape : shapes)
+    shape.most = std::min(shape.most, std::max(shape.least * 2, sight.longest_s));
+  for (std::size_t i = 0; i < first_points && !shapes.empty(); ++i) {
+    for (std::size_t j = 0; j < second_points; ++j) {
+      term.parameters[shapes[0].index] =
+          shapes[0].from_unit((static_cast<double>(i) + 0.5) / static_cast<double>(first_points));
+      if (shapes.size() > 1) {
+        term.parameters[shapes[1].index] = shapes[1].from_unit((static_cast<double>(j) + 0.5) /
+                                                               static_cast<double>(second_points));
+      }
+      keep_if_better();
+    }
+  }
+  term.parameters = best_parameters;
+  return best;
+}
+
+// An effect that may move its shape, as a candidate has it.
+EffectTerm candidate(const std::string& name) {
+  EffectTerm term = parse_effects(name).front();
+  // A step's time starts at 0 in a list of effects, which leaves it out; here it is looked for.
+  if (name == "bias_step") term.identified.assign(term.identified.size(), true);
+  return term;
+}
+
+int declared_order(const Model& model) {
+  const EffectTerm* term = model.find("bias_temperature");
+  return term == nullptr ? 0 : static_cast<int>(term->parameters[0]);
+}
+
+Model declared_model(const std::vector<std::string>& declared) {
+  Model model;
+  std::string list;
+  for (const std::string& effect : declared) list += (list.empty() ? "" : ",") + effect;
+  model.terms = parse_effects(list);
+  model.average_s = kRow_s;
+  model.derivative_tau_s = kDerivativeTau_s;
+  return model;
+}
+
+}  // namespace
+
+Sight::Sight(const std::vector<std::string>& declared, const std::vector<Recording>& recordings)
+    : model(declared_model(declared)) {
+  inputs = static_cast<fog::InputMask>(~fog::InputMask{0});
+  for (const Recording& recording : recordings) {
+    const BlockSeries blocks = make_blocks(recording);
+    inputs &= blocks.inputs;
+    longest_s = std::max(longest_s, recording.time_s.back());
+    series.add(blocks);
+  }
+}
+
+Eigen::VectorXd rows_of(const Sight& sight, const std::vector<Recording>& recordings,
+                        const std::vector<std::vector<double>>& contributions_dph) {
+  SignalSeries series(sight.model);
+  for (std::size_t run = 0; run < recordings.size(); ++run) {
+    Recording contribution = recordings[run];
+    contribution.rate_dph = contributions_dph[run];
+    for (std::size_t i = 0; i < contribution.input_rate_dph.size(); ++i) {
+      contribution.rate_dph[i] += contribution.input_rate_dph[i];
+    }
+    series.add(make_blocks(contribution));
+  }
+  return series.rows().drift_dph;
+}
+
+BesideDeclared::BesideDeclared(Sight& sight, const std::vector<Eigen::VectorXd>& truth_dph) {
+  std::vector<Eigen::MatrixXd> parts;
+  Eigen::Index width = 0;
+  for (std::size_t i = 0; i < sight.model.terms.size(); ++i) {
+    EffectTerm& term = sight.model.terms[i];
+    if (truth_dph[i].squaredNorm() > 0) {
+      // About the mean: a bias stands beside every effect.
+      const Eigen::VectorXd truth = truth_dph[i].array() - truth_dph[i].mean();
+      best_shape(sight, term, truth, [](const Eigen::MatrixXd& regressors) -> Eigen::MatrixXd {
+        return regressors.rowwise() - regressors.colwise().mean();
+      });
+    }
+    parts.push_back(sight.series.regressors(term));
+    width += parts.back().cols();
+  }
+  Eigen::MatrixXd all(sight.series.rows().size(), width);
+  Eigen::Index at = 0;
+  for (const Eigen::MatrixXd& part : parts) {
+    for (Eigen::Index i = 0; i < part.cols(); ++i) {
+      const double length = part.col(i).norm();
+      all.col(at++) =
+          length > 0 ? Eigen::VectorXd(part.col(i) / length) : Eigen::VectorXd(part.col(i));
+    }
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+  qr.setThreshold(1e-9);
+  qr.compute(all);
+  basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(all.rows(), qr.rank());
+}
+
+Eigen::MatrixXd BesideDeclared::left_of(const Eigen::MatrixXd& columns) const {
+  return columns - basis_ * (basis_.transpose() * columns);
+}
+
+std::vector<Imitation> imitations(const Sight& sight, const BesideDeclared& beside,
+                                  const Eigen::VectorXd& left_of_truth) {
+  const auto left = [&](const Eigen::MatrixXd& regressors) { return beside.left_of(regressors); };
+  std::vector<Imitation> found;
+  for (const std::string& name : effect_names()) {
+    const auto needs = find_effect(name).description.needs;
+    if (name == "bias" || (needs & sight.inputs) != needs) continue;
+    std::vector<std::string> forms;
+    if (name == "bias_temperature") {
+      const int order = declared_order(sight.model);
+      forms = {name + format(":order=%d", order + 1), name + format(":order=%d", order + 2)};
+    } else if (sight.model.find(name) == nullptr) {
+      forms = {name};
+    }
+    double best = 0;
+    for (const std::string& form : forms) {
+      EffectTerm term = form == name ? candidate(name) : parse_effects(form).front();
+      best = std::max(best, best_shape(sight, term, left_of_truth, left));
+    }
+    if (!forms.empty()) found.push_back({name, best});
+  }
+  return found;
+}
+
+double rms(const Eigen::VectorXd& values) {
+  return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+}
+
+}  // namespace fogcomp::bench

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "dataset/recording.hpp"
+#include "identification/signal_series.hpp"
+
+namespace fogcomp::bench {
+
+/// The recordings of a case as `fogcomp fit` sees them.
+struct Sight {
+  Model model;  ///< the declared effects, no coefficients; the series points to it
+  SignalSeries series{model};
+  fog::InputMask inputs = 0;  ///< that all recordings have
+  double longest_s = 0;
+
+  Sight(const std::vector<std::string>& declared, const std::vector<Recording>& recordings);
+  Sight(const Sight&) = delete;
+};
+
+/// A contribution (a vector per recording, a value per sample) in the rows of the fit.
+Eigen::VectorXd rows_of(const Sight& sight, const std::vector<Recording>& recordings,
+                        const std::vector<std::vector<double>>& contributions_dph);
+
+/// What a model with the declared effects cannot take up, by least squares over all rows.
+class BesideDeclared {
+ public:
+  /// `truth_dph`: rows of what the declared effects really contribute, per effect of sight.model;
+  /// shape parameters are put where they imitate it best.
+  BesideDeclared(Sight& sight, const std::vector<Eigen::VectorXd>& truth_dph);
+
+  /// Every column less its projection on the declared regressors.
+  Eigen::MatrixXd left_of(const Eigen::MatrixXd& columns) const;
+
+ private:
+  Eigen::MatrixXd basis_;  // orthonormal columns
+};
+
+/// How well an effect of the catalogue, with its best shape, imitates what is left of a truth.
+struct Imitation {
+  std::string effect;
+  double fraction = 0;  ///< of the sum of squares, 0 to 1
+};
+
+/// For every effect that the recordings have the inputs for. One that is declared already counts
+/// only as bias_temperature of an order or two more.
+std::vector<Imitation> imitations(const Sight& sight, const BesideDeclared& beside,
+                                  const Eigen::VectorXd& left_of_truth);
+
+double rms(const Eigen::VectorXd& values);
+
+}  // namespace fogcomp::bench
