@@ -14,6 +14,7 @@
 #include "evaluation/white_noise.hpp"
 #include "identification/effect_list.hpp"
 #include "identification/identify.hpp"
+#include "identification/independent_rows.hpp"
 #include "model/model_file.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
@@ -180,7 +181,7 @@ struct Fit {
 
 Fit fit(const Arguments& arguments) {
   const std::optional<DenoiseMethod> denoising = row_denoising(arguments);
-  const NetworkSettings training = network_settings(arguments);
+  NetworkSettings training = network_settings(arguments);
 
   Fit fit;
   Model& model = fit.model;
@@ -198,6 +199,7 @@ Fit fit(const Arguments& arguments) {
 
   Eigen::VectorXd target = fit.identified.residual_dph;
   if (denoising) denoise_rows(rows, *denoising, target);
+  training.training.independent_share = independent_share(fit.identified.noise);
   const TrainedNetwork trained = train_watched(network_task(rows, target), training);
   model.network = as_model(trained);
   model.residual_rms_dph = trained.rms_after_dph;

@@ -35,6 +35,14 @@ void print_table_1(const Study& study) {
   }
 }
 
+void print_denoisers(const Study& study) {
+  std::printf(
+      "\nDenoised run against the noise-free truth, deg/h rms (flicker noise stays with any)\n");
+  for (const DenoiserResult& denoiser : study.denoisers) {
+    std::printf("  %-26s %.4f\n", denoiser.name.c_str(), denoiser.truth_rms_dph);
+  }
+}
+
 void print_table_2(const Study& study) {
   print_heading("Table 2, compensated by segment", "BP", "PSO-BP");
   const Eigen::VectorXd& raw = study.run.series.rows().drift_dph;
@@ -129,6 +137,7 @@ void print_paper(const std::vector<Study>& studies) {
       "Li, Hou, Du, Li, Opto-Electronic Engineering 46(9):180636 (2019), beside a simulated "
       "gyro (preset paper)");
   print_table_1(first);
+  print_denoisers(first);
   print_table_2(first);
   print_table_3(first);
   print_medians(studies);
@@ -138,6 +147,12 @@ Json paper_json(const std::vector<Study>& studies) {
   const Study& first = studies.front();
   Json segments = Json::array();
   for (const PrintedSegment& printed : kPrinted) segments.push(segment_json(first, printed));
+  Json denoisers = Json::array();
+  for (const DenoiserResult& denoiser : first.denoisers) {
+    denoisers.push(std::move(Json::object()
+                                 .set("name", denoiser.name)
+                                 .set("truth_error_rms_dph", denoiser.truth_rms_dph)));
+  }
   Json models = Json::array();
   for (const ModelMedians& model : medians_of(studies)) {
     Json held_out = Json::array();
@@ -161,7 +176,8 @@ Json paper_json(const std::vector<Study>& studies) {
   result.set("raw_std_dph", first.raw.std_dph).set("noise_floor_dph", first.run.noise_floor_dph);
   result.set("std_cut_bound", first.bound());
   result.set("std_cut_printed_bp", kPrintedBpCut).set("std_cut_printed_pso_bp", kPrintedPsoBpCut);
-  result.set("tables", std::move(segments)).set("medians", std::move(models));
+  result.set("tables", std::move(segments)).set("denoisers", std::move(denoisers));
+  result.set("medians", std::move(models));
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "identification/effect_list.hpp"
 #include "identification/identify.hpp"
+#include "identification/independent_rows.hpp"
 #include "support/text.hpp"
 #include "training/network_training.hpp"
 
@@ -21,6 +22,7 @@ class EffectsComparator : public Comparator {
     const Identification identified = identify(model_, series);
     if (training_.hidden == 0) return;
     const Rows& rows = series.rows();
+    training_.training.independent_share = independent_share(identified.noise);
     network_ = train_network(
         {temperature_and_rate_of(rows), identified.residual_dph, rows.weights, rows.run_starts},
         training_);

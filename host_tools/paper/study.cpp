@@ -13,19 +13,48 @@ namespace {
 constexpr double kRow = 10;  // s
 constexpr double kDerivativeTau = 20;
 
-Eigen::VectorXd denoised(Eigen::VectorXd values, bool hard) {
-  DenoiseMethod method;
-  method.hard = hard;
+Eigen::VectorXd denoised(Eigen::VectorXd values, const DenoiseMethod& method) {
   denoise({values.data(), static_cast<std::size_t>(values.size())}, method);
   return values;
+}
+
+double rms(const Eigen::VectorXd& values) {
+  return values.norm() / std::sqrt(static_cast<double>(values.size()));
+}
+
+// The paper's, its fixed thresholds, and what it names as others' ways.
+std::vector<DenoiserResult> judge_denoisers(const SimulatedRun& run) {
+  struct Candidate {
+    const char* name;
+    DenoiseBy by;
+    ThresholdRule rule;
+    bool hard;
+  };
+  const Candidate candidates[] = {
+      {"sym8, heursure, soft", DenoiseBy::wavelet, ThresholdRule::heursure, false},
+      {"sym8, heursure, hard", DenoiseBy::wavelet, ThresholdRule::heursure, true},
+      {"sym8, rigrsure, soft", DenoiseBy::wavelet, ThresholdRule::rigrsure, false},
+      {"sym8, sqtwolog, soft", DenoiseBy::wavelet, ThresholdRule::sqtwolog, false},
+      {"lifting, heursure, soft", DenoiseBy::lifting, ThresholdRule::heursure, false},
+      {"Kalman, ARMA noise", DenoiseBy::kalman, ThresholdRule::heursure, false},
+  };
+  std::vector<DenoiserResult> results;
+  for (const Candidate& candidate : candidates) {
+    DenoiseMethod method;
+    method.by = candidate.by;
+    method.rule = candidate.rule;
+    method.hard = candidate.hard;
+    const Eigen::VectorXd values = denoised(run.series.rows().drift_dph, method);
+    results.push_back({candidate.name, rms(values - run.truth_dph)});
+  }
+  return results;
 }
 
 Score score(const SimulatedRun& run, const Eigen::VectorXd& predicted) {
   Score result;
   result.residual = mean_and_std(run.series.rows().drift_dph - predicted);
   result.drift_dph = floor_removed(result.residual.std_dph, run.noise_floor_dph);
-  result.truth_rms_dph =
-      (predicted - run.truth_dph).norm() / std::sqrt(static_cast<double>(predicted.size()));
+  result.truth_rms_dph = rms(predicted - run.truth_dph);
   return result;
 }
 
@@ -70,11 +99,14 @@ const Model& study_model() {
 
 Study run_study(const StudySettings& settings) {
   const Model& model = study_model();
-  Study study{simulate_run("paper", settings.seed, model), {}, {}, {}, {}, {}, {}};
+  Study study{simulate_run("paper", settings.seed, model), {}, {}, {}, {}, {}, {}, {}};
   const Eigen::VectorXd& measured = study.run.series.rows().drift_dph;
   study.raw = mean_and_std(measured);
-  study.denoised_dph = denoised(measured, false);
-  study.hard_dph = denoised(measured, true);
+  DenoiseMethod method;
+  study.denoised_dph = denoised(measured, method);
+  method.hard = true;
+  study.hard_dph = denoised(measured, method);
+  study.denoisers = judge_denoisers(study.run);
   std::vector<SimulatedRun> held_out;
   for (const std::string& profile : kHeldOutProfiles) {
     held_out.push_back(simulate_run(profile, settings.seed, model));

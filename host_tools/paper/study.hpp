@@ -32,6 +32,12 @@ struct ModelResult {
   std::vector<Score> held_out;  ///< a score per held-out profile
 };
 
+/// One way to denoise, on the rows of the paper's run.
+struct DenoiserResult {
+  std::string name;
+  double truth_rms_dph = 0;  ///< denoised - noise-free truth
+};
+
 /// What the study's models are held against that they never saw.
 inline const std::vector<std::string> kHeldOutProfiles{"reversed", "random_steps"};
 
@@ -40,6 +46,7 @@ struct Study {
   SimulatedRun run;              ///< the paper's
   Eigen::VectorXd denoised_dph;  ///< its rows, soft thresholds
   Eigen::VectorXd hard_dph;      ///< the same with hard ones
+  std::vector<DenoiserResult> denoisers;
   MeanStd raw;
   std::vector<double> held_out_raw_std_dph;
   std::vector<double> held_out_floor_dph;

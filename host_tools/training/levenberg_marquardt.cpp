@@ -31,6 +31,7 @@ MatrixXd normal_matrix(const MatrixXd& jacobian) {
 // The prices of error and of weights, and how many weights the data determine. One common factor of
 // the prices is free; it keeps that of errors at 1.
 struct Evidence {
+  double rows = 0;  // independent ones
   double alpha = 0.01;
   double gamma = 0;
 
@@ -46,7 +47,7 @@ struct Evidence {
     gamma = std::clamp(size - alpha * inverse.trace(), 0.0, size);
     const double weight_price = gamma / (2 * std::max(w.squaredNorm(), 1e-12));
     const double error_price =
-        (static_cast<double>(errors.size()) - gamma) / (2 * std::max(errors.squaredNorm(), 1e-12));
+        std::max(rows - gamma, 1.0) / (2 * std::max(errors.squaredNorm(), 1e-12));
     alpha = weight_price / error_price;
   }
 };
@@ -63,6 +64,7 @@ TrainerResult train_levenberg_marquardt(const TrainingProblem& problem,
   rows.errors(shape, w, errors, &jacobian);
   MatrixXd normal = normal_matrix(jacobian);
   Evidence evidence;
+  evidence.rows = settings.independent_share * static_cast<double>(errors.size());
   double damping = 1;
   BestWeights best(problem, kPatience);
   if (problem.held_out != nullptr) best.offer(w, errors.squaredNorm() / rows.total_weight());

@@ -12,11 +12,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kOwn = 2;               // c1
-constexpr double kSocial = 2;            // c2
-constexpr double kFirstInertia = 0.9;    // falls in a straight line ...
-constexpr double kLastInertia = 0.4;     // ... to this
-constexpr double kMostVelocity = 0.3;      // per weight and iteration
+constexpr double kOwn = 2;              // c1
+constexpr double kSocial = 2;           // c2
+constexpr double kFirstInertia = 0.9;   // falls in a straight line ...
+constexpr double kLastInertia = 0.4;    // ... to this
+constexpr double kMostVelocity = 0.3;   // per weight and iteration
 constexpr double kFirstVelocity = 0.1;  // per weight, at most
 
 struct Particle {

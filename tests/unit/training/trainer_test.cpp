@@ -29,8 +29,8 @@ TEST_P(EveryTrainer, LearnsASmoothSurface) {
   const NetworkTask task = fog::test::smooth_task(600, 0.05, 1);
   const TrainedNetwork network = train_network(task, settings_for(GetParam()));
   EXPECT_GT(network.rms_before_dph, 0.3);
-  // The noise is 0.029 rms; in so few epochs gradient descent alone is not there yet.
-  const double most = GetParam() == "traingdx" ? 0.1 : 0.06;
+  // The noise is 0.029 rms; in so few epochs gradient descent is not there yet.
+  const double most = GetParam() == "lm" ? 0.035 : 0.1;
   EXPECT_LT(network.rms_after_dph, most);
   const NetworkTask fresh = fog::test::smooth_task(600, 0, 2);
   const double error =
