@@ -20,12 +20,25 @@ std::string file_name(const std::string& path) {
   return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
+std::uint32_t data_hash(const Model& model) {
+  return model.history.empty() ? 0 : model.history.back().data_hash;
+}
+
 int run_export(const Arguments& arguments) {
   const std::string& model_path = arguments.positionals()[0];
   const std::string output = arguments.required("o");
   const Model model = load_model(model_path);
   const BoardTable table = make_board_table(model, board_settings(arguments));
-  const QuantizationError error = verify_quantization(model, read_board_table(table, model_path));
+  const fog::ModelParameters parameters = read_board_table(table, model_path);
+  const QuantizationError error = verify_quantization(model, parameters);
+  const NetworkError network = verify_network(model, parameters);
+  if (network.worst_dph > kQuantizationLimitDph && !arguments.has("allow-error")) {
+    throw InputError(
+        model_path,
+        format("the network's integers would be %.4f deg/h off somewhere among its inputs (limit "
+               "%.4f); train it with fewer neurons or another --seed, or give --allow-error",
+               network.worst_dph, kQuantizationLimitDph));
+  }
   if (error.worst_dph > kQuantizationLimitDph && !arguments.has("allow-error")) {
     throw InputError(
         model_path,
@@ -34,17 +47,22 @@ int run_export(const Arguments& arguments) {
                error.worst_dph, error.at_temperature_degc, error.at_temperature_rate,
                kQuantizationLimitDph));
   }
-  write_file(output, header_text(table, file_name(model_path)));
+  write_file(output, header_text(table, file_name(model_path), data_hash(model)));
   if (arguments.has("json")) {
     Json result = Json::object();
     result.set("header", output).set("words", table.words.size());
     result.set("quantization_error_dph", error.worst_dph).set("blocks_compared", error.blocks);
+    result.set("network_error_dph", network.worst_dph).set("network_points", network.points);
     std::puts(result.text().c_str());
     return 0;
   }
   std::printf(
       "%s: %zu words; integers against double: at most %.5f deg/h over %zu blocks (limit %.5f)\n",
       output.c_str(), table.words.size(), error.worst_dph, error.blocks, kQuantizationLimitDph);
+  if (network.points > 0) {
+    std::printf("network alone: at most %.5f deg/h over %zu points of its inputs' whole range\n",
+                network.worst_dph, network.points);
+  }
   return 0;
 }
 

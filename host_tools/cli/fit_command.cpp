@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cli/arguments.hpp"
+#include "cli/fit_models.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/training_options.hpp"
 #include "core/protocol/crc.hpp"
@@ -110,9 +111,9 @@ void print_identification(const Model& model, const Identification& identified) 
 }
 
 // What the options ask for, as a model without coefficients.
-Model model_settings(const Arguments& arguments) {
+Model model_settings(const Arguments& arguments, const std::string& effects) {
   Model model;
-  model.terms = parse_effects(arguments.required("effects"));
+  model.terms = parse_effects(effects);
   model.average_s = arguments.number("average", 1e-3, 1e6);
   model.derivative_tau_s = arguments.number("derivative-tau", 1e-3, 1e5);
   model.denoise.wavelet = arguments.choice("wavelet", wavelet_names());
@@ -181,20 +182,21 @@ struct Fit {
 
 Fit fit(const Arguments& arguments) {
   const std::optional<DenoiseMethod> denoising = row_denoising(arguments);
-  NetworkSettings training = network_settings(arguments);
+  const FitModel wanted = fit_model(arguments);
+  NetworkSettings training = wanted.network;
 
   Fit fit;
   Model& model = fit.model;
-  model = model_settings(arguments);
+  model = model_settings(arguments, wanted.effects);
   SignalSeries series(model);
   const std::uint32_t hash = read_runs(arguments, model, series);
   const Rows& rows = series.rows();
   fit.rows = rows.size();
   fit.row_s = rows.row_s;
   fit.raw_std_dph = weighted_std(rows);
+  if (wanted.order_by_validation) choose_order(model.terms, rows);
   fit.identified = identify(model, series, {arguments.has("run-offsets")});
-  model.history.push_back(
-      {"fit " + arguments.text("effects"), hash, fit.raw_std_dph, model.residual_rms_dph});
+  model.history.push_back({"fit " + wanted.effects, hash, fit.raw_std_dph, model.residual_rms_dph});
   if (training.hidden == 0) return fit;
 
   Eigen::VectorXd target = fit.identified.residual_dph;
@@ -267,6 +269,7 @@ Command fit_command() {
       "--network 6";
   command.options = {
       {"o", "MODEL", "model file to write", ""},
+      {"model", "NAME", fit_model_help(), ""},
       {"effects", "LIST", "a,b:parameter=value,c (fogcomp effects lists them)", ""},
       {"average", "S", "rows of the fit, seconds", "10"},
       {"run-offsets", "", "every recording has a bias of its own; the model keeps the first's", ""},
