@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -12,6 +13,7 @@
 #include "diagnosis/visible_part.hpp"
 #include "evaluation/noise_floor.hpp"
 #include "identification/noise_weighted_fit.hpp"
+#include "identification/quiet_rows.hpp"
 #include "identification/required_inputs.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -20,15 +22,18 @@ namespace fogcomp {
 namespace {
 
 // Chances, together 1 %, that a run without any fault is called faulty.
-const double kLibraryLogP = std::log(0.006);
-const double kStructureLogP = std::log(0.002);
-const double kFastLogP = std::log(0.001);
+const double kLibraryLogP = std::log(0.009);
+const double kStructureLogP = std::log(0.001);
+const double kFastLogP = std::log(0.0005);
 
-constexpr double kNamed = 0.95;          // probability from which one name is given
-constexpr double kConfusable = 0.05;     // and from which an effect is among those that it may be
-constexpr double kUnexplained = 0.12;    // of the excess: more than that is no catalogued effect
+constexpr double kNamed = 0.95;       // probability from which one name is given
+constexpr double kConfusable = 0.05;  // and from which an effect is among those that it may be
+// Of the excess, by one, two, three effects: what leaves more than that does not explain it.
+// Several effects together imitate a good deal of what is none of them.
+constexpr std::array<double, 3> kUnexplained{0.15, 0.06, 0.03};
 constexpr double kLeftoverLogP = -7;     // that what is left over is noise
 constexpr Eigen::Index kLeastRows = 60;  // for any opinion
+constexpr double kEnoughFreedom = 12;    // of the noise: from soaks alone
 
 // Smooth structure as orthonormal columns, group by group and together.
 struct Structure {
@@ -50,7 +55,6 @@ Eigen::MatrixXd principal(const Eigen::MatrixXd& columns) {
 Structure find_structure(const Rows& rows, const ModelRemover& remover) {
   Structure structure;
   std::vector<Eigen::MatrixXd> parts;
-  Eigen::Index width = 0;
   for (const StructureGroup& group : structure_groups(rows)) {
     const VisiblePart part = remover(group.columns);
     Eigen::MatrixXd kept(part.columns.rows(), part.columns.cols());
@@ -63,15 +67,8 @@ Structure find_structure(const Rows& rows, const ModelRemover& remover) {
     structure.variables.push_back(group.variable);
     structure.groups.push_back(principal(kept.leftCols(count)));
     parts.push_back(kept.leftCols(count));
-    width += count;
   }
-  Eigen::MatrixXd all(remover.residual().size(), width);
-  Eigen::Index at = 0;
-  for (const Eigen::MatrixXd& part : parts) {
-    all.middleCols(at, part.cols()) = part;
-    at += part.cols();
-  }
-  structure.all = principal(all);
+  structure.all = principal(side_by_side(parts, remover.residual().size()));
   return structure;
 }
 
@@ -87,19 +84,24 @@ double chi_square_log_p(double gain, double columns) {
 class Diagnoser {
  public:
   Diagnoser(const Model& model, const DiagnosisData& data, const DiagnosisSettings& settings)
-      : data_(data), rows_(data.series().rows()), settings_(settings) {
+      : model_(model), data_(data), rows_(data.series().rows()), settings_(settings) {
     if (rows_.size() < kLeastRows) {
       throw InputError("diagnose", format("%td rows of %g s are too few; at least %td are needed: "
                                           "use a longer recording or a shorter --average",
                                           rows_.size(), rows_.row_s, kLeastRows));
     }
-    fit_ = fit_rows(data.series(), model.terms, run_offset_columns(rows_), settings.noise);
+    const Eigen::MatrixXd offsets = run_offset_columns(rows_);
+    fit_ = fit_rows(data.series(), model.terms, offsets, settings.noise);
+    if (!settings.noise && fit_.noise.freedom < kEnoughFreedom) {
+      fit_ = fit_rows(data.series(), fit_.terms, offsets, noise_with_less_quiet());
+    }
   }
 
   Diagnosis run() {
     result_.rows = rows_.size();
     result_.row_s = rows_.row_s;
     result_.noise = fit_.noise;
+    weigh_terms();
     result_.residual_rms_dph = rms(fit_.residual_dph);
     result_.noise_floor_dph = data_.noise_floor_dph().value_or(fit_.noise.white_dph());
 
@@ -122,7 +124,7 @@ class Diagnoser {
     space.finish();
 
     describe_where(structure, remover.residual());
-    judge(space, remover);
+    judge(space, structure, remover.residual());
     if (!fit_.noise.from_quiet_parts && !settings_.noise) {
       result_.notes.emplace_back(
           "no part of these recordings is quiet (settled temperature), so that slow noise is not "
@@ -132,6 +134,27 @@ class Diagnoser {
   }
 
  private:
+  // Where there is too little quiet to know the slow noise from, the faster part of everything
+  // else helps: what smooth functions of any kind leave of it.
+  NoiseModel noise_with_less_quiet() const {
+    constexpr std::size_t kFirstFrequency = 16;
+    std::vector<Eigen::MatrixXd> parts{fit_.columns};
+    for (StructureGroup& group : structure_groups(rows_)) parts.push_back(std::move(group.columns));
+    const Eigen::VectorXd rest =
+        solve_linear(side_by_side(parts, rows_.size()), rows_.drift_dph).residual;
+    std::vector<NoiseSample> samples = noise_samples(quiet_stretches(rows_, fit_.residual_dph));
+    for (std::size_t run = 0; run < rows_.run_starts.size(); ++run) {
+      const auto first = static_cast<Eigen::Index>(rows_.run_starts[run]);
+      const Eigen::Index end = run + 1 < rows_.run_starts.size()
+                                   ? static_cast<Eigen::Index>(rows_.run_starts[run + 1])
+                                   : rows_.size();
+      samples.push_back({rest.segment(first, end - first), kFirstFrequency});
+    }
+    NoiseModel noise = fit_noise(samples, rows_.row_s, longest_run_s(rows_));
+    noise.from_quiet_parts = fit_.noise.from_quiet_parts;
+    return noise;
+  }
+
   double rms(const Eigen::VectorXd& residual) const {
     return std::sqrt(residual.cwiseAbs2().dot(rows_.weights) / rows_.weights.sum());
   }
@@ -172,48 +195,104 @@ class Diagnoser {
     return ranges;
   }
 
-  void judge(const ExplainedSpace& space, const ModelRemover& remover) {
-    result_.fast = find_fast_structure(rows_, remover.residual().head(rows_.size()));
+  void judge(const ExplainedSpace& space, const Structure& structure,
+             const Eigen::VectorXd& residual) {
     if (library_.empty()) {
       result_.notes.emplace_back("these recordings can show none of the catalogue's effects");
       return;
     }
     const NullTest test =
         test_against_noise(space, library_, structure_, fit_.noise.freedom, settings_.seed);
+    const std::vector<Hypothesis> hypotheses = find_hypotheses(space, candidates_, library_);
+    if (hypotheses.empty()) return;
+    const Explanation explanation = explain(space, hypotheses);
+    result_.unexplained_fraction = explanation.unexplained;
+    result_.fast =
+        find_fast_structure(rows_, without(space, structure, *explanation.best, residual));
     const double fast_log_p = std::min(result_.fast.line_log_p, result_.fast.band_log_p);
     result_.chance = std::exp(std::min({test.library_log_p, test.structure_log_p, fast_log_p}));
+    result_.tests = {test.library_log_p, test.structure_log_p, fast_log_p};
     const bool something = test.library_log_p < kLibraryLogP ||
                            test.structure_log_p < kStructureLogP || fast_log_p < kFastLogP;
 
-    const std::vector<Hypothesis> hypotheses = find_hypotheses(space, candidates_, library_);
-    if (hypotheses.empty()) return;
-    const Hypothesis& best = hypotheses.front();
-    std::vector<ColumnRange> with_structure = ranges_of(best);
-    const double best_width = width(with_structure);
-    with_structure.push_back(structure_);
-    const double all = space.gain(with_structure);
-    const double left = all - best.gain;
-    const auto left_width = static_cast<double>(structure_.count);
-    const double excess = std::max(all - left_width - best_width, best.gain - best_width);
-    result_.unexplained_fraction =
-        excess > 0 ? std::clamp((left - left_width) / excess, 0.0, 1.0) : 0;
-
-    weigh_effects(space, hypotheses, excess, something);
+    weigh_effects(space, hypotheses, explanation.excess, something);
+    list_explanations(hypotheses, explanation.excess);
     if (!something) return;
-    // What is left is unknown if it is surely there and no small part of the whole.
-    const bool smooth_left = chi_square_log_p(left, left_width) < kLeftoverLogP &&
-                             result_.unexplained_fraction > kUnexplained;
     const double fast_gain = result_.fast.share * static_cast<double>(rows_.size());
     const bool fast_left =
-        fast_log_p < kFastLogP && fast_gain > kUnexplained * (fast_gain + excess);
-    if (smooth_left || fast_left || test.library_log_p > kLibraryLogP) {
+        fast_log_p < kFastLogP && fast_gain > kUnexplained[0] * (fast_gain + explanation.excess);
+    if (fast_left && fast_gain > explanation.excess) result_.variable = "time_s";
+    if (explanation.enough && !fast_left && test.library_log_p < kLibraryLogP) {
+      name_effects(space, hypotheses);
+    } else {
       result_.verdict = Verdict::unknown;
-      if (fast_left && fast_gain > excess) {
-        result_.variable = "time_s";
-      }
-      return;
     }
-    name_effects(hypotheses);
+  }
+
+  struct Explanation {
+    const Hypothesis* best = nullptr;
+    double excess = 0;       // chi^2 above noise that there is to explain
+    double unexplained = 0;  // share of it
+    bool enough = false;     // what is left is noise, or little of the whole
+  };
+
+  // The smallest set of effects that explains enough; else the best one, which does not.
+  Explanation explain(const ExplainedSpace& space,
+                      const std::vector<Hypothesis>& hypotheses) const {
+    Explanation result;
+    std::array<const Hypothesis*, kUnexplained.size()> best{};
+    for (const Hypothesis& hypothesis : hypotheses) {
+      const Hypothesis*& place = best[hypothesis.parts.size() - 1];
+      if (place == nullptr || hypothesis.gain > place->gain) place = &hypothesis;
+    }
+    const auto left_width = static_cast<double>(structure_.count);
+    for (std::size_t size = 0; size < best.size() && !result.enough; ++size) {
+      if (best[size] == nullptr) continue;
+      std::vector<ColumnRange> ranges = ranges_of(*best[size]);
+      const double own_width = width(ranges);
+      ranges.push_back(structure_);
+      const double all = space.gain(ranges);
+      const double left = all - best[size]->gain;
+      result.best = best[size];
+      result.excess = std::max(all - left_width, best[size]->gain) - own_width;
+      result.unexplained =
+          result.excess > 0 ? std::clamp((left - left_width) / result.excess, 0.0, 1.0) : 0;
+      result.enough = result.unexplained < kUnexplained[size] ||
+                      chi_square_log_p(left, left_width) > kLeftoverLogP;
+    }
+    return result;
+  }
+
+  // The residual without what a hypothesis and smooth functions explain of it.
+  Eigen::VectorXd without(const ExplainedSpace& space, const Structure& structure,
+                          const Hypothesis& hypothesis, const Eigen::VectorXd& residual) const {
+    std::vector<ColumnRange> ranges = ranges_of(hypothesis);
+    ranges.push_back(structure_);
+    const Eigen::VectorXd coefficients = space.coefficients(ranges);
+    Eigen::VectorXd left = residual;
+    Eigen::Index at = 0;
+    for (const Hypothesis::Part& part : hypothesis.parts) {
+      const Eigen::MatrixXd& columns = candidates_[part.candidate].shapes[part.shape].columns;
+      left -= columns * coefficients.segment(at, columns.cols());
+      at += columns.cols();
+    }
+    left -= structure.all * coefficients.tail(structure.all.cols());
+    return left.head(rows_.size());
+  }
+
+  void list_explanations(const std::vector<Hypothesis>& hypotheses, double excess) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(6, hypotheses.size()); ++i) {
+      Diagnosis::Explanation entry;
+      for (const Hypothesis::Part& part : hypotheses[i].parts) {
+        entry.effects.push_back(candidates_[part.candidate].effect);
+      }
+      entry.probability = hypotheses[i].probability;
+      entry.explained_fraction =
+          excess > 0 ? std::clamp((hypotheses[i].gain - width(ranges_of(hypotheses[i]))) / excess,
+                                  0.0, 1.0)
+                     : 0;
+      result_.explanations.push_back(std::move(entry));
+    }
   }
 
   void weigh_effects(const ExplainedSpace& space, const std::vector<Hypothesis>& hypotheses,
@@ -239,8 +318,7 @@ class Diagnoser {
       finding.explained_fraction =
           excess > 0 ? std::clamp((best.gain - static_cast<double>(range.count)) / excess, 0.0, 1.0)
                      : 0;
-      finding.term = candidates_[i].shapes[shape].term;
-      solve_with(finding);
+      complete(finding, candidates_[i].shapes[shape].term);
       if (!something) finding.probability *= std::min(1.0, std::exp(finding.evidence) / 20);
       result_.candidates.push_back(std::move(finding));
     }
@@ -251,50 +329,127 @@ class Diagnoser {
                      });
   }
 
-  // The effect's coefficients with the model's own refitted, and the rms that this leaves.
-  void solve_with(CandidateFinding& finding) const {
-    const Eigen::MatrixXd regressors = data_.series().regressors(finding.term);
-    // Where the model has a smaller version of it, that one's columns are the first.
-    Eigen::Index before = 0;
-    Eigen::Index owned = 0;
+  // The model with `added` in it, or in place of its own smaller version of it.
+  void complete(CandidateFinding& finding, const EffectTerm& added) const {
+    std::vector<EffectTerm> terms;
     for (const EffectTerm& term : fit_.terms) {
-      const Eigen::Index width = data_.series().regressors(term).cols();
-      if (term.name == finding.effect) owned = width;
-      if (owned > 0) break;
-      before += width;
+      if (term.name != added.name) terms.push_back(term);
     }
-    const Eigen::MatrixXd added = regressors.rightCols(regressors.cols() - owned);
-    Eigen::MatrixXd columns(rows_.size(), fit_.linear() + added.cols());
-    columns << fit_.columns, added;
+    terms.push_back(added);
+    const Eigen::VectorXd left = solve(terms);
+    finding.rms_after_dph = rms(left);
+    finding.completed = std::move(terms);
+  }
+
+  // Gives terms the coefficients that fit best, and returns what they leave of each row.
+  Eigen::VectorXd solve(std::vector<EffectTerm>& terms) const {
+    std::vector<Eigen::MatrixXd> parts;
+    for (const EffectTerm& term : terms) parts.push_back(data_.series().regressors(term));
+    parts.push_back(run_offset_columns(rows_));
+    const Eigen::MatrixXd columns = side_by_side(parts, rows_.size());
     const Whitening whitening(fit_.noise, rows_, fit_.row_weights);
     const LinearFit fit = solve_linear(whitening.apply(columns), fit_.whitened_measured);
-    finding.rms_after_dph = rms(rows_.drift_dph - columns * fit.coefficients);
-    const auto own = fit.coefficients.segment(before, owned);
-    const auto tail = fit.coefficients.tail(added.cols());
-    finding.term.coefficients_dph.assign(own.begin(), own.end());
-    finding.term.coefficients_dph.insert(finding.term.coefficients_dph.end(), tail.begin(),
-                                         tail.end());
+    Eigen::Index first = 0;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const auto own = fit.coefficients.segment(first, parts[i].cols());
+      terms[i].coefficients_dph.assign(own.begin(), own.end());
+      first += parts[i].cols();
+    }
+    return rows_.drift_dph - columns * fit.coefficients;
   }
 
-  void name_effects(const std::vector<Hypothesis>& hypotheses) {
-    const std::vector<CandidateFinding>& found = result_.candidates;
-    if (found.front().probability >= kNamed) {
-      // Several may be certain: the one that brings most comes first.
-      const CandidateFinding* named = &found.front();
-      for (const CandidateFinding& finding : found) {
-        if (finding.probability >= kNamed && finding.evidence > named->evidence) named = &finding;
+  // What each term of the model is worth.
+  void weigh_terms() {
+    result_.terms = fit_.terms;
+    solve(result_.terms);
+    Eigen::Index first = 0;
+    for (const EffectTerm& term : result_.terms) {
+      const auto width = static_cast<Eigen::Index>(term.coefficients_dph.size());
+      double gain = 0;
+      if (fit_.covariance.size() > 0) {
+        const Eigen::VectorXd own = fit_.coefficients.segment(first, width);
+        gain = own.dot(fit_.covariance.block(first, first, width, width).llt().solve(own));
       }
+      result_.term_gain.push_back(gain);
+      first += width;
+    }
+  }
+
+  // Several effects may be missing at once; the question is which brings most.
+  void name_effects(const ExplainedSpace& space, const std::vector<Hypothesis>& hypotheses) {
+    std::vector<double> leads(candidates_.size(), 0);
+    for (const Hypothesis& hypothesis : hypotheses) {
+      leads[leading(space, hypothesis)] += hypothesis.probability;
+    }
+    struct Rank {
+      double lead;
+      double probability;
+      std::string effect;
+    };
+    std::vector<Rank> ranks;
+    for (std::size_t i = 0; i < leads.size(); ++i) {
+      const std::string& effect = candidates_[i].effect;
+      const auto found =
+          std::find_if(result_.candidates.begin(), result_.candidates.end(),
+                       [&](const CandidateFinding& finding) { return finding.effect == effect; });
+      ranks.push_back({leads[i], found->probability, effect});
+    }
+    std::stable_sort(ranks.begin(), ranks.end(),
+                     [](const Rank& a, const Rank& b) { return a.lead > b.lead; });
+    if (ranks.front().probability >= kNamed) {
       result_.verdict = Verdict::missing_effect;
-      result_.effect = named->effect;
+      result_.effect = ranks.front().effect;
       return;
     }
-    (void)hypotheses;
     result_.verdict = Verdict::ambiguous;
-    for (const CandidateFinding& finding : found) {
-      if (finding.probability >= kConfusable) result_.confusable.push_back(finding.effect);
+    for (const Rank& rank : ranks) {
+      if (rank.lead >= kConfusable) result_.confusable.push_back(rank.effect);
     }
+    result_.experiment = experiment_for_rivals();
   }
 
+  // The effect without which a set would explain least.
+  std::size_t leading(const ExplainedSpace& space, const Hypothesis& hypothesis) const {
+    std::size_t best = hypothesis.parts.front().candidate;
+    double least = HUGE_VAL;
+    for (const Hypothesis::Part& part : hypothesis.parts) {
+      std::vector<ColumnRange> others;
+      for (const Hypothesis::Part& other : hypothesis.parts) {
+        if (other.candidate != part.candidate) {
+          others.push_back(library_[other.candidate][other.shape]);
+        }
+      }
+      const double gain = others.empty() ? 0 : space.gain(others);
+      if (gain >= least) continue;
+      least = gain;
+      best = part.candidate;
+    }
+    return best;
+  }
+
+  // What would tell the most probable rivals apart.
+  Experiment experiment_for_rivals() const {
+    constexpr std::size_t kMostRivals = 3;
+    std::vector<Rival> rivals;
+    bool event = false;
+    for (const std::string& effect : result_.confusable) {
+      if (rivals.size() == kMostRivals) break;
+      if (effect == "bias_step") {
+        event = true;
+        continue;
+      }
+      const auto found =
+          std::find_if(result_.candidates.begin(), result_.candidates.end(),
+                       [&](const CandidateFinding& finding) { return finding.effect == effect; });
+      rivals.push_back({effect, found->completed});
+    }
+    if (rivals.size() > 1) return propose_experiment(model_, rivals, fit_.noise);
+    Experiment repeat;
+    if (event) repeat.sentence = "record the same programme again: an event does not come back";
+    return repeat;
+  }
+
+  const Model& model_;
   const DiagnosisData& data_;
   const Rows& rows_;
   const DiagnosisSettings& settings_;
@@ -349,6 +504,30 @@ const char* name_of(Verdict verdict) {
       break;
   }
   return "unknown";
+}
+
+NoiseModel noise_of_static(const Model& model, const Recording& recording,
+                           const DiagnosisData& data) {
+  constexpr Eigen::Index kLeastStaticRows = 128;
+  const double row_s = data.series().rows().row_s;
+  Model averaging = model;
+  averaging.terms.clear();
+  averaging.average_s = row_s;
+  SignalSeries series(averaging, Phase::zero);
+  series.add(make_blocks(recording));
+  const Rows& rows = series.rows();
+  if (std::abs(rows.row_s - row_s) > 1e-6 * row_s) {
+    throw InputError(recording.file, format("has rows of %g s, the others of %g s; choose an "
+                                            "--average that suits both",
+                                            rows.row_s, row_s));
+  }
+  if (rows.size() < kLeastStaticRows) {
+    throw InputError(recording.file,
+                     format("%td rows of %g s at rest are too few for --static; at least %td",
+                            rows.size(), row_s, kLeastStaticRows));
+  }
+  return fit_noise({{rows.drift_dph}}, row_s,
+                   std::max(longest_run_s(rows), longest_run_s(data.series().rows())));
 }
 
 Diagnosis diagnose(const Model& model, const DiagnosisData& data,

@@ -7,6 +7,7 @@
 
 #include "dataset/recording.hpp"
 #include "diagnosis/candidates.hpp"
+#include "diagnosis/experiment.hpp"
 #include "diagnosis/structure.hpp"
 #include "identification/noise_model.hpp"
 #include "identification/signal_series.hpp"
@@ -47,11 +48,14 @@ const char* name_of(Verdict verdict);
 /// What a diagnosis says of one effect of the catalogue.
 struct CandidateFinding {
   std::string effect;
-  EffectTerm term;                ///< best shape with coefficients, as it would be added
+  /// The model with it: refitted terms with coefficients, this effect the last of them.
+  std::vector<EffectTerm> completed;
   double explained_fraction = 0;  ///< of what the model leaves above the noise, 0..1
   double rms_after_dph = 0;       ///< rms of a row, this effect added and all refitted
   double evidence = 0;            ///< ln of the odds against "nothing is missing"
   double probability = 0;         ///< that this effect is among those that are missing
+
+  const EffectTerm& term() const { return completed.back(); }
 };
 
 struct Diagnosis {
@@ -60,11 +64,23 @@ struct Diagnosis {
   std::vector<std::string> confusable;       ///< best first, for ambiguous
   std::vector<CandidateFinding> candidates;  ///< most probable first
   std::vector<Untestable> untestable;
+  /// Sets of effects that compete, most probable first.
+  struct Explanation {
+    std::vector<std::string> effects;
+    double probability = 0;
+    double explained_fraction = 0;
+  };
+  std::vector<Explanation> explanations;
 
   struct Share {
     std::string name;
     double share = 0;
   };
+  std::optional<Experiment> experiment;  ///< where effects are ambiguous
+
+  std::vector<EffectTerm> terms;  ///< of the model, refitted to these runs
+  std::vector<double> term_gain;  ///< rise of chi^2 that leaving each of them out would bring
+
   std::string variable;          ///< on which what is left depends most
   std::vector<Share> variables;  ///< how much of it each variable alone could describe
   std::vector<Share> segments;   ///< where in the runs it sits; sums to 1
@@ -74,9 +90,12 @@ struct Diagnosis {
   double noise_floor_dph = 0;
   double unexplained_fraction = 0;  ///< of the excess, by the best of the catalogue
   double chance = 1;                ///< that noise alone would look like this
+  /// ln of it by each test: an effect of the catalogue, smooth structure, fast structure.
+  std::vector<double> tests;
   NoiseModel noise;
   Eigen::Index rows = 0;
   double row_s = 0;
+  std::string network_learnt;      ///< a sentence, where the model has a network
   std::vector<std::string> notes;  ///< whole sentences: what limits the answer
 };
 
@@ -84,6 +103,11 @@ struct DiagnosisSettings {
   std::optional<NoiseModel> noise;  ///< from a static record; otherwise from the runs' quiet parts
   std::uint64_t seed = 1;           ///< of the draws that calibrate the test
 };
+
+/// The noise of a recording at rest, for `data`'s row length. Throws InputError where that differs
+/// or the recording is too short.
+NoiseModel noise_of_static(const Model& model, const Recording& recording,
+                           const DiagnosisData& data);
 
 /// Finds out whether the effects of `model` leave more than noise, and which effect of the
 /// catalogue is missing if so. Its network, if any, is left out. The effects are solved for anew

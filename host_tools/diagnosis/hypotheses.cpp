@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/shape_search.hpp"
+#include "model/catalogue.hpp"
+
 namespace fogcomp {
 namespace {
 
+constexpr double kLeastGain = 10;     // fall of chi^2 that each part of a set must bring
 constexpr std::size_t kExtended = 8;  // pairs that are tried with a third effect
 
 class Search {
@@ -19,6 +23,7 @@ class Search {
     std::vector<Hypothesis> pairs;
     for (std::size_t i = 0; i < library_.size(); ++i) {
       for (std::size_t j = i; j < library_.size(); ++j) {
+        if (i == j && !may_stand_twice(i)) continue;
         pairs.push_back(settle({{{i, alone_[i]}, {j, alone_[j]}}}));
       }
     }
@@ -29,6 +34,7 @@ class Search {
       keep(pairs[p]);
       if (p >= kExtended) continue;
       for (std::size_t k = 0; k < library_.size(); ++k) {
+        if (pairs[p].has(k)) continue;
         Hypothesis three = pairs[p];
         three.parts.push_back({k, alone_[k]});
         keep(settle(three));
@@ -46,6 +52,16 @@ class Search {
       if (i != without) ranges.push_back(library_[part.candidate][part.shape]);
     }
     return ranges;
+  }
+
+  bool is_step(std::size_t candidate) const { return candidates_[candidate].effect == "bias_step"; }
+
+  // Where the effect itself has an optional second part of the same form.
+  bool may_stand_twice(std::size_t candidate) const {
+    const CatalogueEntry& entry = find_effect(candidates_[candidate].effect);
+    return !is_step(candidate) &&
+           std::any_of(entry.parameters.begin(), entry.parameters.end(),
+                       [](const auto& parameter) { return parameter.default_milli == 0; });
   }
 
   // Moves the shapes, one part at a time, to where they explain most together.
@@ -72,12 +88,14 @@ class Search {
     return h;
   }
 
+  // A set in which every part earns its place.
   void keep(Hypothesis h) {
     for (std::size_t i = 0; i < h.parts.size(); ++i) {
-      if (candidates_[h.parts[i].candidate].effect != "bias_step") continue;
       const std::vector<ColumnRange> rest = columns(h, i);
       const double without = rest.empty() ? 0 : space_.gain(rest);
-      if (h.gain - without < settings_.least_step_gain) return;
+      const bool step = is_step(h.parts[i].candidate);
+      const double needed = step ? settings_.least_step_gain : rest.empty() ? 0 : kLeastGain;
+      if (h.gain - without < needed) return;
     }
     found_.push_back(std::move(h));
   }
@@ -90,7 +108,14 @@ class Search {
       prior += std::log(settings_.another * static_cast<double>(i + 1) / std::max(1.0, left));
       left -= 1;
     }
-    return prior + std::log(0.5) * static_cast<double>(h.parts.size() - h.effects());
+    for (const Hypothesis::Part& part : h.parts) {
+      const double parameters =
+          static_cast<double>(library_[part.candidate][part.shape].count) +
+          static_cast<double>(
+              shape_parameters({candidates_[part.candidate].shapes[part.shape].term}).size());
+      prior -= std::log(settings_.simpler) * (parameters - 1);
+    }
+    return prior;
   }
 
   void weigh() {

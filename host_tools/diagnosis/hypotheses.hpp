@@ -40,9 +40,11 @@ BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>
 struct HypothesisSettings {
   /// No catalogued regressor is exactly what a gyro does: differences of the explained chi^2 below
   /// about this share of it say nothing about which effect it is.
-  double model_form_tolerance = 0.02;
+  double model_form_tolerance = 0.005;
   /// How much likelier one more missing effect is than none more.
   double another = 0.15;
+  /// How much likelier an effect is than one with a parameter more.
+  double simpler = 3;
   /// Events need more evidence than physics, as flicker noise looks like steps: fall of chi^2.
   double least_step_gain = 60;
 };

@@ -12,13 +12,25 @@ constexpr int kDraws = 400;
 constexpr double kTailShare = 0.15;  // of the draws that an exponential tail is fitted to
 constexpr double kRidge = 1e-7;
 
+// The best effect's evidence, measured in the noise that smooth functions still find beside that
+// effect: where slow noise is stronger than the quiet parts said, it is so in every direction.
 double best_evidence(const ExplainedSpace& space, const Library& library,
-                     const Eigen::VectorXd& along) {
-  double most = 0;
-  for (const std::vector<ColumnRange>& shapes : library) {
-    most = std::max(most, best_shape(space, shapes, {}, along).log_evidence);
-  }
-  return most;
+                     const ColumnRange& structure, double freedom, const Eigen::VectorXd& along) {
+  const auto most = [&](const Eigen::VectorXd& values, ColumnRange* where) {
+    double evidence = 0;
+    for (const std::vector<ColumnRange>& shapes : library) {
+      const BestShape best = best_shape(space, shapes, {}, values);
+      if (best.log_evidence <= evidence) continue;
+      evidence = best.log_evidence;
+      if (where != nullptr) *where = shapes[best.shape];
+    }
+    return evidence;
+  };
+  ColumnRange best;
+  if (most(along, &best) == 0) return 0;
+  const double left = space.gain({best, structure}, along) - space.gain({best}, along);
+  const double variance = (freedom + left) / (freedom + static_cast<double>(structure.count));
+  return most(along / std::sqrt(std::max(1.0, variance)), nullptr);
 }
 
 // Logarithm of the share of draws beyond `value`; beyond the upper draws, by their exponential
@@ -53,11 +65,12 @@ NullTest test_against_noise(const ExplainedSpace& space, const Library& library,
     for (double& value : white) value = normal(random);
     white /= std::sqrt(variance(random));
     const Eigen::VectorXd along = root.triangularView<Eigen::Lower>() * white;
-    evidence.push_back(best_evidence(space, library, along));
+    evidence.push_back(best_evidence(space, library, structure, freedom, along));
     smooth.push_back(along.segment(structure.first, structure.count).squaredNorm());
   }
   NullTest test;
-  test.library_log_p = tail_log_p(evidence, best_evidence(space, library, space.along()));
+  test.library_log_p =
+      tail_log_p(evidence, best_evidence(space, library, structure, freedom, space.along()));
   test.structure_log_p =
       tail_log_p(smooth, space.along().segment(structure.first, structure.count).squaredNorm());
   return test;

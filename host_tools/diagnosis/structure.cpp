@@ -7,6 +7,8 @@
 #include <unsupported/Eigen/FFT>
 
 #include "dataset/input_columns.hpp"
+#include "identification/least_squares.hpp"
+#include "support/median.hpp"
 
 namespace fogcomp {
 namespace {
@@ -41,18 +43,6 @@ Eigen::MatrixXd smooths(const Eigen::VectorXd& x, int knots) {
     });
   }
   return columns;
-}
-
-Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows) {
-  Eigen::Index width = 0;
-  for (const Eigen::MatrixXd& part : parts) width += part.cols();
-  Eigen::MatrixXd all(rows, width);
-  Eigen::Index at = 0;
-  for (const Eigen::MatrixXd& part : parts) {
-    all.middleCols(at, part.cols()) = part;
-    at += part.cols();
-  }
-  return all;
 }
 
 bool starts_run(const Rows& rows, std::size_t row) {
@@ -145,14 +135,15 @@ std::vector<StructureGroup> structure_groups(const Rows& rows) {
 FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& whitened_residual) {
   constexpr double kLongest = 20;  // of a run's length
   constexpr int kMostOctaves = 24;
+  constexpr double kLeastExcess = 0.2;  // of an octave: less is a noise model that is a bit off
   struct Octave {
     double power = 0;
     double count = 0;
     double period_s = 0;
   };
   std::vector<Octave> octaves(kMostOctaves);
+  std::vector<double> powers;
   FastStructure fast;
-  double lines = 0;
   Eigen::FFT<double> fft;
   for (std::size_t run = 0; run < rows.run_starts.size(); ++run) {
     const std::size_t first = rows.run_starts[run];
@@ -171,22 +162,26 @@ FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& white
       octave.power += power;
       octave.count += 1;
       octave.period_s += period_s;
-      lines += 1;
+      powers.push_back(power);
       if (power <= fast.line_power) continue;
       fast.line_power = power;
       fast.line_period_s = period_s;
     }
   }
-  if (lines == 0) return fast;
+  if (powers.empty()) return fast;
+  // White noise may be a little more or less than the quiet parts had.
+  const double level = median(powers) / std::log(2.0);
+  const auto lines = static_cast<double>(powers.size());
+  fast.line_power /= level;
   fast.line_log_p = std::min(0.0, std::log(lines) - fast.line_power);
   for (const Octave& octave : octaves) {
     if (octave.count < 8) continue;
     // A mean of exponential variables is normal after Wilson and Hilferty's cube root.
-    const double mean = octave.power / octave.count;
+    const double mean = octave.power / octave.count / level;
     const double variance = 1 / (9 * octave.count);
     const double z = (std::cbrt(mean) - (1 - variance)) / std::sqrt(variance);
     const double log_p = z < 1 ? 0 : -z * z / 2 - std::log(z * 2.5066) + std::log(12.0);
-    if (log_p >= fast.band_log_p) continue;
+    if (log_p >= fast.band_log_p || mean - 1 < kLeastExcess) continue;
     fast.band_log_p = log_p;
     fast.band_excess = mean - 1;
     fast.band_period_s = octave.period_s / octave.count;

@@ -2,14 +2,21 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fogcomp {
 namespace {
 
 constexpr double kRankThreshold = 1e-8;
-// The sensor's own lag against that of the winding, one standard deviation.
+// What is known beforehand of how well the model's own terms describe what they stand for; one
+// standard deviation each. The sensor's time: so long before or behind the coil.
 constexpr double kSensorDelay_s = 30;
+// A coil of many layers is no single body: this share of the drift may follow with each of these
+// lags, more is an effect of its own.
+constexpr double kLaggingShare = 0.1;
+constexpr std::array<double, 3> kLags_s{60, 240, 960};
+constexpr Eigen::Index kPriors = 1 + kLags_s.size();
 
 bool starts_run(const Rows& rows, std::size_t row) {
   return std::binary_search(rows.run_starts.begin(), rows.run_starts.end(), row);
@@ -26,8 +33,25 @@ Eigen::VectorXd slope(const Rows& rows, const Eigen::VectorXd& values) {
   return result;
 }
 
-Eigen::MatrixXd with_row(const Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd longer = Eigen::MatrixXd::Zero(columns.rows() + 1, columns.cols());
+// What a first-order lag of the values is behind them, per run.
+Eigen::VectorXd behind(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
+  Eigen::VectorXd result(values.size());
+  double state = 0;
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (starts_run(rows, row)) {
+      state = values[i];
+    } else {
+      const double elapsed_s = rows.time_s[row] - rows.time_s[row - 1];
+      state += -std::expm1(-elapsed_s / tau_s) * (values[i] - state);
+    }
+    result[i] = values[i] - state;
+  }
+  return result;
+}
+
+Eigen::MatrixXd with_priors(const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd longer = Eigen::MatrixXd::Zero(columns.rows() + kPriors, columns.cols());
   longer.topRows(columns.rows()) = columns;
   return longer;
 }
@@ -46,12 +70,18 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
 ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
     : whitening_(fit.noise, rows, fit.row_weights) {
   const Eigen::VectorXd drift = fit.columns * fit.coefficients;
-  Eigen::MatrixXd columns(rows.size() + 1, fit.whitened.cols() + 1);
-  columns.leftCols(fit.whitened.cols()) = with_row(fit.whitened);
-  columns.rightCols(1) = with_row(whitening_.apply(slope(rows, drift)));
-  columns(rows.size(), fit.whitened.cols()) = 1 / kSensorDelay_s;
+  Eigen::MatrixXd inexact(rows.size(), kPriors);
+  inexact.col(0) = kSensorDelay_s * slope(rows, drift);
+  for (std::size_t i = 0; i < kLags_s.size(); ++i) {
+    inexact.col(static_cast<Eigen::Index>(i) + 1) = kLaggingShare * behind(rows, drift, kLags_s[i]);
+  }
+  Eigen::MatrixXd columns =
+      Eigen::MatrixXd::Zero(rows.size() + kPriors, fit.whitened.cols() + kPriors);
+  columns.topLeftCorner(rows.size(), fit.whitened.cols()) = fit.whitened;
+  columns.topRightCorner(rows.size(), kPriors) = whitening_.apply(inexact);
+  columns.bottomRightCorner(kPriors, kPriors).setIdentity();
   basis_ = orthonormal(columns);
-  residual_ = without_model(with_row(fit.whitened_measured));
+  residual_ = without_model(with_priors(fit.whitened_measured));
 }
 
 Eigen::MatrixXd ModelRemover::without_model(Eigen::MatrixXd columns) const {
@@ -63,7 +93,7 @@ Eigen::MatrixXd ModelRemover::without_model(Eigen::MatrixXd columns) const {
 }
 
 VisiblePart ModelRemover::operator()(const Eigen::MatrixXd& regressors) const {
-  const Eigen::MatrixXd white = with_row(whitening_.apply(regressors));
+  const Eigen::MatrixXd white = with_priors(whitening_.apply(regressors));
   VisiblePart part{without_model(white), {}};
   part.visible = part.columns.colwise().norm().transpose();
   for (Eigen::Index i = 0; i < white.cols(); ++i) {

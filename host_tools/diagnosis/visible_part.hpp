@@ -9,13 +9,14 @@
 namespace fogcomp {
 
 /// Takes out of whitened columns what a fitted model could do itself: its coefficients, small
-/// changes of its shape parameters, and an error in the time of the temperature sensor.
+/// changes of its shape parameters, and that its terms are not exactly what the coil does: a sensor
+/// a little early or late, layers that follow with other lags.
 class ModelRemover {
  public:
   ModelRemover(const Rows& rows, const NoiseWeightedFit& fit);
 
-  /// Whitened, without the model; one row more than given (the sensor's delay is known a priori,
-  /// which is like one more measurement of it).
+  /// Whitened, without the model; a few rows more than given (what is known beforehand is
+  /// like a few more measurements).
   VisiblePart operator()(const Eigen::MatrixXd& regressors) const;
   /// What the model leaves of the measurement.
   const Eigen::VectorXd& residual() const { return residual_; }

@@ -34,4 +34,16 @@ LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& val
   return fit;
 }
 
+Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows) {
+  Eigen::Index width = 0;
+  for (const Eigen::MatrixXd& part : parts) width += part.cols();
+  Eigen::MatrixXd all(rows, width);
+  Eigen::Index at = 0;
+  for (const Eigen::MatrixXd& part : parts) {
+    all.middleCols(at, part.cols()) = part;
+    at += part.cols();
+  }
+  return all;
+}
+
 }  // namespace fogcomp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace fogcomp {
 
@@ -14,5 +15,8 @@ struct LinearFit {
 
 /// rows x columns matrix, a value per row.
 LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values);
+
+/// Matrices of `rows` rows as one; any number of columns each.
+Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows);
 
 }  // namespace fogcomp

@@ -40,16 +40,15 @@ void clip_outliers(Eigen::VectorXd& values) {
   values = values.cwiseMax(-most).cwiseMin(most);
 }
 
-// Periodogram without its lowest two frequencies, which a removed line distorts.
-void add_periodogram(Eigen::VectorXd values, Spectrum& spectrum) {
+void add_periodogram(const NoiseSample& sample, Spectrum& spectrum) {
+  Eigen::VectorXd values = sample.values;
   remove_line(values);
   clip_outliers(values);
   Eigen::FFT<double> fft;
   std::vector<double> time(values.begin(), values.end());
   std::vector<std::complex<double>> frequency;
   fft.fwd(frequency, time);
-  constexpr std::size_t kFirst = 3;
-  for (std::size_t k = kFirst; 2 * k < time.size(); ++k) {
+  for (std::size_t k = sample.first_frequency; 2 * k < time.size(); ++k) {
     spectrum.angle.push_back(2 * kPi * static_cast<double>(k) / static_cast<double>(time.size()));
     spectrum.power.push_back(std::norm(frequency[k]) / static_cast<double>(time.size()));
   }
@@ -104,12 +103,19 @@ double NoiseModel::wander_dph() const {
   return std::sqrt(variance);
 }
 
-NoiseModel fit_noise(const std::vector<Eigen::VectorXd>& quiet, double row_s, double run_s) {
+std::vector<NoiseSample> noise_samples(const std::vector<Eigen::VectorXd>& stretches) {
+  std::vector<NoiseSample> samples;
+  for (const Eigen::VectorXd& stretch : stretches) samples.push_back({stretch});
+  return samples;
+}
+
+NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, double run_s) {
   Spectrum spectrum;
   double longest_s = 0;
-  for (const Eigen::VectorXd& stretch : quiet) {
-    add_periodogram(stretch, spectrum);
-    longest_s = std::max(longest_s, static_cast<double>(stretch.size()) * row_s);
+  for (const NoiseSample& sample : samples) {
+    add_periodogram(sample, spectrum);
+    const double periods = static_cast<double>(sample.first_frequency) / 3;
+    longest_s = std::max(longest_s, static_cast<double>(sample.values.size()) * row_s / periods);
   }
   std::vector<double> taus_s;
   std::size_t own = 0;

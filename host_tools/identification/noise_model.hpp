@@ -23,6 +23,14 @@ struct NoiseModel {
   double wander_dph() const;  ///< of all components together
 };
 
+/// Rows without a gap, and the first frequency of their periodogram that holds noise alone.
+struct NoiseSample {
+  Eigen::VectorXd values;
+  std::size_t first_frequency =
+      3;  ///< by default, what removing a straight line spoils is left out
+};
+std::vector<NoiseSample> noise_samples(const std::vector<Eigen::VectorXd>& stretches);
+
 /// Fits the model to stretches of a residual in which only noise is left (soaks that have settled),
 /// by Whittle's likelihood over all of them: each stretch's straight line is removed first, with
 /// the one or two lowest frequencies that it spoils. White noise and flicker come first, then what
@@ -30,7 +38,7 @@ struct NoiseModel {
 /// follow multiplicative updates (non-negative, never overshoot; Fevotte, Bertin & Durrieu 2009 for
 /// this divergence). Flicker goes on, as it does in every gyro, at time constants longer than any
 /// stretch, up to `run_s`: what it does over hours must not be taken for an effect.
-NoiseModel fit_noise(const std::vector<Eigen::VectorXd>& quiet, double row_s, double run_s);
+NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, double run_s);
 
 /// For data without quiet stretches: white noise from second differences of neighbouring rows.
 NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s);

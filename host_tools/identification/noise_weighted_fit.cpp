@@ -16,20 +16,12 @@ constexpr double kOutlier = 4;  // standard deviations
 Eigen::MatrixXd all_columns(const SignalSeries& series, const std::vector<EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance) {
   std::vector<Eigen::MatrixXd> parts;
-  Eigen::Index width = nuisance.cols();
-  for (const EffectTerm& term : terms) {
-    parts.push_back(series.regressors(term));
-    width += parts.back().cols();
-  }
-  Eigen::MatrixXd all(series.rows().size(), width);
-  Eigen::Index at = 0;
-  for (const Eigen::MatrixXd& part : parts) {
-    all.middleCols(at, part.cols()) = part;
-    at += part.cols();
-  }
-  all.rightCols(nuisance.cols()) = nuisance;
-  return all;
+  for (const EffectTerm& term : terms) parts.push_back(series.regressors(term));
+  parts.push_back(nuisance);
+  return side_by_side(parts, series.rows().size());
 }
+
+}  // namespace
 
 double longest_run_s(const Rows& rows) {
   double longest_s = 0;
@@ -41,10 +33,12 @@ double longest_run_s(const Rows& rows) {
   return longest_s;
 }
 
+namespace {
+
 NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
   const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, residual);
   if (quiet.empty()) return white_noise_of(residual, rows.row_s);
-  return fit_noise(quiet, rows.row_s, longest_run_s(rows));
+  return fit_noise(noise_samples(quiet), rows.row_s, longest_run_s(rows));
 }
 
 // Rows that stand out from the others count less the further out they are. "Others" by the median,

@@ -40,6 +40,9 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
                           const Eigen::MatrixXd& nuisance,
                           const std::optional<NoiseModel>& known_noise = std::nullopt);
 
+/// From the first row to the last, of the longest recording.
+double longest_run_s(const Rows& rows);
+
 /// A column of ones for every recording but the first (rows x runs - 1).
 Eigen::MatrixXd run_offset_columns(const Rows& rows);
 

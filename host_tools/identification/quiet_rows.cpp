@@ -1,6 +1,7 @@
 #include "identification/quiet_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fogcomp {
@@ -27,6 +28,40 @@ bool follows(const Rows& rows, std::size_t row) {
   return row > 0 && !new_run && rows.time_s[row] - rows.time_s[row - 1] < kGap * rows.row_s;
 }
 
+// An axis that is turned, a field that is switched on: no noise either.
+class InputJumps {
+ public:
+  explicit InputJumps(const Rows& rows) : rows_(rows) {
+    for (std::size_t i = 0; i < kValues; ++i) {
+      double least = HUGE_VAL;
+      double most = -HUGE_VAL;
+      for (const auto& signals : rows.signals) {
+        least = std::min(least, value(signals, i));
+        most = std::max(most, value(signals, i));
+      }
+      jump_[i] = kJump * (most - least);
+    }
+  }
+  bool between(std::size_t before, std::size_t row) const {
+    for (std::size_t i = 0; i < kValues; ++i) {
+      const double change =
+          std::abs(value(rows_.signals[row], i) - value(rows_.signals[before], i));
+      if (jump_[i] > 0 && change > jump_[i]) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kValues = fog::kExtensionInputs + 1;
+  static constexpr double kJump = 0.25;  // of the range over all rows
+  static double value(const fog::Signals<RealNumbers>& signals, std::size_t i) {
+    return i < fog::kExtensionInputs ? signals.block.extension[i] : signals.block.input_rate;
+  }
+
+  const Rows& rows_;
+  std::array<double, kValues> jump_{};
+};
+
 }  // namespace
 
 std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::VectorXd& residual) {
@@ -34,6 +69,7 @@ std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::Vect
   const auto size = static_cast<std::size_t>(rows.size());
   if (size < kLeastRows) return stretches;
   const double limit = rate_limit(rows);
+  const InputJumps jumps(rows);
   std::size_t begin = 0;
   const auto finish = [&](std::size_t end) {
     if (end - begin < kLeastRows) return;
@@ -42,7 +78,7 @@ std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::Vect
   };
   for (std::size_t row = 0; row < size; ++row) {
     const bool quiet = std::abs(rows.signals[row].temperature_rate) <= limit;
-    if (quiet && (row == begin || follows(rows, row))) continue;
+    if (quiet && (row == begin || (follows(rows, row) && !jumps.between(row - 1, row)))) continue;
     finish(row);
     begin = quiet ? row : row + 1;
   }

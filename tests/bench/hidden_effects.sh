@@ -5,7 +5,7 @@
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/../..")
 here=$source/tests/bench/hidden_effects
-seeds=dev cases=1508 jobs=$(nproc) out= build=$source/build/host stages=make,answer,propose,score only=
+seeds=dev cases=1508 jobs=$(nproc) out='' build=$source/build/host stages=make,answer,propose,score only=''
 while (($#)); do
   case $1 in
     --quick) cases=116; shift; continue ;;
@@ -39,26 +39,36 @@ fi
 
 wants() { [[ ,$stages, == *,$1,* ]]; }
 
-# each WHAT COMMAND... : COMMAND ID for every case that stdin names, $jobs at a time; says how far it is.
+# each WHAT COMMAND...: COMMAND ID for every case that stdin names, $jobs at a time; says how far it is.
 each() {
-  local what=$1 list
+  local what=$1 list done=0 begun=$SECONDS failed=$out/failed_${1// /_}.txt
   shift
   mapfile -t list
-  local begun=$SECONDS total=${#list[@]} failed="$out/failed_$what.txt"
   : >"$failed"
-  # shellcheck disable=SC2016
-  printf '%s\n' "${list[@]}" | xargs -P "$jobs" -I{} bash -c '"${@:2}" || echo "$2" >>"$0"; echo "$1"' "$failed" {} "$@" {} |
-    awk -v what="$what" -v total="$total" '
-      { done++; if (done == total || done % (total > 40 ? int(total / 20) : 10) == 0)
-          printf "%s: %d of %d\n", what, done, total >"/dev/stderr" }'
-  echo "$what: $total cases in $((SECONDS - begun)) s" >&2
-  [[ ! -s $failed ]] || { echo "$what: $(wc -l <"$failed") cases failed" >&2; exit 1; }
+  while read -r; do
+    ((++done % 50 && done < ${#list[@]})) || echo "$what: $done of ${#list[@]}, $((SECONDS - begun)) s" >&2
+  done < <(printf '%s\n' "${list[@]}" | xargs -r -P "$jobs" -n 1 bash -c '"${@:2}" || echo "${@: -1}" >>"$1"; echo' each "$failed" "$@")
+  [[ ! -s $failed ]] || { echo "$what: $(wc -l <"$failed") cases failed, listed in $failed" >&2; exit 1; }
 }
 
 echo "hidden_effects: ${#ids[@]} cases of the $seeds seeds, $jobs jobs, in $out" >&2
+simulator=$(cksum <"$build/host_tools/libfogcomp_simulation.a" | tr ' ' -)
+tool=$(cksum <"$fogcomp" | tr ' ' -)
 if wants make; then
   # What recordings depend on: the simulator and the drawing of the cases.
-  made_by=$(cat "$build/host_tools/libfogcomp_simulation.a" "$here"/{case_plan,gyro_draw,hidden_draw,programmes,visible,case_facts}.cpp |
-    cksum | tr ' ' -)
+  made_by=$simulator-$(cat "$here"/{case_plan,gyro_draw,hidden_draw,programmes,trial,visible,case_facts}.cpp | cksum | tr ' ' -)
   printf '%s\n' "${ids[@]}" | each make "$here/make_case.sh" "$fogcomp" "$programmes" "$out" "$made_by"
+fi
+if wants answer; then
+  "$fogcomp" diagnose --help >/dev/null 2>&1 || { echo "skipped: $fogcomp has no command diagnose" >&2; exit 77; }
+  printf '%s\n' "${ids[@]}" | each answer "$here/answer_case.sh" "$fogcomp" "$out" "$tool"
+fi
+if wants propose; then
+  printf '%s\n' "${ids[@]}" | each propose "$here/propose_case.sh" "$fogcomp" "$out" "$simulator"
+  (cd "$out/runs" && for id in "${ids[@]}"; do ls -d "$id.proposed" "$id.random" 2>/dev/null || true; done) |
+    each "answer with one more run" "$here/answer_case.sh" "$fogcomp" "$out" "$tool"
+fi
+if wants score; then
+  printf '%s\n' "${ids[@]}" >"$out/cases.txt"
+  "$programmes/score" "$out" | tee "$out/results.txt"
 fi

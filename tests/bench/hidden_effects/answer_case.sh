@@ -18,16 +18,19 @@ ask() {
   ((status <= 1))
 }
 
+# knows COMMAND WORD: the command's help has that word. What a tool cannot do yet is not asked for.
+knows() { [[ $("$fogcomp" "$1" --help 2>&1) == *"$2"* ]]; }
+
 if ask fit "$fogcomp" fit "${recordings[@]}" -o "$answers/declared.model" --effects "$(<"$runs/effects.txt")" --json; then
   TIMEFORMAT='%U'
   { time ask diagnosis "$fogcomp" diagnose "$answers/declared.model" "${recordings[@]}" --json || true; } \
     2>"$answers/seconds.txt"
-  effect=$(sed -nE 's/.*"verdict":"missing_effect","effect":"([a-z_]+)".*/\1/p' "$answers/diagnosis.json")
-  if [[ $effect && -f $runs/unseen.csv ]]; then
+  effect=$(sed -nE '/"verdict":"missing_effect"/ s/^[^[]*"effect":"([a-z_]+)".*/\1/p' "$answers/diagnosis.json")
+  if [[ $effect && -f $runs/unseen.csv ]] && knows add RUN; then
     ask add "$fogcomp" add "$answers/declared.model" "$effect" "${recordings[@]}" -o "$answers/added.model" --json &&
       ask unseen "$fogcomp" compare "$answers/added.model" "$runs/unseen.csv" --json || true
   fi
-  if grep -qw loop "$runs/request.txt"; then
+  if grep -qw loop "$runs/request.txt" && knows diagnose --max-effects; then
     ask loop "$fogcomp" diagnose "$answers/declared.model" "${recordings[@]}" --max-effects 4 --json || true
   fi
 fi

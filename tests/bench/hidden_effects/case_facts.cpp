@@ -77,8 +77,10 @@ void write_facts(const std::string& runs, const std::string& truth) {
     if (!is_hidden(term.name)) all_declared += declared.back();
   }
   const BesideDeclared beside(sight, declared);
-  std::string text = format("rows %td\nmisfit %.4f\n", sight.series.rows().size(),
-                            rms(beside.left_of(all_declared)) / noise_dph);
+  std::string text =
+      format("rows %td\nmisfit %.4f\nmisfit_beside_delays %.4f\n", sight.series.rows().size(),
+             rms(beside.left_of(all_declared)) / noise_dph,
+             rms(beside.left_beside_delays(all_declared)) / noise_dph);
   for (const auto& words : plan.all("hidden")) {
     text += facts_of_hidden(sight, beside, words[0], files.rows(sight, words[1]), noise_dph);
   }

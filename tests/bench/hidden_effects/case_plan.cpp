@@ -11,8 +11,12 @@
 namespace fogcomp::bench {
 namespace {
 
-constexpr double kLeastVisible = 0.05;  // of an effect's rms about its mean
-constexpr int kAttempts = 40;
+constexpr double kLeastVisible = 0.05;   // of an effect's rms about its mean
+constexpr double kLeastLikeness = 0.85;  // of the visible part, by the catalogue's own formula
+constexpr double kMostMisfit = 0.1;      // of declared effects, in noise of a row
+constexpr double kMisfitShare = 0.3;     // and of the smallest hidden size
+constexpr int kAttempts = 60;
+constexpr int kPairAttempts = 10;
 constexpr double kExtraColumns = 0.3;  // of the cases have columns that they do not need
 constexpr double kUnseen = 0.35;       // have a recording of another programme
 constexpr double kLoopAnyway = 0.1;    // of the cases with less than two effects
@@ -23,6 +27,14 @@ const std::vector<double> kForeignSizes{0.7, 2};
 
 Flicker flicker_of(std::size_t number) {
   return static_cast<Flicker>(number % 3);
+}
+
+// Two catalogued effects; not a step, which is an event of one run.
+std::vector<std::string> draw_pair(Draws& draws) {
+  std::vector<std::string> effects = catalogued_effects();
+  effects.pop_back();
+  draws.shuffle(effects);
+  return {effects[0], effects[1]};
 }
 
 // Every kind of case in its share, in an order of its own for every cycle.
@@ -41,17 +53,14 @@ std::vector<CaseKind> cycle_of(const CaseId& id) {
     cycle.push_back({"clean", {}, {}, flicker_of(i + cycle_number)});
   }
   for (std::size_t i = 0; i < 12; ++i) {
-    std::vector<std::string> effects = catalogued_effects();
-    effects.pop_back();  // steps are events of one run
-    draws.shuffle(effects);
     cycle.push_back({"two",
-                     {effects[0], effects[1]},
+                     draw_pair(draws),
                      {draws.chance(0.5) ? 0.6 : 1.5, draws.chance(0.5) ? 0.6 : 1.5},
-                     flicker_of(i)});
+                     flicker_of(i + cycle_number)});
   }
   for (const std::string& disturbance : foreign_disturbances()) {
     for (const double size : kForeignSizes) {
-      cycle.push_back({"foreign", {disturbance}, {size}, flicker_of(cycle.size())});
+      cycle.push_back({"foreign", {disturbance}, {size}, flicker_of(cycle.size() + cycle_number)});
     }
   }
   draws.shuffle(cycle);
@@ -98,6 +107,8 @@ CasePlan draw(const CaseId& id, std::uint64_t attempt) {
   CasePlan plan;
   plan.what = kind_of(id);
   Draws draws(id.seed() * 64 + attempt);
+  // Some pairs ask for programmes on which one of them cannot be what it should be.
+  if (plan.what.kind == "two" && attempt >= kPairAttempts) plan.what.hidden = draw_pair(draws);
   plan.gyro = draw_gyro(draws, plan.what.flicker, plan.what.hidden);
   for (const std::string& what : plan.what.hidden) {
     plan.hidden.push_back(draw_hidden(draws, what, plan.gyro));
@@ -114,30 +125,63 @@ std::vector<double> contribution_of(const TrialRun& run, const std::string& effe
   return std::vector<double>(run.recording.rows(), 0);
 }
 
-// Finds the values that give the wanted sizes; false where an effect hardly shows.
-bool set_sizes(CasePlan& plan) {
-  if (plan.hidden.empty()) return true;
-  std::vector<TrialRun> trials;
-  std::vector<Recording> recordings;
-  for (const PlannedRun& run : plan.runs) {
-    trials.push_back(simulate_trial(plan, run));
-    recordings.push_back(trials.back().recording);
+// A plan's recordings without noise.
+class Trial {
+ public:
+  explicit Trial(const CasePlan& plan) {
+    for (const PlannedRun& run : plan.runs) {
+      runs_.push_back(simulate_trial(plan, run));
+      recordings.push_back(runs_.back().recording);
+    }
   }
-  const auto rows = [&](const Sight& sight, const std::string& effect) {
+  Eigen::VectorXd rows(const Sight& sight, const std::string& effect) const {
     std::vector<std::vector<double>> values;
-    for (const TrialRun& trial : trials) values.push_back(contribution_of(trial, effect));
+    for (const TrialRun& run : runs_) values.push_back(contribution_of(run, effect));
     return rows_of(sight, recordings, values);
-  };
-  Sight sight(plan.gyro.declared, recordings);
+  }
+
+  std::vector<Recording> recordings;
+
+ private:
+  std::vector<TrialRun> runs_;
+};
+
+double most_misfit_dph(const CasePlan& plan) {
+  double most = kMostMisfit;
+  for (const double size : plan.what.sizes) most = std::min(most, kMisfitShare * size);
+  return most * plan.gyro.row_noise_dph();
+}
+
+bool is_catalogued(const std::string& what) {
+  const auto& all = catalogued_effects();
+  return std::find(all.begin(), all.end(), what) != all.end();
+}
+
+// Finds the values that give the wanted sizes; false where the gyro is none for this case.
+bool set_sizes(CasePlan& plan) {
+  const Trial trial(plan);
+  Sight sight(plan.gyro.declared, trial.recordings);
   std::vector<Eigen::VectorXd> declared;
-  for (const EffectTerm& term : sight.model.terms) declared.push_back(rows(sight, term.name));
+  Eigen::VectorXd all_declared = Eigen::VectorXd::Zero(sight.series.rows().size());
+  for (const EffectTerm& term : sight.model.terms) {
+    declared.push_back(trial.rows(sight, term.name));
+    const bool is_hidden =
+        std::any_of(plan.hidden.begin(), plan.hidden.end(),
+                    [&](const HiddenEffect& hidden) { return hidden.name == term.name; });
+    if (!is_hidden) all_declared += declared.back();
+  }
   const BesideDeclared beside(sight, declared);
+  if (!(rms(beside.left_beside_delays(all_declared)) <= most_misfit_dph(plan))) return false;
   plan.values.clear();
   for (std::size_t i = 0; i < plan.hidden.size(); ++i) {
-    const Eigen::VectorXd natural = rows(sight, plan.hidden[i].name);
-    const double visible = rms(beside.left_of(natural));
-    const double all = rms(natural.array() - natural.mean());
-    if (!(visible > kLeastVisible * all)) return false;
+    const Eigen::VectorXd natural = trial.rows(sight, plan.hidden[i].name);
+    const Eigen::VectorXd left = beside.left_of(natural);
+    const double visible = rms(left);
+    if (!(visible > kLeastVisible * rms(natural.array() - natural.mean()))) return false;
+    if (is_catalogued(plan.what.hidden[i]) &&
+        imitation_by(plan.hidden[i].name, sight, beside, left) < kLeastLikeness) {
+      return false;
+    }
     plan.values.push_back(plan.hidden[i].natural * plan.what.sizes[i] * plan.gyro.row_noise_dph() /
                           visible);
   }
@@ -186,6 +230,7 @@ std::string CasePlan::arguments(const PlannedRun& run) const {
 CasePlan plan_case(const CaseId& id) {
   for (std::uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
     CasePlan plan = draw(id, attempt);
+    plan.drawn = static_cast<int>(attempt) + 1;
     if (set_sizes(plan)) return plan;
   }
   throw InputError("case", format("none of %d gyros shows the effect", kAttempts));

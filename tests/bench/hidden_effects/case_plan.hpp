@@ -50,6 +50,7 @@ struct CasePlan {
   std::optional<PlannedRun> unseen;
   std::string columns;  ///< of simulate --columns
   std::optional<double> latitude_deg;
+  int drawn = 0;      ///< how often, until a gyro suited
   bool loop = false;  ///< the answer is also asked for by `diagnose --max-effects`
 
   /// `--effect` options with the hidden effects at `values`.
@@ -58,8 +59,13 @@ struct CasePlan {
   std::string arguments(const PlannedRun& run) const;
 };
 
-/// Draws the case; trial simulations find the sizes. Gyros on which the effect would be almost
-/// invisible (less than 5 % of it is left beside the declared model) are drawn again.
+/// Draws the case; trial simulations find the sizes. Drawn again are gyros on which
+/// - the effect is almost invisible: less than 5 % of it is left beside the declared model;
+/// - the catalogue's formula, with its best shape, explains less than 85 % of what is visible of a
+///   catalogued effect, so that its name is not clearly the right answer;
+/// - the declared effects themselves, simulated as physics, are not met by their formulas even with
+/// a
+///   delay each: that would be a second thing hidden, or make a clean run not clean.
 CasePlan plan_case(const CaseId& id);
 
 }  // namespace fogcomp::bench

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kRow_s = 10;
 constexpr double kDerivativeTau_s = 30;  // as `fogcomp fit` has it by default
-constexpr double kDependent = 1e-6;      // of a column's length: the rest is arithmetic
+constexpr double kRank = 1e-9;
+constexpr double kDependent = 1e-6;  // of a column's length: the rest is arithmetic
 
 // Points over the range of a shape parameter; the ripple's period needs many, as its phase runs
 // through many turns over the range of temperature.
@@ -91,6 +92,30 @@ int declared_order(const Model& model) {
   return term == nullptr ? 0 : static_cast<int>(term->parameters[0]);
 }
 
+// An orthonormal basis of the columns, each of them first made one long; a column of zeros adds
+// nothing.
+Eigen::MatrixXd orthonormal(Eigen::MatrixXd columns) {
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+    const double length = columns.col(i).norm();
+    if (length > 0) columns.col(i) /= length;
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+  qr.setThreshold(kRank);
+  qr.compute(columns);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
+// Central differences within each recording; 0 at its ends.
+Eigen::MatrixXd derivatives(const Rows& rows, const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(columns.rows(), columns.cols());
+  for (Eigen::Index row = 1; row + 1 < columns.rows(); ++row) {
+    const auto at = static_cast<std::size_t>(row);
+    if (rows.time_s[at + 1] < rows.time_s[at - 1]) continue;  // another recording begins
+    slopes.row(row) = columns.row(row + 1) - columns.row(row - 1);
+  }
+  return slopes;
+}
+
 Model declared_model(const std::vector<std::string>& declared) {
   Model model;
   std::string list;
@@ -146,42 +171,48 @@ BesideDeclared::BesideDeclared(Sight& sight, const std::vector<Eigen::VectorXd>&
   Eigen::MatrixXd all(sight.series.rows().size(), width);
   Eigen::Index at = 0;
   for (const Eigen::MatrixXd& part : parts) {
-    for (Eigen::Index i = 0; i < part.cols(); ++i) {
-      const double length = part.col(i).norm();
-      all.col(at++) =
-          length > 0 ? Eigen::VectorXd(part.col(i) / length) : Eigen::VectorXd(part.col(i));
-    }
+    all.middleCols(at, part.cols()) = part;
+    at += part.cols();
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  qr.setThreshold(1e-9);
-  qr.compute(all);
-  basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(all.rows(), qr.rank());
+  basis_ = orthonormal(all);
+  Eigen::MatrixXd with_delays(all.rows(), 2 * width);
+  with_delays << all, derivatives(sight.series.rows(), all);
+  delays_ = orthonormal(with_delays);
 }
 
 Eigen::MatrixXd BesideDeclared::left_of(const Eigen::MatrixXd& columns) const {
   return columns - basis_ * (basis_.transpose() * columns);
 }
 
+Eigen::MatrixXd BesideDeclared::left_beside_delays(const Eigen::MatrixXd& columns) const {
+  return columns - delays_ * (delays_.transpose() * columns);
+}
+
+double imitation_by(const std::string& effect, const Sight& sight, const BesideDeclared& beside,
+                    const Eigen::VectorXd& left_of_truth) {
+  std::vector<std::string> forms{effect};
+  if (effect == "bias_temperature") {
+    const int order = declared_order(sight.model);
+    forms = {effect + format(":order=%d", order + 1), effect + format(":order=%d", order + 2)};
+  }
+  double best = 0;
+  for (const std::string& form : forms) {
+    EffectTerm term = form == effect ? candidate(effect) : parse_effects(form).front();
+    best = std::max(
+        best, best_shape(sight, term, left_of_truth,
+                         [&](const Eigen::MatrixXd& columns) { return beside.left_of(columns); }));
+  }
+  return best;
+}
+
 std::vector<Imitation> imitations(const Sight& sight, const BesideDeclared& beside,
                                   const Eigen::VectorXd& left_of_truth) {
-  const auto left = [&](const Eigen::MatrixXd& regressors) { return beside.left_of(regressors); };
   std::vector<Imitation> found;
   for (const std::string& name : effect_names()) {
     const auto needs = find_effect(name).description.needs;
-    if (name == "bias" || (needs & sight.inputs) != needs) continue;
-    std::vector<std::string> forms;
-    if (name == "bias_temperature") {
-      const int order = declared_order(sight.model);
-      forms = {name + format(":order=%d", order + 1), name + format(":order=%d", order + 2)};
-    } else if (sight.model.find(name) == nullptr) {
-      forms = {name};
-    }
-    double best = 0;
-    for (const std::string& form : forms) {
-      EffectTerm term = form == name ? candidate(name) : parse_effects(form).front();
-      best = std::max(best, best_shape(sight, term, left_of_truth, left));
-    }
-    if (!forms.empty()) found.push_back({name, best});
+    const bool declared = name != "bias_temperature" && sight.model.find(name) != nullptr;
+    if (declared || (needs & sight.inputs) != needs) continue;
+    found.push_back({name, imitation_by(name, sight, beside, left_of_truth)});
   }
   return found;
 }

@@ -33,9 +33,13 @@ class BesideDeclared {
 
   /// Every column less its projection on the declared regressors.
   Eigen::MatrixXd left_of(const Eigen::MatrixXd& columns) const;
+  /// The same, less what a small delay of each regressor (its derivative in time) takes up too:
+  /// late sensors and filters are no missing effect.
+  Eigen::MatrixXd left_beside_delays(const Eigen::MatrixXd& columns) const;
 
  private:
-  Eigen::MatrixXd basis_;  // orthonormal columns
+  Eigen::MatrixXd basis_;   // orthonormal columns
+  Eigen::MatrixXd delays_;  // and those with the derivatives
 };
 
 /// How well an effect of the catalogue, with its best shape, imitates what is left of a truth.
@@ -48,6 +52,10 @@ struct Imitation {
 /// only as bias_temperature of an order or two more.
 std::vector<Imitation> imitations(const Sight& sight, const BesideDeclared& beside,
                                   const Eigen::VectorXd& left_of_truth);
+
+/// The same of one effect.
+double imitation_by(const std::string& effect, const Sight& sight, const BesideDeclared& beside,
+                    const Eigen::VectorXd& left_of_truth);
 
 double rms(const Eigen::VectorXd& values);
 

@@ -38,7 +38,7 @@ double density(const fogcomp::NoiseModel& model, double angle) {
 TEST(NoiseModel, HasTheSpectrumOfWhiteAndSlowNoiseWithin20Percent) {
   std::vector<VectorXd> quiet;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) quiet.push_back(noise(700, 0.02, 0.01, 30, seed));
-  const auto model = fogcomp::fit_noise(quiet, 10, 0);
+  const auto model = fogcomp::fit_noise(fogcomp::noise_samples(quiet), 10, 0);
   fogcomp::NoiseModel truth;
   truth.row_s = 10;
   truth.white_variance = 0.02 * 0.02;
@@ -52,7 +52,7 @@ TEST(NoiseModel, HasTheSpectrumOfWhiteAndSlowNoiseWithin20Percent) {
 TEST(NoiseModel, FindsNoSlowPartInWhiteNoise) {
   std::vector<VectorXd> quiet;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) quiet.push_back(noise(700, 0.02, 0, 30, seed));
-  const auto model = fogcomp::fit_noise(quiet, 10, 0);
+  const auto model = fogcomp::fit_noise(fogcomp::noise_samples(quiet), 10, 0);
   EXPECT_NEAR(std::sqrt(density(model, 0.03)), 0.02, 0.006);
 }
 

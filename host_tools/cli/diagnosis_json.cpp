@@ -1,0 +1,105 @@
+#include "cli/diagnosis_json.hpp"
+
+#include "model/catalogue.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+Json parameters_json(const EffectTerm& term) {
+  Json parameters = Json::object();
+  const CatalogueEntry& entry = find_effect(term.name);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    parameters.set(entry.parameters[i].name, term.parameters[i]);
+  }
+  for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
+    parameters.set(entry.coefficients[i].symbol, natural_coefficient(term, i));
+  }
+  return parameters;
+}
+
+Json names_json(const std::vector<std::string>& names) {
+  Json array = Json::array();
+  for (const std::string& name : names) array.push(name);
+  return array;
+}
+
+Json shares_json(const std::vector<Diagnosis::Share>& shares) {
+  Json all = Json::array();
+  for (const Diagnosis::Share& share : shares) {
+    all.push(std::move(Json::object().set("name", share.name).set("share", share.share)));
+  }
+  return all;
+}
+
+}  // namespace
+
+Json diagnosis_json(const Diagnosis& diagnosis) {
+  Json candidates = Json::array();
+  for (const CandidateFinding& finding : diagnosis.candidates) {
+    candidates.push(std::move(Json::object()
+                                  .set("effect", finding.effect)
+                                  .set("explained_fraction", finding.explained_fraction)
+                                  .set("rms_after_dph", finding.rms_after_dph)
+                                  .set("evidence", finding.evidence)
+                                  .set("probability", finding.probability)
+                                  .set("parameters", parameters_json(finding.term()))));
+  }
+  Json explanations = Json::array();
+  for (const Diagnosis::Explanation& explanation : diagnosis.explanations) {
+    explanations.push(std::move(Json::object()
+                                    .set("effects", names_json(explanation.effects))
+                                    .set("probability", explanation.probability)
+                                    .set("explained_fraction", explanation.explained_fraction)));
+  }
+  Json untestable = Json::array();
+  for (const Untestable& effect : diagnosis.untestable) {
+    untestable.push(
+        std::move(Json::object().set("effect", effect.effect).set("needs", effect.needs)));
+  }
+  Json result = Json::object();
+  result.set("verdict", name_of(diagnosis.verdict));
+  if (diagnosis.effect.empty()) {
+    result.set("effect", Json());
+  } else {
+    result.set("effect", diagnosis.effect);
+  }
+  result.set("confusable", names_json(diagnosis.confusable));
+  const bool proposed = diagnosis.experiment && !diagnosis.experiment->sentence.empty();
+  result.set("experiment", proposed ? Json(diagnosis.experiment->sentence) : Json());
+  const bool recordable = proposed && !diagnosis.experiment->profile.empty();
+  result.set("experiment_profile", recordable ? Json(diagnosis.experiment->profile) : Json());
+  result.set("candidates", std::move(candidates)).set("untestable", std::move(untestable));
+  result.set("explanations", std::move(explanations)).set("tests", diagnosis.tests);
+  result.set("where", std::move(Json::object()
+                                    .set("variable", diagnosis.variable)
+                                    .set("variables", shares_json(diagnosis.variables))
+                                    .set("segments", shares_json(diagnosis.segments))));
+  result.set("residual_rms_dph", diagnosis.residual_rms_dph);
+  result.set("noise_floor_dph", diagnosis.noise_floor_dph);
+  result.set("unexplained_fraction", diagnosis.unexplained_fraction);
+  result.set("noise", std::move(Json::object()
+                                    .set("white_dph", diagnosis.noise.white_dph())
+                                    .set("slow_dph", diagnosis.noise.wander_dph())
+                                    .set("freedom", diagnosis.noise.freedom)
+                                    .set("from_quiet_parts", diagnosis.noise.from_quiet_parts)));
+  result.set("chance", diagnosis.chance).set("notes", names_json(diagnosis.notes));
+  return result;
+}
+
+Json ladder_json(const Ladder& ladder) {
+  Json steps = Json::array();
+  for (const Ladder::Step& step : ladder.steps) {
+    steps.push(std::move(Json::object()
+                             .set("effect", step.effect)
+                             .set("removed", step.removed)
+                             .set("alternatives", names_json(step.alternatives))
+                             .set("rms_before_dph", step.rms_before_dph)
+                             .set("rms_after_dph", step.rms_after_dph)));
+  }
+  Json result = diagnosis_json(ladder.first);
+  result.set("added", names_json(ladder.added())).set("ladder", std::move(steps));
+  result.set("last", diagnosis_json(ladder.last));
+  return result;
+}
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,179 @@
+#include "cli/diagnosis_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/catalogue.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+constexpr std::size_t kMostCandidates = 6;
+
+std::string percent(double share) {
+  return format("%.0f %%", 100 * share);
+}
+
+std::string joined(const std::vector<std::string>& names, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : format(" %s ", last);
+    text += names[i];
+  }
+  return text;
+}
+
+// "radius 5.2 degC"
+std::string shape(const EffectTerm& term) {
+  std::string text;
+  const CatalogueEntry& entry = find_effect(term.name);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    if (term.parameters[i] == 0 && entry.parameters[i].default_milli == 0) continue;
+    const std::string unit = entry.parameters[i].unit;
+    text += (text.empty() ? "" : ", ") + format("%s %.3g%s", entry.parameters[i].name,
+                                                term.parameters[i],
+                                                unit == "1" ? "" : (" " + unit).c_str());
+  }
+  return text;
+}
+
+const CandidateFinding* finding_of(const Diagnosis& diagnosis, const std::string& effect) {
+  const auto found = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                                  [&](const CandidateFinding& c) { return c.effect == effect; });
+  return found == diagnosis.candidates.end() ? nullptr : &*found;
+}
+
+// How to name an effect to `add`, with what it takes to grow one that is there already.
+std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
+  const CandidateFinding* finding = finding_of(diagnosis, effect);
+  const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
+                                [&](const EffectTerm& term) { return term.name == effect; });
+  if (own == diagnosis.terms.end() || finding == nullptr) return effect;
+  const CatalogueEntry& entry = find_effect(effect);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    if (finding->term().parameters[i] == own->parameters[i]) continue;
+    return format("%s:%s=%.4g", effect.c_str(), entry.parameters[i].name,
+                  finding->term().parameters[i]);
+  }
+  return effect;
+}
+
+std::string verdict_line(const Diagnosis& diagnosis) {
+  switch (diagnosis.verdict) {
+    case Verdict::none:
+      return "nothing is missing: what is left is noise, as far as these recordings can show\n";
+    case Verdict::missing_effect: {
+      const CandidateFinding* finding = finding_of(diagnosis, diagnosis.effect);
+      const std::string described = shape(finding->term());
+      return format("missing effect: %s (%s)\n", diagnosis.effect.c_str(),
+                    find_effect(diagnosis.effect).description.title) +
+             format("  probability %.2f%s\n", finding->probability,
+                    described.empty() ? "" : ("; " + described).c_str());
+    }
+    case Verdict::ambiguous:
+      return "an effect is missing; these recordings cannot tell which of\n  " +
+             joined(diagnosis.confusable, "or") + "\n";
+    case Verdict::unknown:
+      break;
+  }
+  return "something is missing that no effect of the catalogue explains (" +
+         percent(diagnosis.unexplained_fraction) + " of it is left unexplained)\n";
+}
+
+std::string error_line(const Diagnosis& diagnosis) {
+  std::string text = format("  the model leaves %.4g deg/h rms; the noise floor is %.4g",
+                            diagnosis.residual_rms_dph, diagnosis.noise_floor_dph);
+  const std::string& effect =
+      diagnosis.verdict == Verdict::ambiguous ? diagnosis.confusable.front() : diagnosis.effect;
+  if (const CandidateFinding* finding = finding_of(diagnosis, effect)) {
+    text += format("; with %s %.4g", effect.c_str(), finding->rms_after_dph);
+  }
+  return text + "\n";
+}
+
+std::string where_line(const Diagnosis& diagnosis) {
+  std::vector<Diagnosis::Share> segments = diagnosis.segments;
+  std::stable_sort(segments.begin(), segments.end(),
+                   [](const auto& a, const auto& b) { return a.share > b.share; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, segments.size()); ++i) {
+    if (segments[i].share < 0.1) break;
+    text += (text.empty() ? "  it sits in " : ", ") + segments[i].name + " (" +
+            percent(segments[i].share) + ")";
+  }
+  if (!diagnosis.variable.empty()) {
+    text += (text.empty() ? "  it depends most on " : "; it depends most on ") + diagnosis.variable;
+  }
+  return text.empty() ? "" : text + "\n";
+}
+
+std::string next_line(const Diagnosis& diagnosis, const std::string& model,
+                      const std::string& runs) {
+  std::string text;
+  if (diagnosis.experiment && !diagnosis.experiment->sentence.empty()) {
+    text += "  to tell: " + diagnosis.experiment->sentence + "\n";
+  }
+  const std::string& effect =
+      diagnosis.verdict == Verdict::ambiguous ? diagnosis.confusable.front() : diagnosis.effect;
+  if (!effect.empty()) {
+    text += "  next: fogcomp add " + model + " " + to_add(diagnosis, effect) + " " + runs +
+            " -o NEW.model\n";
+  }
+  return text;
+}
+
+std::string candidate_table(const Diagnosis& diagnosis) {
+  std::string text =
+      "\n  candidate                  explains  rms after   ln odds  probability  shape\n";
+  std::size_t shown = 0;
+  for (const CandidateFinding& finding : diagnosis.candidates) {
+    if (shown++ == kMostCandidates) break;
+    text += format("  %-26s %7.0f%% %10.4g %9.1f %12.3f  %s\n", finding.effect.c_str(),
+                   100 * finding.explained_fraction, finding.rms_after_dph, finding.evidence,
+                   finding.probability, shape(finding.term()).c_str());
+  }
+  return text;
+}
+
+std::string untestable_lines(const Diagnosis& diagnosis) {
+  if (diagnosis.untestable.empty()) return "";
+  std::string text = "\n  not to be seen in these recordings: ";
+  for (std::size_t i = 0; i < diagnosis.untestable.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + diagnosis.untestable[i].effect + " (needs " +
+            diagnosis.untestable[i].needs + ")";
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& model,
+                           const std::string& runs) {
+  std::string text = verdict_line(diagnosis) + error_line(diagnosis);
+  if (diagnosis.verdict != Verdict::none) {
+    text += where_line(diagnosis) + next_line(diagnosis, model, runs);
+  }
+  text += format("  chance that noise alone looks like this: %.2g\n", diagnosis.chance);
+  for (const std::string& note : diagnosis.notes) text += "  note: " + note + "\n";
+  if (!diagnosis.network_learnt.empty()) text += "  network: " + diagnosis.network_learnt + "\n";
+  if (!diagnosis.candidates.empty()) text += candidate_table(diagnosis);
+  return text + untestable_lines(diagnosis);
+}
+
+std::string ladder_text(const Ladder& ladder) {
+  std::string text =
+      format("\nerror ladder, deg/h rms (noise floor %.4g)\n  %-44s %10.4g\n",
+             ladder.first.noise_floor_dph, "the model, refitted", ladder.first.residual_rms_dph);
+  for (const Ladder::Step& step : ladder.steps) {
+    std::string what = (step.removed ? "- " : "+ ") + step.effect;
+    if (step.removed) what += " (no longer needed)";
+    if (!step.alternatives.empty()) what += " (or " + joined(step.alternatives, "or") + ")";
+    text += format("  %-44s %10.4g\n", what.c_str(), step.rms_after_dph);
+  }
+  if (ladder.steps.empty()) return text + "  nothing to add\n";
+  text += "at the end: " + verdict_line(ladder.last);
+  return text;
+}
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,185 @@
+#include "diagnosis/experiment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "dataset/input_columns.hpp"
+#include "identification/least_squares.hpp"
+#include "identification/shape_search.hpp"
+#include "identification/signal_series.hpp"
+#include "identification/whitening.hpp"
+#include "model/catalogue.hpp"
+#include "simulation/embedded_files.hpp"
+#include "simulation/profile_parser.hpp"
+#include "simulation/simulation.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+// Separation below which a programme is not worth its chamber time.
+constexpr double kWorthwhile = 5;
+constexpr double kLatitude_deg = 45;
+
+struct Choice {
+  const char* profile;
+  fog::InputMask for_inputs;  // only where a rival needs one of these
+  const char* what;
+};
+const std::array<Choice, 8> kMenu{{
+    {"random_steps", 0, "random chamber steps at 3 degC/min"},
+    {"heater_pulses", 0, "pulses of a heater on the spool"},
+    {"minor_loops", 0, "minor temperature loops"},
+    {"ramp_rates", 0, "ramps of several speeds"},
+    {"power_cycles", 0, "restarts at several soaks"},
+    {"reversed", 0, "the soak-and-ramp test the other way round"},
+    {"axis_flips", bit_of(fog::Input::input_rate), "the axis turned over in every soak"},
+    {"field_and_vibration",
+     bit_of(fog::Input::magnetic) | bit_of(fog::Input::vibration) | bit_of(fog::Input::light_power),
+     "azimuths, a coil's field and a shaker"},
+}};
+
+// What a typical gyro would record; rates are left at 0.
+Recording simulated(const std::string& profile, double row_s) {
+  using namespace simulation;
+  const auto& profiles = ready_made_profiles();
+  const auto text = std::find_if(profiles.begin(), profiles.end(),
+                                 [&](const auto& file) { return file.name == profile; });
+  const Programme programme = parse_profile(std::string(text->text), profile, 1);
+  const GyroDescription gyro;
+  SimulationOptions options;
+  options.rate_hz = 1 / row_s;
+  options.earth.latitude_deg = kLatitude_deg;
+  Simulation run(gyro, programme, options);
+  Recording recording;
+  recording.file = profile;
+  recording.period_s = row_s;
+  for (RowChunk chunk; run.next(chunk);) {
+    const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    append(recording.time_s, chunk.time_s);
+    append(recording.temperature_degc, chunk.temperature_degc);
+    append(recording.temperature2_degc, chunk.temperature2_degc);
+    append(recording.input_rate_dph, chunk.input_rate_dph);
+    append(recording.magnetic_ut, chunk.magnetic_ut);
+    append(recording.light_power_uw, chunk.light_power_uw);
+    append(recording.supply_v, chunk.supply_v);
+    append(recording.vibration_grms, chunk.vibration_grms);
+  }
+  recording.rate_dph.assign(recording.time_s.size(), 0);
+  return recording;
+}
+
+// The term as fitted, and with its first shape parameter a little less and more.
+std::vector<EffectTerm> shapes_of(const EffectTerm& term) {
+  constexpr double kAside = 0.07;  // of the parameter's range
+  std::vector<EffectTerm> shapes{term};
+  const std::vector<ShapeParameter> parameters = shape_parameters({term});
+  if (parameters.empty()) return shapes;
+  const ShapeParameter& first = parameters[0];
+  const double unit = first.to_unit(term.parameters[first.index]);
+  for (const double place : {unit - kAside, unit + kAside}) {
+    shapes.push_back(term);
+    shapes.back().parameters[first.index] = first.from_unit(place);
+  }
+  return shapes;
+}
+
+class Trial {
+ public:
+  Trial(const Model& model, const Recording& recording, const NoiseModel& noise)
+      : model_(model), series_(model_, Phase::zero) {
+    series_.add(make_blocks(recording));
+    whitening_.emplace(noise, series_.rows(), series_.rows().weights);
+  }
+
+  double hours() const { return longest_run_hours(); }
+
+  // Standard deviations by which `truth` differs from the best that `imitator` can do.
+  double told(const Rival& truth, const Rival& imitator) const {
+    const Eigen::VectorXd signal = whitening_->apply(drift(truth.terms));
+    double least = HUGE_VAL;
+    const EffectTerm& own = imitator.terms.back();
+    std::vector<Eigen::MatrixXd> base;
+    for (std::size_t i = 0; i + 1 < imitator.terms.size(); ++i) {
+      base.push_back(series_.regressors(imitator.terms[i]));
+    }
+    for (const EffectTerm& shape : shapes_of(own)) {
+      std::vector<Eigen::MatrixXd> parts = base;
+      parts.push_back(series_.regressors(shape));
+      const Eigen::MatrixXd columns = side_by_side(parts, series_.rows().size());
+      const LinearFit fit = solve_linear(whitening_->apply(columns), signal);
+      least = std::min(least, fit.residual.norm());
+    }
+    return least;
+  }
+
+ private:
+  double longest_run_hours() const {
+    const Rows& rows = series_.rows();
+    return (rows.time_s.back() - rows.time_s.front() + rows.row_s) / 3600;
+  }
+  Eigen::VectorXd drift(const std::vector<EffectTerm>& terms) const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(series_.rows().size());
+    for (const EffectTerm& term : terms) {
+      sum +=
+          series_.regressors(term) * Eigen::Map<const Eigen::VectorXd>(
+                                         term.coefficients_dph.data(),
+                                         static_cast<Eigen::Index>(term.coefficients_dph.size()));
+    }
+    return sum;
+  }
+
+  Model model_;
+  SignalSeries series_;
+  std::optional<Whitening> whitening_;
+};
+
+}  // namespace
+
+Experiment propose_experiment(const Model& model, const std::vector<Rival>& rivals,
+                              const NoiseModel& noise) {
+  fog::InputMask needs = 0;
+  for (const Rival& rival : rivals) needs |= needs_of(rival.terms);
+  Model thermal = model;
+  thermal.terms.clear();
+  thermal.average_s = noise.row_s;
+  Experiment best;
+  const char* what = "";
+  for (const Choice& choice : kMenu) {
+    if (choice.for_inputs != 0 && (needs & choice.for_inputs) == 0) continue;
+    const Trial trial(thermal, simulated(choice.profile, noise.row_s), noise);
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < rivals.size(); ++i) {
+      for (std::size_t j = i + 1; j < rivals.size(); ++j) {
+        least = std::min(
+            least, std::min(trial.told(rivals[i], rivals[j]), trial.told(rivals[j], rivals[i])));
+      }
+    }
+    if (least <= best.separation) continue;
+    best = {choice.profile, trial.hours(), least, ""};
+    what = choice.what;
+  }
+  std::string names;
+  for (std::size_t i = 0; i < rivals.size(); ++i) {
+    const char* link = i == 0 ? "" : i + 1 < rivals.size() ? ", " : " and ";
+    names += link + rivals[i].effect;
+  }
+  if (best.separation < kWorthwhile) {
+    best.profile.clear();
+    best.sentence = "none of the chamber tests known here would tell " + names + " apart" +
+                    (best.separation < 1 ? ": beside this model's other terms they are the same; "
+                                           "either takes the error out"
+                                         : "");
+    return best;
+  }
+  best.sentence =
+      format("record `%s` (%s, %.0f h): there %s would differ by %.0f standard deviations",
+             best.profile.c_str(), what, best.hours, names.c_str(), best.separation);
+  return best;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "identification/noise_model.hpp"
+#include "model/model.hpp"
+
+namespace fogcomp {
+
+/// A chamber test that would tell rivals apart.
+struct Experiment {
+  std::string profile;  ///< of `fogcomp simulate --profile`; "" where none of the menu does
+  double hours = 0;
+  double separation = 0;  ///< standard deviations by which the worse told pair would differ
+  std::string sentence;   ///< for people
+};
+
+/// Rival completions of the same model: its terms with one effect more, all with coefficients.
+struct Rival {
+  std::string effect;
+  std::vector<EffectTerm> terms;
+};
+
+/// Simulates every programme of the menu (fast, reversed, minor loops, random steps, heater,
+/// restarts, axis flips...) for a typical gyro, and asks of each: if one rival is true as fitted,
+/// how much of it can the other not imitate there, with everything refitted? The programme whose
+/// least told pair of rivals is told best is proposed. `axis`: whether input rate may be varied.
+Experiment propose_experiment(const Model& model, const std::vector<Rival>& rivals,
+                              const NoiseModel& noise);
+
+}  // namespace fogcomp

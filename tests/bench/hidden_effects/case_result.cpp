@@ -1,0 +1,99 @@
+#include "case_result.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "json_reader.hpp"
+#include "key_values.hpp"
+#include "support/output_file.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::bench {
+namespace {
+
+JsonValue read_json(const std::string& path) {
+  const std::string text = std::filesystem::exists(path) ? read_file(path) : "";
+  return trim(text).empty() ? JsonValue() : JsonValue::parse(text, path);
+}
+
+// Names, or objects that have one.
+std::vector<std::string> names_of(const JsonValue& list) {
+  std::vector<std::string> names;
+  for (const JsonValue& element : list.elements()) {
+    const std::string& name = element.text().empty() ? element["effect"].text() : element.text();
+    names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace
+
+bool HiddenTruth::confusable() const {
+  return std::any_of(imitation.begin(), imitation.end(), [this](const auto& other) {
+    return other.first != effect && other.second >= kConfusable;
+  });
+}
+
+bool Truth::has(const std::string& effect) const {
+  return std::any_of(hidden.begin(), hidden.end(),
+                     [&](const HiddenTruth& one) { return one.effect == effect; });
+}
+
+bool Answer::names(const std::string& effect) const {
+  return std::find(named.begin(), named.end(), effect) != named.end();
+}
+
+Truth read_truth(const std::string& folder, const std::string& id) {
+  const KeyValues plan(folder + "/truth/" + id + "/plan.txt");
+  const KeyValues facts(folder + "/truth/" + id + "/facts.txt");
+  Truth truth;
+  truth.id = id;
+  truth.kind = plan.word("kind");
+  truth.flicker = plan.word("flicker");
+  truth.rows = facts.number("rows");
+  truth.misfit = facts.number("misfit");
+  for (const auto& words : plan.all("programme")) truth.programmes.push_back(words[0]);
+  for (const auto& words : plan.all("hidden")) {
+    HiddenTruth hidden;
+    hidden.effect = words[0];
+    hidden.size = parse_number(words[2]).value_or(0);
+    for (const auto& fact : facts.all("visible")) {
+      if (fact[0] == hidden.effect) hidden.visible = parse_number(fact[1]).value_or(0);
+    }
+    for (const auto& fact : facts.all("imitation")) {
+      if (fact[0] == hidden.effect) hidden.imitation[fact[1]] = parse_number(fact[2]).value_or(0);
+    }
+    truth.hidden.push_back(std::move(hidden));
+  }
+  if (!facts.word("unseen_noise_dph").empty()) {
+    truth.unseen_noise_dph = facts.number("unseen_noise_dph");
+  }
+  return truth;
+}
+
+std::optional<Answer> read_answer(const std::string& folder, const std::string& id) {
+  const std::string here = folder + "/answers/" + id;
+  if (!std::filesystem::exists(here + "/key")) return std::nullopt;
+  Answer answer;
+  answer.failed = std::filesystem::exists(here + "/failed.txt");
+  const JsonValue said = read_json(here + "/diagnosis.json");
+  answer.verdict = said["verdict"].text();
+  if (answer.verdict == "missing_effect") answer.named = {said["effect"].text()};
+  if (answer.verdict == "ambiguous") answer.named = names_of(said["confusable"]);
+  for (const JsonValue& candidate : said["candidates"].elements()) {
+    answer.candidates.push_back({candidate["effect"].text(), candidate["probability"].number()});
+  }
+  if (std::filesystem::exists(here + "/seconds.txt")) {
+    const std::string seconds = read_file(here + "/seconds.txt");
+    answer.seconds = parse_number(trim(seconds)).value_or(0);
+  }
+  const JsonValue unseen = read_json(here + "/unseen.json");
+  if (!unseen["runs"].elements().empty()) {
+    answer.unseen_rms_dph = unseen["runs"].elements()[0]["residual_rms_dph"].number();
+  }
+  const JsonValue loop = read_json(here + "/loop.json");
+  if (!loop.is_null()) answer.added = names_of(loop["added"]);
+  return answer;
+}
+
+}  // namespace fogcomp::bench

@@ -1,0 +1,284 @@
+#include "measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace fogcomp::bench {
+namespace {
+
+using Sense = Measure::Sense;
+using Test = std::function<bool(const CaseResult&)>;
+
+constexpr double kNormal95 = 1.959964;
+constexpr double kLeastProbability = 0.05;  // stated probabilities below this are not counted
+constexpr int kBins = 10;
+constexpr double kFewRows = 5000;  // "a diagnosis of 6,000 rows" is one of so many
+constexpr double kManyRows = 7000;
+
+bool is(const CaseResult& result, const char* kind) {
+  return result.truth.kind == kind;
+}
+bool single_name(const CaseResult& result) {
+  return result.answer.verdict == "missing_effect";
+}
+bool names_something(const CaseResult& result) {
+  return !result.answer.named.empty();
+}
+
+// Share of the cases in `among` of which `holds`.
+Measure share(std::string key, std::string what, const std::vector<CaseResult>& results,
+              const Test& among, const Test& holds) {
+  Measure measure{std::move(key), std::move(what)};
+  measure.share = true;
+  std::size_t hits = 0;
+  for (const CaseResult& result : results) {
+    if (!among(result)) continue;
+    ++measure.cases;
+    if (holds(result)) ++hits;
+  }
+  if (measure.cases > 0) {
+    measure.value = static_cast<double>(hits) / static_cast<double>(measure.cases);
+  }
+  return measure;
+}
+
+Measure with_target(Measure measure, Sense sense, double target) {
+  measure.sense = sense;
+  measure.target = target;
+  return measure;
+}
+
+double quantile(std::vector<double> values, double part) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const double place = part * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+Measure quantile_of(std::string key, std::string what, const std::vector<double>& values,
+                    double part) {
+  Measure measure{std::move(key), std::move(what)};
+  measure.cases = values.size();
+  measure.value = quantile(values, part);
+  return measure;
+}
+
+void clean(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
+  const Test among = [](const CaseResult& r) { return is(r, "clean"); };
+  all.push_back(with_target(
+      share("clean_named", "clean: an effect is named", results, among, names_something),
+      Sense::at_most, 0.02));
+  all.push_back(share("clean_not_none", "clean: any verdict but none", results, among,
+                      [](const CaseResult& r) { return r.answer.verdict != "none"; }));
+}
+
+bool truth_in_set(const CaseResult& result) {
+  return result.answer.names(result.truth.hidden[0].effect);
+}
+
+void named(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
+  all.push_back(with_target(
+      share(
+          "single_name_right", "a single name, where given, is right", results,
+          [](const CaseResult& r) { return single_name(r) && (is(r, "single") || is(r, "two")); },
+          right_single_name),
+      Sense::at_least, 0.97));
+  struct Band {
+    double from, to, target;
+    const char *key, *what;
+  };
+  for (const Band& band : {Band{0.2, 0.35, 0.75, "in_set_0.2", "truth in the set, 0.2 to 0.35"},
+                           Band{0.35, 0.6, 0.90, "in_set_0.35", "truth in the set, 0.35 to 0.6"},
+                           Band{0.6, 1e9, 0.95, "in_set_0.6", "truth in the set, 0.6 and more"}}) {
+    const Test among = [band](const CaseResult& r) {
+      return is(r, "single") && r.truth.hidden[0].size >= band.from &&
+             r.truth.hidden[0].size < band.to;
+    };
+    all.push_back(with_target(share(band.key, band.what, results, among, truth_in_set),
+                              Sense::at_least, band.target));
+  }
+  const Test large = [](const CaseResult& r) {
+    return is(r, "single") && r.truth.hidden[0].size >= 0.6 && !r.truth.hidden[0].confusable();
+  };
+  all.push_back(with_target(share("single_right_0.6", "single right name, 0.6 and more, tellable",
+                                  results, large, right_single_name),
+                            Sense::at_least, 0.85));
+}
+
+// A disturbance that one of the catalogued effects imitates cannot be known for what it is.
+void foreign(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
+  const Test unknown = [](const CaseResult& r) { return r.answer.verdict == "unknown"; };
+  for (const auto& [size, target] : {std::pair(0.7, 0.8), std::pair(2.0, 0.9)}) {
+    const std::string name = size < 1 ? "0.7" : "2";
+    const Test of_size = [size = size](const CaseResult& r) {
+      return is(r, "foreign") && r.truth.hidden[0].size == size;
+    };
+    all.push_back(with_target(
+        share(
+            "unknown_" + name, "outside the catalogue: unknown, at " + name + ", tellable", results,
+            [=](const CaseResult& r) { return of_size(r) && !r.truth.hidden[0].confusable(); },
+            unknown),
+        Sense::at_least, target));
+    all.push_back(share("unknown_" + name + "_all",
+                        "outside the catalogue: unknown, at " + name + ", all", results, of_size,
+                        unknown));
+  }
+}
+
+void after_adding(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
+  std::vector<double> ratios;
+  for (const CaseResult& r : results) {
+    if (!r.answer.unseen_rms_dph || !r.truth.unseen_noise_dph || !is(r, "single")) continue;
+    ratios.push_back(*r.answer.unseen_rms_dph / *r.truth.unseen_noise_dph);
+  }
+  all.push_back(
+      with_target(quantile_of("unseen_median",
+                              "after adding: rms / noise, unseen programme, median", ratios, 0.5),
+                  Sense::at_most, 1.03));
+  all.push_back(
+      with_target(quantile_of("unseen_90", "after adding: the same, 90 % of cases", ratios, 0.9),
+                  Sense::at_most, 1.15));
+}
+
+bool loop_found(const CaseResult& result, const HiddenTruth& hidden) {
+  const std::vector<std::string>& added = *result.answer.added;
+  return std::find(added.begin(), added.end(), hidden.effect) != added.end();
+}
+
+void loop(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
+  const Test two = [](const CaseResult& r) { return is(r, "two") && r.answer.added; };
+  const Test both = [](const CaseResult& r) {
+    return std::all_of(r.truth.hidden.begin(), r.truth.hidden.end(),
+                       [&](const HiddenTruth& hidden) { return loop_found(r, hidden); });
+  };
+  const Test tellable = [&](const CaseResult& r) {
+    return two(r) && std::none_of(r.truth.hidden.begin(), r.truth.hidden.end(),
+                                  [](const HiddenTruth& hidden) { return hidden.confusable(); });
+  };
+  all.push_back(with_target(
+      share("both_found", "two hidden: both found by the loop, tellable", results, tellable, both),
+      Sense::at_least, 0.75));
+  all.push_back(
+      share("both_found_all", "two hidden: both found by the loop, all", results, two, both));
+  Measure superfluous{"superfluous", "loop: superfluous terms a run"};
+  for (const CaseResult& r : results) {
+    if (!r.answer.added || is(r, "foreign")) continue;
+    ++superfluous.cases;
+    for (const std::string& name : *r.answer.added) {
+      if (!r.truth.has(name)) superfluous.value += 1;
+    }
+  }
+  if (superfluous.cases > 0) superfluous.value /= static_cast<double>(superfluous.cases);
+  all.push_back(with_target(superfluous, Sense::at_most, 0.1));
+}
+
+// Expected calibration error: in bins of the stated probability, how far its mean is from the share
+// of names that are true, weighted by the names in the bin. Over all cases in which effects are
+// named.
+Measure calibration(const std::vector<CaseResult>& results) {
+  struct Bin {
+    double stated = 0, right = 0, names = 0;
+  };
+  std::vector<Bin> bins(kBins);
+  double names = 0;
+  for (const CaseResult& r : results) {
+    if (!names_something(r)) continue;
+    for (const Candidate& candidate : r.answer.candidates) {
+      if (candidate.probability < kLeastProbability) continue;
+      Bin& bin = bins[std::min<std::size_t>(static_cast<std::size_t>(candidate.probability * kBins),
+                                            kBins - 1)];
+      bin.stated += candidate.probability;
+      bin.right += r.truth.has(candidate.effect) ? 1 : 0;
+      bin.names += 1;
+      names += 1;
+    }
+  }
+  Measure measure{"calibration", "stated probability against frequency, mean difference"};
+  measure.cases = static_cast<std::size_t>(names);
+  for (const Bin& bin : bins) measure.value += std::abs(bin.stated - bin.right);
+  if (names > 0) measure.value /= names;
+  return with_target(measure, Sense::at_most, 0.07);
+}
+
+bool resolved(const Truth& truth, const std::optional<Answer>& after) {
+  return after && after->verdict == "missing_effect" && after->named[0] == truth.hidden[0].effect;
+}
+
+void experiments(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
+  const Test among = [](const CaseResult& r) {
+    return r.answer.verdict == "ambiguous" && r.after_proposed && r.after_random;
+  };
+  const Measure proposed =
+      share("resolved_proposed", "ambiguity resolved by the proposed experiment", results, among,
+            [](const CaseResult& r) { return resolved(r.truth, r.after_proposed); });
+  const Measure random =
+      share("resolved_random", "ambiguity resolved by a random experiment", results, among,
+            [](const CaseResult& r) { return resolved(r.truth, r.after_random); });
+  all.push_back(proposed);
+  all.push_back(random);
+  Measure ratio{"proposed_over_random", "proposed over random"};
+  // Half a case for none, so that a few cases are no infinity.
+  const double least = proposed.cases > 0 ? 0.5 / static_cast<double>(proposed.cases) : 1;
+  ratio.cases = proposed.cases;
+  ratio.value = proposed.value / std::max(random.value, least);
+  all.push_back(with_target(ratio, Sense::at_least, 3));
+}
+
+void speed(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
+  std::vector<double> seconds;
+  for (const CaseResult& r : results) {
+    if (r.answer.seconds > 0 && r.truth.rows >= kFewRows && r.truth.rows <= kManyRows)
+      seconds.push_back(r.answer.seconds);
+  }
+  all.push_back(with_target(
+      quantile_of("seconds_95", "a diagnosis of 5,000 to 7,000 rows, CPU s, 95 % of cases", seconds,
+                  0.95),
+      Sense::at_most, 2));
+}
+
+}  // namespace
+
+std::string Measure::reached() const {
+  if (sense == Sense::none || cases == 0) return "";
+  return (sense == Sense::at_least ? value >= target : value <= target) ? "yes" : "no";
+}
+
+double Measure::low() const {
+  const auto n = static_cast<double>(cases);
+  const double z2 = kNormal95 * kNormal95;
+  const double spread = kNormal95 * std::sqrt(value * (1 - value) / n + z2 / (4 * n * n));
+  return std::max(0.0, (value + z2 / (2 * n) - spread) / (1 + z2 / n));
+}
+
+double Measure::high() const {
+  const auto n = static_cast<double>(cases);
+  const double z2 = kNormal95 * kNormal95;
+  const double spread = kNormal95 * std::sqrt(value * (1 - value) / n + z2 / (4 * n * n));
+  return std::min(1.0, (value + z2 / (2 * n) + spread) / (1 + z2 / n));
+}
+
+bool right_single_name(const CaseResult& result) {
+  return single_name(result) && result.truth.has(result.answer.named[0]);
+}
+
+std::vector<Measure> measure(const std::vector<CaseResult>& results) {
+  std::vector<Measure> all;
+  clean(all, results);
+  named(all, results);
+  foreign(all, results);
+  after_adding(all, results);
+  loop(all, results);
+  all.push_back(calibration(results));
+  experiments(all, results);
+  speed(all, results);
+  all.push_back(share(
+      "failed", "the tool failed", results, [](const CaseResult&) { return true; },
+      [](const CaseResult& r) { return r.answer.failed; }));
+  all.back() = with_target(all.back(), Sense::at_most, 0);
+  return all;
+}
+
+}  // namespace fogcomp::bench
