@@ -27,10 +27,11 @@ class Comparator {
 
 struct ComparatorSettings {
   std::uint64_t seed = 1;
-  int hidden = 10;       ///< neurons of the networks
-  int epochs = 5000;     ///< of backpropagation
-  int iterations = 300;  ///< of swarm and population
-  std::string effects;   ///< of the models that have some, as fit --effects takes them
+  int hidden = 10;          ///< neurons of the networks for the whole drift, as in the paper
+  int residual_hidden = 6;  ///< of the network on what effects leave, which is less
+  int epochs = 5000;        ///< of backpropagation
+  int iterations = 300;     ///< of swarm and population
+  std::string effects;      ///< of the models that have some, as fit --effects takes them
 };
 
 struct ComparatorEntry {

@@ -57,7 +57,7 @@ std::unique_ptr<Comparator> make_effects(const ComparatorSettings& settings) {
 }
 
 std::unique_ptr<Comparator> make_effects_and_network(const ComparatorSettings& settings) {
-  return std::make_unique<EffectsComparator>(settings, settings.hidden);
+  return std::make_unique<EffectsComparator>(settings, settings.residual_hidden);
 }
 
 }  // namespace fogcomp
