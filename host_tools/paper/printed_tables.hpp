@@ -34,7 +34,7 @@ inline constexpr std::array<PrintedSegment, 7> kPrinted{{
 inline constexpr double kPrintedBpCut = 0.3665;
 inline constexpr double kPrintedPsoBpCut = 0.6019;
 
-/// White floor of a 10 s mean in the paper's own run, from its denoised soaks (deg/h).
+/// White floor of a 10 s mean in the paper's own run: the raw std of its quietest soak, deg/h.
 inline constexpr double kPrintedFloorDph = 0.0236;
 
 }  // namespace fogcomp
