@@ -31,12 +31,14 @@ struct Command {
 
 constexpr std::size_t kAnyNumber = 1000;
 
+Command add_command();
 Command compare_command();
 Command denoise_command();
 Command diagnose_command();
 Command effects_command();
 Command export_command();
 Command fit_command();
+Command history_command();
 Command info_command();
 Command paper_command();
 Command replay_command();

@@ -50,8 +50,8 @@ const Preset& find_preset(const std::string& name) {
 
 }  // namespace
 
-FitModel fit_model(const Arguments& arguments) {
-  FitModel model;
+WantedModel wanted_model(const Arguments& arguments) {
+  WantedModel model;
   model.network = network_settings(arguments);
   if (!arguments.has("model")) {
     model.effects = arguments.required("effects");

@@ -10,7 +10,7 @@
 namespace fogcomp::cli {
 
 /// What `fit --model NAME` stands for: effects and a network, as the board can carry them.
-struct FitModel {
+struct WantedModel {
   std::string effects;
   NetworkSettings network;           ///< 0 hidden neurons: none
   bool order_by_validation = false;  ///< of bias_temperature
@@ -18,7 +18,7 @@ struct FitModel {
 
 /// --model, and --effects, --network, --trainer where the name leaves them open. Throws InputError
 /// for a model that only `fogcomp paper` has, and where --model and another option contradict.
-FitModel fit_model(const Arguments& arguments);
+WantedModel wanted_model(const Arguments& arguments);
 
 /// "polynomial, ...", for --help.
 std::string fit_model_help();

@@ -2,9 +2,6 @@
 
 #include <cstdio>
 
-#include "support/interrupt.hpp"
-#include "support/progress.hpp"
-
 namespace fogcomp::cli {
 namespace {
 
@@ -52,19 +49,16 @@ NetworkSettings network_settings(const Arguments& arguments) {
   return settings;
 }
 
-TrainedNetwork train_watched(const NetworkTask& task, NetworkSettings settings) {
-  Progress progress("training");
-  const InterruptGuard guard;
-  settings.training.go_on = [&](double done) {
-    progress.update(done);
-    return !guard.interrupted();
+TrainingWatch::TrainingWatch(TrainerSettings& settings) : progress_("training") {
+  settings.go_on = [this](double done) {
+    progress_.update(done);
+    return !guard_.interrupted();
   };
-  TrainedNetwork network = train_network(task, settings);
-  if (network.result.interrupted) {
-    std::fprintf(stderr, "interrupted: the best network of %d epochs is kept\n",
-                 network.result.epochs);
-  }
-  return network;
+}
+
+void TrainingWatch::report(const TrainerResult& result) const {
+  if (!result.interrupted) return;
+  std::fprintf(stderr, "interrupted: the best network of %d epochs is kept\n", result.epochs);
 }
 
 }  // namespace fogcomp::cli

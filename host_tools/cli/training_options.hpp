@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
+#include "support/interrupt.hpp"
+#include "support/progress.hpp"
 #include "training/network_training.hpp"
 
 namespace fogcomp::cli {
@@ -12,7 +14,18 @@ std::vector<Option> training_options();
 /// `hidden` is 0 where no network is wanted.
 NetworkSettings network_settings(const Arguments& arguments);
 
-/// train_network() with a progress bar; Ctrl-C ends it with the best weights so far, and says so.
-TrainedNetwork train_watched(const NetworkTask& task, NetworkSettings settings);
+/// While one lives, a training shows a progress bar, and Ctrl-C ends it with the best weights so
+/// far.
+class TrainingWatch {
+ public:
+  /// `settings` is what the training will get.
+  explicit TrainingWatch(TrainerSettings& settings);
+  /// Says on stderr where the training was interrupted.
+  void report(const TrainerResult& result) const;
+
+ private:
+  Progress progress_;
+  InterruptGuard guard_;
+};
 
 }  // namespace fogcomp::cli

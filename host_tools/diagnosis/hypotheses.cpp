@@ -122,7 +122,7 @@ class Search {
     if (found_.empty()) return;
     double most = 0;
     for (const Hypothesis& h : found_) most = std::max(most, h.log_evidence);
-    const double temper = 1 + settings_.model_form_tolerance * 2 * most;
+    const double temper = 1 + kModelFormTolerance * 2 * most;
     double best = -HUGE_VAL;
     const auto score = [&](const Hypothesis& h) { return h.log_evidence / temper + log_prior(h); };
     for (const Hypothesis& h : found_) best = std::max(best, score(h));

@@ -37,10 +37,11 @@ struct BestShape {
 BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>& shapes,
                      const std::vector<ColumnRange>& others, const Eigen::VectorXd& along);
 
+/// No catalogued regressor is exactly what a gyro does: differences of the explained chi^2 below
+/// about this share of it say nothing about which effect it is.
+constexpr double kModelFormTolerance = 0.005;
+
 struct HypothesisSettings {
-  /// No catalogued regressor is exactly what a gyro does: differences of the explained chi^2 below
-  /// about this share of it say nothing about which effect it is.
-  double model_form_tolerance = 0.005;
   /// How much likelier one more missing effect is than none more.
   double another = 0.15;
   /// How much likelier an effect is than one with a parameter more.

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "diagnosis/hypotheses.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -79,7 +81,12 @@ ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
       Eigen::MatrixXd::Zero(rows.size() + kPriors, fit.whitened.cols() + kPriors);
   columns.topLeftCorner(rows.size(), fit.whitened.cols()) = fit.whitened;
   columns.topRightCorner(rows.size(), kPriors) = whitening_.apply(inexact);
-  columns.bottomRightCorner(kPriors, kPriors).setIdentity();
+  // Where far more than noise is left, the rows know less about these than their noise says.
+  const auto size = static_cast<double>(rows.size());
+  const double excess = std::max(0.0, fit.whitened_residual.squaredNorm() - size);
+  columns.bottomRightCorner(kPriors, kPriors)
+      .diagonal()
+      .setConstant(std::sqrt(1 + kModelFormTolerance * excess));
   basis_ = orthonormal(columns);
   residual_ = without_model(with_priors(fit.whitened_measured));
 }

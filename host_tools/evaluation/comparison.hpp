@@ -4,23 +4,28 @@
 #include <string>
 #include <vector>
 
-#include "dataset/recording.hpp"
+#include "dataset/segments.hpp"
+#include "evaluation/effect_shares.hpp"
+#include "evaluation/run_in_blocks.hpp"
+#include "evaluation/trained_range.hpp"
 #include "model/model.hpp"
 
 namespace fogcomp {
 
-/// A model against one recording, in rows of `average_s`.
+/// A model against one recording, in rows of RunInBlocks::average_s.
 struct Comparison {
   struct Row {
     double time_s = 0;
     double temperature_degc = 0;
-    double measured_dph = 0;  ///< measured rate - input rate
-    double drift_dph = 0;     ///< as modelled
+    double temperature_rate_degc_per_min = 0;  ///< as the model's derivative has it
+    double measured_dph = 0;                   ///< measured rate - input rate
+    double drift_dph = 0;                      ///< as modelled
     double residual_dph() const { return measured_dph - drift_dph; }
   };
   struct Segment {
     std::string name;
-    std::size_t rows = 0;
+    SegmentKind kind = SegmentKind::soak;
+    RowRange range;  ///< its rows
     double raw_mean_dph = 0;
     double raw_std_dph = 0;
     double raw_rms_dph = 0;
@@ -29,15 +34,21 @@ struct Comparison {
     double rms_dph = 0;
   };
   std::string file;
+  double row_s = 0;
   std::vector<Row> rows;
+  std::vector<RowRange> stretches;  ///< rows without a gap
   std::vector<Segment> segments;
   Segment whole;
+  std::vector<EffectShare> effects;       ///< in the model's order, then the network
   std::optional<double> noise_floor_dph;  ///< of a row, from the recording alone
-  double outside_range = 0;  ///< fraction of rows outside the trained temperature range
+  OutsideTraining outside;
+
+  std::vector<double> residuals_dph() const;
+  std::vector<double> measured_dph() const;
 };
 
-/// Throws InputError for a recording that is too short for one row.
-Comparison compare_with(const Model& model, const Recording& recording);
+/// Throws InputError where the run lacks a column that the model needs.
+Comparison compare_with(const Model& model, const RunInBlocks& run);
 
 /// sqrt(std^2 - floor^2), 0 where the floor is higher: the drift without the noise.
 double floor_removed(double std_dph, double floor_dph);

@@ -78,12 +78,24 @@ void check_rank(const NoiseWeightedFit& fit) {
                                  fit.rank, fit.linear()));
 }
 
-void set_range(Model& model, const Rows& rows) {
-  const auto range = std::minmax_element(
-      rows.signals.begin(), rows.signals.end(),
-      [](const auto& a, const auto& b) { return a.temperature < b.temperature; });
-  model.least_degc = range.first->temperature - kRangeMarginDegc;
-  model.most_degc = range.second->temperature + kRangeMarginDegc;
+template <class Value>
+Range range_of(std::size_t count, Value value_at) {
+  Range range{value_at(0), value_at(0)};
+  for (std::size_t i = 1; i < count; ++i) {
+    range.least = std::min(range.least, value_at(i));
+    range.most = std::max(range.most, value_at(i));
+  }
+  return range;
+}
+
+void set_ranges(Model& model, const Rows& rows) {
+  const std::size_t count = rows.signals.size();
+  const Range degc = range_of(count, [&](std::size_t i) { return rows.signals[i].temperature; });
+  model.least_degc = degc.least - kRangeMarginDegc;
+  model.most_degc = degc.most + kRangeMarginDegc;
+  model.rate_range_degc_per_min =
+      range_of(count, [&](std::size_t i) { return rows.signals[i].temperature_rate; });
+  model.time_range_s = range_of(count, [&](std::size_t i) { return rows.time_s[i]; });
 }
 
 }  // namespace
@@ -92,8 +104,7 @@ Identification identify(Model& model, const SignalSeries& series,
                         const IdentifySettings& settings) {
   const Rows& rows = series.rows();
   const std::vector<Columns> columns = columns_of(model.terms, rows.row_s);
-  const Eigen::MatrixXd offsets =
-      settings.run_offsets ? run_offset_columns(rows) : Eigen::MatrixXd::Zero(rows.size(), 0);
+  const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
   const Eigen::Index coefficients = columns.back().first + columns.back().count;
   const Eigen::Index linear = coefficients + offsets.cols();
   const auto shapes = static_cast<Eigen::Index>(shape_parameters(model.terms).size());
@@ -105,6 +116,7 @@ Identification identify(Model& model, const SignalSeries& series,
   Identification result;
   result.residual_dph = fit.residual_dph;
   result.noise = fit.noise;
+  result.row_weights = fit.row_weights;
   const auto freedom = static_cast<double>(rows.size() - linear - shapes);
   result.misfit = std::sqrt(fit.whitened_residual.squaredNorm() / std::max(1.0, freedom));
   result.outliers = fit.outliers;
@@ -133,7 +145,7 @@ Identification identify(Model& model, const SignalSeries& series,
         sigma[linear + static_cast<Eigen::Index>(i)] * shape.slope(term.parameters[shape.index]);
   }
   result.warnings = confusions(model.terms, columns, fit.covariance);
-  set_range(model, rows);
+  set_ranges(model, rows);
   model.residual_rms_dph =
       std::sqrt(result.residual_dph.cwiseAbs2().dot(rows.weights) / rows.weights.sum());
   return result;

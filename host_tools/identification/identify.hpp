@@ -16,6 +16,7 @@ struct Identification {
   NoiseModel noise;              ///< what the rows were weighted with
   double misfit = 0;             ///< rms of the whitened residual: 1 where only that noise is left
   std::size_t outliers = 0;      ///< rows weighted down
+  Eigen::VectorXd row_weights;   ///< Rows::weights, outliers weighted down
   /// Per effect, deg/h: the smallest peak of this effect that these recordings show at 5 sigma.
   std::vector<double> visible_dph;
   std::vector<std::string> warnings;    ///< whole sentences
@@ -29,7 +30,7 @@ struct IdentifySettings {
 };
 
 /// Identifies coefficients, and those shape parameters that model.terms marks, from all recordings
-/// of `series` together; sets the trained range.
+/// of `series` together; sets the trained ranges.
 ///
 /// Noise-weighted: rows are whitened with white + Gauss-Markov noise taken from the soaks. Shape
 /// parameters by variable projection: a bounded grid each, then Gauss-Newton on all together. Rows

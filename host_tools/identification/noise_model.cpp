@@ -156,6 +156,7 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
 NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s) {
   NoiseModel noise;
   noise.row_s = row_s;
+  noise.freedom = 1;
   std::vector<double> bends;
   for (Eigen::Index i = 2; i < residual.size(); ++i) {
     bends.push_back(residual[i] - 2 * residual[i - 1] + residual[i - 2]);

@@ -33,13 +33,13 @@ double longest_run_s(const Rows& rows) {
   return longest_s;
 }
 
-namespace {
-
 NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
   const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, residual);
   if (quiet.empty()) return white_noise_of(residual, rows.row_s);
   return fit_noise(noise_samples(quiet), rows.row_s, longest_run_s(rows));
 }
+
+namespace {
 
 // Rows that stand out from the others count less the further out they are. "Others" by the median,
 // so that where the model itself does not fit, its misfit is no outlier.
@@ -86,8 +86,8 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
   return fit;
 }
 
-Eigen::MatrixXd run_offset_columns(const Rows& rows) {
-  const std::size_t runs = rows.run_starts.size();
+Eigen::MatrixXd run_offset_columns(const Rows& rows, bool wanted) {
+  const std::size_t runs = wanted ? rows.run_starts.size() : 1;
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows.size(), static_cast<Eigen::Index>(runs) - 1);
   for (std::size_t run = 1; run < runs; ++run) {
     const auto first = static_cast<Eigen::Index>(rows.run_starts[run]);

@@ -43,7 +43,12 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
 /// From the first row to the last, of the longest recording.
 double longest_run_s(const Rows& rows);
 
-/// A column of ones for every recording but the first (rows x runs - 1).
-Eigen::MatrixXd run_offset_columns(const Rows& rows);
+/// The noise of a residual: from its quiet parts, or where there are none white, from neighbouring
+/// rows.
+NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual);
+
+/// Rows x (recordings - 1): ones in the second, third... recording each. No columns unless
+/// `wanted`.
+Eigen::MatrixXd run_offset_columns(const Rows& rows, bool wanted = true);
 
 }  // namespace fogcomp

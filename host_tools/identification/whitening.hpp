@@ -11,7 +11,7 @@ namespace fogcomp {
 /// Turns rows with coloured noise into rows with white noise of variance 1: the scaled innovations
 /// of the Kalman filter that belongs to a noise model. Linear, so the same filter serves
 /// measurements and regressors; O(rows), gaps and rows of different weight allowed; each recording
-/// begins anew.
+/// begins anew. A row of weight 0 is left out: it becomes 0 and tells nothing about its neighbours.
 class Whitening {
  public:
   Whitening(const NoiseModel& noise, const Rows& rows, const Eigen::VectorXd& weights);

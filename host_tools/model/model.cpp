@@ -8,6 +8,14 @@
 
 namespace fogcomp {
 
+std::optional<double> HistoryEntry::excess_removed() const {
+  if (!noise_floor_dph) return std::nullopt;
+  const double before = rms_before_dph * rms_before_dph;
+  const double excess = before - *noise_floor_dph * *noise_floor_dph;
+  if (excess <= 0) return std::nullopt;
+  return (before - rms_after_dph * rms_after_dph) / excess;
+}
+
 const EffectTerm* Model::find(const std::string& name) const {
   const auto found = std::find_if(terms.begin(), terms.end(),
                                   [&](const EffectTerm& term) { return term.name == name; });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,26 @@ struct DenoiseSettings {
 struct HistoryEntry {
   std::string action;           ///< e.g. "fit bias,temperature_rate", "network 10"
   std::uint32_t data_hash = 0;  ///< CRC-32 of the recordings used
-  double rms_before_dph = 0;
+  double rms_before_dph = 0;    ///< on them, rows of Model::average_s
   double rms_after_dph = 0;
+  std::optional<double> noise_floor_dph{};  ///< of these rows, what no model can remove
+  struct Holdout {
+    double rms_before_dph = 0;
+    double rms_after_dph = 0;
+  };
+  std::optional<Holdout> holdout{};  ///< on runs that the step was not fitted to
+  bool forced = false;               ///< did not help out of sample, and was wanted all the same
+
+  /// Of what lay above the noise floor before, in mean square: the part that the step removed. 1:
+  /// down to the floor; negative: made it worse. Nothing where no floor is known or nothing lay
+  /// above it.
+  std::optional<double> excess_removed() const;
+};
+
+struct Range {
+  double least = 0;
+  double most = 0;
+  bool holds(double value) const { return value >= least && value <= most; }
 };
 
 /// A drift model as it is fitted, saved and exported. Drift = sum of effects + network.
@@ -49,6 +68,10 @@ struct Model {
   double derivative_tau_s = 0;  ///< of each of the two lags behind dT/dt
   double least_degc = 0;        ///< trained range; the board clamps to it
   double most_degc = 0;
+  /// What else the training data covered, for warnings; files from before these were kept have
+  /// none.
+  std::optional<Range> rate_range_degc_per_min{};  ///< cooling (negative) to heating
+  std::optional<Range> time_range_s{};             ///< since power-on
   double noise_dph_rthz = 0;    ///< white noise density of the rate: std of a 1 s mean
   double residual_rms_dph = 0;  ///< on the training data, rows of average_s
   double average_s = 10;

@@ -16,6 +16,10 @@ namespace {
 
 constexpr const char* kTitle = "fogcomp-model ";
 constexpr const char* kTitleLine = "fogcomp-model 1";
+constexpr const char* kHistory = "history";
+constexpr const char* kHistoryFloor = "history_floor_dph";
+constexpr const char* kHistoryHoldout = "history_holdout_dph";
+constexpr const char* kHistoryForced = "history_forced";
 
 std::uint32_t crc_of(const std::string& text, std::size_t size) {
   return fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), size);
@@ -172,6 +176,48 @@ fog::ThresholdRule read_rule(Reader& in) {
   return static_cast<fog::ThresholdRule>(found - kBoardRules.begin());
 }
 
+Range read_range(Reader& in) {
+  const double least = in.number();
+  const double most = in.number();
+  if (least > most) in.fail("a range must not end below its begin");
+  return {least, most};
+}
+
+// A step, then what is known of it beyond the training error.
+void read_history(Reader& in, const std::string& key, std::vector<HistoryEntry>& history) {
+  if (key == kHistory) {
+    HistoryEntry entry;
+    entry.data_hash = static_cast<std::uint32_t>(in.count(0xFFFFFFFFU));
+    entry.rms_before_dph = in.number();
+    entry.rms_after_dph = in.number();
+    entry.action = in.rest_of_line();
+    history.push_back(entry);
+    return;
+  }
+  if (history.empty()) in.fail("'" + key + "' belongs behind a step of the history");
+  if (key == kHistoryFloor) {
+    history.back().noise_floor_dph = in.number();
+  } else if (key == kHistoryHoldout) {
+    const double before_dph = in.number();
+    history.back().holdout = HistoryEntry::Holdout{before_dph, in.number()};
+  } else if (key == kHistoryForced) {
+    history.back().forced = true;
+  } else {
+    in.fail("unknown entry '" + key + "'");
+  }
+}
+
+void write_history(Writer& out, const HistoryEntry& entry) {
+  out.word(kHistory).number(static_cast<double>(entry.data_hash));
+  out.number(entry.rms_before_dph).number(entry.rms_after_dph).word(entry.action).end_line();
+  if (entry.noise_floor_dph) out.word(kHistoryFloor).number(*entry.noise_floor_dph).end_line();
+  if (entry.holdout) {
+    out.word(kHistoryHoldout).number(entry.holdout->rms_before_dph);
+    out.number(entry.holdout->rms_after_dph).end_line();
+  }
+  if (entry.forced) out.word(kHistoryForced).end_line();
+}
+
 void read_line(Reader& in, Model& model) {
   const std::string key = in.word();
   if (key == "scale_factor") {
@@ -181,6 +227,10 @@ void read_line(Reader& in, Model& model) {
   } else if (key == "range_degc") {
     model.least_degc = in.number();
     model.most_degc = in.number();
+  } else if (key == "range_degc_per_min") {
+    model.rate_range_degc_per_min = read_range(in);
+  } else if (key == "range_s") {
+    model.time_range_s = read_range(in);
   } else if (key == "noise_dph_rthz") {
     model.noise_dph_rthz = in.number();
   } else if (key == "residual_rms_dph") {
@@ -203,13 +253,8 @@ void read_line(Reader& in, Model& model) {
   } else if (key == "network_drift_dph") {
     model.network.centre_dph = in.number();
     model.network.amplitude_dph = in.number();
-  } else if (key == "history") {
-    HistoryEntry entry;
-    entry.data_hash = static_cast<std::uint32_t>(in.count(0xFFFFFFFFU));
-    entry.rms_before_dph = in.number();
-    entry.rms_after_dph = in.number();
-    entry.action = in.rest_of_line();
-    model.history.push_back(entry);
+  } else if (key.rfind(kHistory, 0) == 0) {
+    read_history(in, key, model.history);
   } else {
     in.fail("unknown entry '" + key + "'");
   }
@@ -223,6 +268,12 @@ std::string model_text(const Model& model) {
   out.word("scale_factor").number(model.scale_factor).end_line();
   out.word("derivative_tau_s").number(model.derivative_tau_s).end_line();
   out.word("range_degc").number(model.least_degc).number(model.most_degc).end_line();
+  if (const auto& rate = model.rate_range_degc_per_min) {
+    out.word("range_degc_per_min").number(rate->least).number(rate->most).end_line();
+  }
+  if (const auto& time = model.time_range_s) {
+    out.word("range_s").number(time->least).number(time->most).end_line();
+  }
   out.word("noise_dph_rthz").number(model.noise_dph_rthz).end_line();
   out.word("residual_rms_dph").number(model.residual_rms_dph).end_line();
   out.word("average_s").number(model.average_s).end_line();
@@ -245,10 +296,7 @@ std::string model_text(const Model& model) {
     out.word("network_drift_dph").number(model.network.centre_dph);
     out.number(model.network.amplitude_dph).end_line();
   }
-  for (const HistoryEntry& entry : model.history) {
-    out.word("history").number(static_cast<double>(entry.data_hash));
-    out.number(entry.rms_before_dph).number(entry.rms_after_dph).word(entry.action).end_line();
-  }
+  for (const HistoryEntry& entry : model.history) write_history(out, entry);
   std::string text = std::move(out.text());
   return text + format("crc %08x\n", static_cast<unsigned>(crc_of(text, text.size())));
 }

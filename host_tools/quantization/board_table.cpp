@@ -247,10 +247,8 @@ void check_noise_fits(const BoardTable& table, std::size_t first, const DenoiseS
   fog::DenoiseParameters denoise;
   denoise.rule = static_cast<fog::ThresholdRule>(*next++);
   denoise.mode = static_cast<fog::ThresholdMode>(*next++);
-  denoise.low = {next, taps};
-  denoise.high = {next += taps, taps};
-  denoise.synthesis = {next += taps, taps};
-  denoise.thresholds = {next += taps, levels};
+  denoise.filters = {next, 3 * taps};
+  denoise.thresholds = {next + 3 * taps, levels};
   if (fog::noise_shift(denoise) >= 0) return;
   throw InputError("export",
                    format("a threshold of %.3g deg/h is more than the board's denoiser takes with "

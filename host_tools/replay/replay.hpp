@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/denoise/any_denoiser.hpp"
 #include "core/pipeline/compensator.hpp"
 #include "core/signal/span.hpp"
 

@@ -1,5 +1,6 @@
 // What the board's denoiser does to noise and to a real rotation at 200 Hz: the tables of
 // firmware/core/denoise/README.md. `streaming_worth [MEMS.csv]` adds a real recording.
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdio>
@@ -7,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "core/denoise/denoiser.hpp"
+#include "core/denoise/any_denoiser.hpp"
 #include "dataset/recording.hpp"
 #include "evaluation/allan.hpp"
 #include "support/sample_models.hpp"
@@ -17,14 +18,16 @@ namespace {
 
 constexpr double kRateHz = 200;
 constexpr double kTwoPi = 6.283185307179586;
-// White noise of a sample, as the table expects it (paper_like_model(): 0.075 deg/h at 1 Hz).
+// White noise of a sample, as the table expects it: 0.075 deg/h at 1 Hz.
 const double kNoiseDph = 0.075 * std::sqrt(kRateHz);
 
 using Denoiser = fog::Denoiser<fog::kAnyTaps, fog::kMostLevels>;
 
 std::vector<double> streamed(const std::vector<double>& input_dph, int levels,
-                             fog::ThresholdRule rule = fog::ThresholdRule::heursure) {
-  const auto table = fog::test::denoiser_table({"sym8", levels, rule, false});
+                             fog::ThresholdRule rule = fog::ThresholdRule::heursure,
+                             double noise_dph = kNoiseDph) {
+  const auto table =
+      fog::test::denoiser_table({"sym8", levels, rule, false}, noise_dph / std::sqrt(kRateHz));
   const auto denoiser =
       std::make_unique<Denoiser>(fogcomp::read_board_table(table, "bench").denoise);
   std::vector<double> output;
@@ -73,13 +76,14 @@ void print_sines() {
               "delay, ms", "in, deg/h");
   const double frequencies_hz[] = {0.1, 0.2, 0.5, 1, 2};
   for (const double frequency_hz : frequencies_hz) std::printf(" %7.1f Hz", frequency_hz);
-  std::printf("\n");
+  std::printf(" %15s\n", "delay off by, ms");
   const std::vector<double> noise = white_noise(60000);
   for (const int levels : {1, 2, 3, 4, 5, 6, 7}) {
     const std::size_t delay = fog::denoise_delay(16, static_cast<std::size_t>(levels));
     for (const double amplitude_dph : {1.0, 10.0, 3600.0}) {
       std::printf("%7d %9.0f %9g", levels, 1000 * static_cast<double>(delay) / kRateHz,
                   amplitude_dph);
+      double most_off_ms = 0;
       for (const double frequency_hz : frequencies_hz) {
         std::vector<double> input = noise;
         for (std::size_t i = 0; i < input.size(); ++i) {
@@ -91,8 +95,10 @@ void print_sines() {
         output.erase(output.begin(), output.begin() + static_cast<std::ptrdiff_t>(delay));
         const auto out = component(output, frequency_hz, 20000 - delay);
         std::printf(" %10.3f", std::abs(out) / std::abs(in));
+        const double off_ms = 1000 * std::arg(out / in) / (kTwoPi * frequency_hz);
+        most_off_ms = std::max(most_off_ms, std::abs(off_ms));
       }
-      std::printf("\n");
+      std::printf(" %15.2f\n", most_off_ms);
     }
   }
 }
@@ -119,13 +125,42 @@ void print_noise_and_steps() {
   }
 }
 
+// White noise of a sample of a recording, whatever it drifts by.
+double noise_of(const std::vector<double>& rate_dph) {
+  std::vector<double> jumps;
+  for (std::size_t i = 1; i < rate_dph.size(); ++i) {
+    jumps.push_back(std::abs(rate_dph[i] - rate_dph[i - 1]));
+  }
+  std::nth_element(jumps.begin(), jumps.begin() + static_cast<std::ptrdiff_t>(jumps.size() / 2),
+                   jumps.end());
+  return jumps[jumps.size() / 2] / (0.6745 * std::sqrt(2));
+}
+
 void print_recording(const char* path) {
   const fogcomp::Recording recording = fogcomp::read_recording(path, {});
-  const std::vector<double> before = recording.rate_dph;
+  const std::vector<double>& before = recording.rate_dph;
   std::vector<double> after = before;
   fogcomp::denoise({after.data(), after.size()}, {});
   print_allan("real MEMS gyro in a chamber, offline, sym8 x 5, heursure soft", before, after,
               recording.period_s);
+
+  const double noise_dph = noise_of(before);
+  std::vector<double> streaming = streamed(before, 5, fog::ThresholdRule::heursure, noise_dph);
+  const std::size_t delay = fog::denoise_delay(16, 5);
+  streaming.erase(streaming.begin(), streaming.begin() + static_cast<std::ptrdiff_t>(delay));
+  print_allan("the same, streamed by the board's denoiser",
+              {before.begin(), before.end() - static_cast<std::ptrdiff_t>(delay)}, streaming,
+              recording.period_s);
+  double most = 0;
+  double mean = 0;
+  for (std::size_t i = 0; i < streaming.size(); ++i) {
+    most = std::max(most, std::abs(streaming[i] - before[i]));
+    mean += (streaming[i] - before[i]) / static_cast<double>(streaming.size());
+  }
+  std::printf(
+      "noise of a sample %.2f deg/h; %zu samples late; mean changed by %.4f, a sample by at "
+      "most %.1f deg/h\n",
+      noise_dph, delay, mean, most);
 }
 
 }  // namespace

@@ -93,6 +93,27 @@ refuses '^version\.model:1: is a model of another version' export version.model 
 head -c 200 good.model >cut.model
 refuses '^cut\.model: is damaged' replay cut.model good.csv -o kept
 
+# Comparing, adding, history.
+refuses '^missing\.model: ' compare good.model good.csv --model missing.model
+refuses '^good\.csv: is not a fogcomp model' compare good.model good.csv --model good.csv
+"$fogcomp" fit good.csv -o scale.model --effects bias --scale-factor 1000 >/dev/null
+refuses '^scale\.model: has another scale factor than good\.model; give --scale-factor' \
+  compare good.model good.csv --model scale.model
+refuses "^fogcomp compare: --average '0' is not a number from" compare good.model good.csv --average 0
+add() { refuses "$1" add good.model "$2" good.csv -o kept; }
+add "^effect 'termal_lag': .*did you mean 'thermal_lag'" termal_lag
+add "^effect 'bias': is in the model already" bias
+add "^effect 'thermal_lag,warm_up': is more than one; add them one after the other" thermal_lag,warm_up
+add "^effect: is not named" ''
+add "no parameter 'tua' \(did you mean 'tau'" thermal_lag:tua=3
+add '^good\.csv: magnetic needs the column magnetic_ut' magnetic
+refuses '^fogcomp add: -o is missing' add good.model thermal_lag good.csv
+refuses '^fogcomp add: expects MODEL' add good.model thermal_lag
+refuses '^missing\.csv: ' add good.model thermal_lag good.csv --holdout missing.csv -o kept
+refuses '^missing\.model: ' history missing.model
+refuses '^good\.csv: is not a fogcomp model' history good.csv
+refuses '^damaged\.model: is damaged' history damaged.model
+
 # Effects whose inputs are missing, and effects that no board can have.
 fit_effect() { refuses "$1" fit good.csv -o kept --effects "bias,$2"; }
 fit_effect '^good\.csv: magnetic needs the column magnetic_ut; add it, or leave the effect out' magnetic

@@ -35,7 +35,17 @@ has_keys fit.json residual_rms_dph "effects 2 effect"
 "$fogcomp" compare gyro.model run.csv run.csv --json >compare.json
 has_keys compare.json "runs 1 file" "runs 1 rows" "runs 1 raw_std_dph" "runs 1 residual_rms_dph" \
   "runs 1 residual_std_dph" "runs 1 noise_floor_dph" "runs 1 segments 0 name" \
-  "runs 1 segments 0 mean_dph" "runs 1 segments 0 std_dph" extrapolated_fraction
+  "runs 1 segments 0 mean_dph" "runs 1 segments 0 std_dph" extrapolated_fraction \
+  "runs 1 effects 3 share" "runs 1 structure temperature_rate share_of_excess" \
+  "runs 1 structure history loop_width_dph" "runs 1 autocorrelation correlation 0" \
+  "runs 1 allan residual_dph 0" "runs 1 outside_training temperature_rate" "models 0 runs 1 file"
+"$fogcomp" add gyro.model bias_temperature:order=3 run.csv --holdout run.csv -o next.model --force --json >add.json
+has_keys add.json effect accepted reason "runs 0 file" "runs 0 rms_before_dph" "runs 0 rms_after_dph" \
+  "runs 0 noise_floor_dph" "runs 1 holdout" "parameters order" "coefficients b3" \
+  out_of_sample_rms_before_dph out_of_sample_rms_after_dph
+"$fogcomp" history next.model --json >history.json
+has_keys history.json "steps 2 action" "steps 2 data_hash" "steps 2 rms_before_dph" "steps 2 rms_after_dph" \
+  "steps 2 noise_floor_dph" "steps 2 holdout_rms_after_dph" "steps 2 forced"
 "$fogcomp" export gyro.model -o fog_model.h --json >export.json
 has_keys export.json words quantization_error_dph network_error_dph network_points
 "$fogcomp" replay gyro.model run.csv -o out.bin --json >replay.json

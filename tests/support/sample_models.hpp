@@ -40,10 +40,12 @@ inline fogcomp::Model paper_like_model() {
   return model;
 }
 
-/// The table of a board whose denoiser is this.
-inline fogcomp::BoardTable denoiser_table(const fogcomp::DenoiseSettings& settings) {
+/// The table of a board whose denoiser is this, for a gyro with so much white noise at 1 Hz.
+inline fogcomp::BoardTable denoiser_table(const fogcomp::DenoiseSettings& settings,
+                                          double noise_dph_rthz = 0.075) {
   fogcomp::Model model = paper_like_model();
   model.denoise = settings;
+  model.noise_dph_rthz = noise_dph_rthz;
   return fogcomp::make_board_table(model, {});
 }
 

@@ -12,7 +12,8 @@ constexpr std::uint32_t kWeakEnergy = 557;
 }  // namespace
 
 void RiskHistogram::choose() {
-  sixteenths_ = energy_ < kWeakEnergy ? kWhole : least_risk();
+  const std::uint32_t sixteenths = energy_ < kWeakEnergy ? kWhole : least_risk();
+  left_off_ = static_cast<std::uint8_t>(kWhole - sixteenths);
   energy_ = 0;
   details_ = 0;
   counts_.fill(0);
@@ -20,7 +21,7 @@ void RiskHistogram::choose() {
 
 // Risk of threshold t, in noise variances: n - 2 #(|d| <= t) + sum min(d^2, t^2). The n is common
 // to all; a bin's details count with the bin's mean square.
-std::uint8_t RiskHistogram::least_risk() const {
+std::uint32_t RiskHistogram::least_risk() const {
   std::uint32_t below = 0;
   std::uint32_t squares = 0;
   std::int32_t least = 0;
@@ -39,7 +40,7 @@ std::uint8_t RiskHistogram::least_risk() const {
       best = bin + 1;
     }
   }
-  return static_cast<std::uint8_t>(best);
+  return best;
 }
 
 }  // namespace fog

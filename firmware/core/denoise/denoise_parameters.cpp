@@ -3,39 +3,45 @@
 namespace fog {
 namespace {
 
-std::int64_t magnitude_of(std::int32_t value) {
-  return value < 0 ? -std::int64_t{value} : std::int64_t{value};
+std::uint32_t magnitude_of(std::int32_t half) {
+  return static_cast<std::uint32_t>(half < 0 ? -half : half);
 }
 
-// Sum of the magnitudes of every second synthesis tap: at most so much of a level's input (times
-// 2^15 / 2) comes out of it. `half` 0: low-pass, 1: high-pass.
-std::int64_t largest_gain(Span<const std::int32_t> synthesis, std::uint32_t half) {
-  std::int64_t sums[2] = {0, 0};
+// The larger sum of the magnitudes of every second synthesis tap: at most so much of a level's
+// input (times 2^15 / 2) comes out of it. The same for both filters, of which one is the other
+// backwards.
+std::uint32_t largest_gain(Span<const std::int32_t> synthesis) {
+  std::uint32_t sums[2] = {0, 0};
   for (std::size_t i = 0; i < synthesis.size; ++i) {
-    const auto word = static_cast<std::uint32_t>(synthesis[i]);
-    sums[i % 2] += magnitude_of(static_cast<std::int16_t>(word >> (16U * half)));
+    sums[i % 2] += magnitude_of(static_cast<std::int16_t>(synthesis[i]));
   }
   return sums[0] > sums[1] ? sums[0] : sums[1];
+}
+
+// From the coarsest level up: noise <= gain * (coarser noise + threshold). Each rounding adds half
+// an LSB at most; one is allowed for. `gain` below 2^16 keeps all within 32 bits.
+bool noise_fits(const DenoiseParameters& parameters, std::uint32_t gain, int shift) {
+  constexpr std::uint32_t kMost = INT16_MAX;
+  std::uint32_t noise = 0;
+  for (std::size_t level = parameters.levels(); level-- > 0;) {
+    auto threshold = static_cast<std::uint32_t>(parameters.thresholds[level]);
+    if (threshold >= std::uint32_t{1} << 30U) return false;
+    if (parameters.rule != ThresholdRule::fixed) threshold *= kMostThresholdGain;
+    const std::uint32_t removed = (threshold >> shift) + 1;
+    if (removed > kMost) return false;
+    noise = (gain * (noise + removed) >> (kSynthesisTapFraction - 1)) + 1;
+    if (noise > kMost) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 int noise_shift(const DenoiseParameters& parameters) {
-  const std::int64_t coarse_gain = largest_gain(parameters.synthesis, 0);
-  const std::int64_t detail_gain = largest_gain(parameters.synthesis, 1);
-  const std::int64_t most_gain =
-      parameters.rule == ThresholdRule::fixed ? 1 : std::int64_t{kMostThresholdGain};
-  // From the coarsest level up: noise <= coarse_gain * coarser noise + detail_gain * threshold.
+  const std::uint32_t gain = largest_gain(parameters.synthesis());
+  if (gain > UINT16_MAX) return -1;
   for (int shift = 0; shift <= kMostNoiseShift; ++shift) {
-    std::int64_t bound = 0;
-    bool fits = true;
-    for (std::size_t level = parameters.levels(); level-- > 0;) {
-      // Each rounding adds half an LSB at most; one is allowed for.
-      const std::int64_t removed = (parameters.thresholds[level] * most_gain >> shift) + 1;
-      bound = ((coarse_gain * bound + detail_gain * removed) >> (kSynthesisTapFraction - 1)) + 1;
-      fits = fits && removed <= INT16_MAX && bound <= INT16_MAX;
-    }
-    if (fits) return shift;
+    if (noise_fits(parameters, gain, shift)) return shift;
   }
   return -1;
 }

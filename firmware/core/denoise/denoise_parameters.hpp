@@ -26,19 +26,21 @@ constexpr int kDetailFraction = 16;        ///< details and thresholds, deg/h
 /// A wavelet filter and its thresholds. Level 1 is the finest. No levels: no denoising, no delay.
 /// All taps are divided by sqrt 2, so that the low-pass filter sums to 1; `taps` is even.
 struct DenoiseParameters {
-  /// Decomposition filters, 2^31 * tap: low[i] meets the sample i before the newest, and
-  /// high[i] = (-1)^i low[taps - 1 - i]. Even and odd taps of `low` sum to 2^30 each, so that a
-  /// constant passes exactly.
-  Span<const std::int32_t> low;
-  Span<const std::int32_t> high;
-  /// Both again with 2^15 * tap, backwards, two to a word: low[taps - 1 - i] in the lower half of
-  /// word i, high[taps - 1 - i] in the upper.
-  Span<const std::int32_t> synthesis;
+  /// Three arrays of `taps` words, one behind the other.
+  ///   low:        2^31 * tap of the decomposition filter: low[i] meets the sample i before the
+  ///               newest. Even and odd taps sum to 2^30 each, so that a constant passes exactly.
+  ///   high:       high[i] = (-1)^i low[taps - 1 - i].
+  ///   synthesis:  both again with 2^15 * tap, backwards, two to a word: low[taps - 1 - i] in the
+  ///               lower half of word i, high[taps - 1 - i] in the upper.
+  Span<const std::int32_t> filters;
   Span<const std::int32_t> thresholds;  ///< one per level, LSB 2^-16 deg/h, not negative
   ThresholdRule rule = ThresholdRule::fixed;
   ThresholdMode mode = ThresholdMode::soft;
 
-  std::size_t taps() const { return low.size; }
+  std::size_t taps() const { return filters.size / 3; }
+  Span<const std::int32_t> low() const { return {filters.data, taps()}; }
+  Span<const std::int32_t> high() const { return {filters.data + taps(), taps()}; }
+  Span<const std::int32_t> synthesis() const { return {filters.data + 2 * taps(), taps()}; }
   std::size_t levels() const { return thresholds.size; }
 };
 
@@ -48,7 +50,7 @@ constexpr std::size_t denoise_delay(std::size_t taps, std::size_t levels) {
 }
 
 /// Adaptive thresholds go up to this times the table's.
-constexpr std::int32_t kMostThresholdGain = 4;
+constexpr std::uint32_t kMostThresholdGain = 4;
 
 /// Noise within the bank is held in 16 bits, LSB 2^(shift - 16) deg/h: the smallest shift with
 /// which no sum of removed details can overflow, whatever the input; -1 where even kMostNoiseShift

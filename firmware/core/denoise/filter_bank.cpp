@@ -1,7 +1,5 @@
 #include "core/denoise/filter_bank.hpp"
 
-#include <array>
-
 #include "core/denoise/filter_kernels.hpp"
 #include "core/fixed_point/shift.hpp"
 #include "core/signal/quantities.hpp"
@@ -9,28 +7,24 @@
 namespace fog {
 namespace {
 
-// Input and approximation have the format of Rate; a detail is held finer.
-constexpr int kDetailShift = kTapFraction + Rate::fractional_bits - kDetailFraction;
-
 std::uint32_t magnitude_of(std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);
   return value < 0 ? 0U - bits : bits;
 }
 
-std::uint32_t pack(std::int32_t coarser_noise, std::int32_t removed) {
-  return (static_cast<std::uint32_t>(removed) << 16U) |
-         (static_cast<std::uint32_t>(coarser_noise) & 0xFFFFU);
+// saturate(a - b)
+std::int32_t saturating_difference(std::int32_t a, std::int32_t b) {
+  std::int32_t difference = 0;
+  if (!__builtin_sub_overflow(a, b, &difference)) return difference;
+  return b < 0 ? INT32_MAX : INT32_MIN;
 }
 
-// Gives back what was put in delay_length pairs ago.
-std::int32_t exchange(BankLevel& level, std::int16_t removed) {
-  const std::uint32_t next = level.delay_next;
-  const std::uint32_t length = level.delay_length;
-  if (length == 0) return removed;
-  const std::int32_t oldest = level.removed_delay[next];
-  level.removed_delay[next] = removed;
-  level.delay_next = static_cast<std::uint16_t>(next + 1 == length ? 0 : next + 1);
-  return oldest;
+std::uint32_t pack(std::uint32_t coarser_noise, std::int32_t removed) {
+  return (static_cast<std::uint32_t>(removed) << 16U) | coarser_noise;
+}
+
+std::uint32_t lower_half(std::int32_t noise) {
+  return static_cast<std::uint16_t>(noise);
 }
 
 // The outlier gate's limit in LSB of Rate: twice the universal threshold of the finest level, which
@@ -41,146 +35,166 @@ std::uint32_t outlier_limit(std::uint32_t finest_threshold) {
 
 }  // namespace
 
-FilterBank::FilterBank(const DenoiseParameters& parameters, const BankMemory& memory)
-    : parameters_(parameters),
-      memory_(memory),
-      delay_(static_cast<std::uint32_t>(denoise_delay(parameters.taps(), parameters.levels()))),
-      late_age_(static_cast<std::uint32_t>(
-          2 * denoise_delay(parameters.taps(), parameters.levels() - 1))),
-      shift_(noise_shift(parameters)),
-      rounding_half_(shift_ > 0 ? rounding_half<std::int32_t>(shift_) : 0) {
-  for (std::size_t i = 0; i < parameters.levels(); ++i) {
-    memory_.levels[i].threshold = static_cast<std::uint32_t>(parameters.thresholds[i]);
+template <std::size_t kTaps>
+FilterBank<kTaps>::FilterBank(const DenoiseParameters& parameters, const BankMemory<kTaps>& memory)
+    : line_(memory.line, denoise_delay(kTaps, parameters.levels()) + 1, kTaps),
+      filters_(parameters.filters.data),
+      rule_(parameters.rule),
+      mode_(parameters.mode),
+      coarser_(memory.coarser),
+      coarser_end_(memory.coarser) {
+  if (parameters.levels() == 0) return;
+  shift_ = noise_shift(parameters);
+  if (shift_ > 0) rounding_half_ = rounding_half<std::int32_t>(shift_);
+  coarser_end_ += parameters.levels() - 1;
+  const std::int32_t* threshold = parameters.thresholds.end();
+  std::int16_t* slots = memory.waiting;
+  std::size_t pairs = 0;  // that a level waits for those below it: their delay
+  for (CoarserLevel<kTaps>* level = coarser_end_; level != coarser_;) {
+    --level;
+    level->threshold.set(*--threshold);
+    level->removed_first = slots;
+    level->removed_next = slots;
+    slots += pairs + 1;
+    level->removed_end = slots;
+    pairs = 2 * pairs + kTaps - 1;
   }
-  gate_.set_limit(outlier_limit(memory_.levels[0].threshold));
+  finest_.threshold.set(*--threshold);
+  gate_.set_limit(outlier_limit(finest_.threshold.now));
 }
 
-void FilterBank::prime(std::int32_t value) {
-  memory_.line.fill(value);
-  for (BankLevel& level : memory_.levels) level.waiting_input = value;
-  const std::size_t inputs = (parameters_.levels() - 1) * parameters_.taps();
-  for (std::size_t i = 0; i < inputs; ++i) memory_.inputs[i] = value;
+template <std::size_t kTaps>
+void FilterBank<kTaps>::prime(std::int32_t sample) {
+  line_.fill(sample, kTaps);
+  for (auto* level = coarser_; level != coarser_end_; ++level) level->inputs.fill(sample);
+  // What step() would find: sample 0 completes a pair on every level, and its details are 0.
+  samples_ = 1;
+  if (rule_ == ThresholdRule::fixed) return;
+  adapt_finest(0);
+  for (auto* level = coarser_; level != coarser_end_; ++level) adapt_threshold(level->threshold, 0);
 }
 
-// What thresholding takes away from a detail.
-inline std::int16_t FilterBank::removed(const BankLevel& level, std::int32_t detail) const {
-  const auto threshold = static_cast<std::int32_t>(level.threshold);
-  if (detail > threshold || detail < -threshold) {
-    if (parameters_.mode == ThresholdMode::hard) return 0;
-    detail = detail < 0 ? -threshold : threshold;
+// What thresholding takes away from a detail beyond the threshold.
+template <std::size_t kTaps>
+std::int32_t FilterBank<kTaps>::removed_beyond(std::int32_t detail, std::int32_t threshold) const {
+  if (mode_ == ThresholdMode::hard) return 0;
+  return detail < 0 ? -threshold : threshold;
+}
+
+// What thresholding takes away from a detail. One comparison finds both ends: thresholds are below
+// 2^30 (noise_shift).
+template <std::size_t kTaps>
+[[gnu::always_inline]] inline std::int32_t FilterBank<kTaps>::removed(
+    std::int32_t detail, std::uint32_t threshold) const {
+  if (static_cast<std::uint32_t>(detail) + threshold > 2 * threshold) {
+    detail = removed_beyond(detail, static_cast<std::int32_t>(threshold));
   }
-  return static_cast<std::int16_t>(floor_shift(detail + rounding_half_, shift_));
+  const std::int32_t half = rounding_half_;
+  const int shift = shift_;
+  return floor_shift(detail + half, shift);
 }
 
 // The universal threshold follows the noise; how much of it counts, the level's own details.
-void FilterBank::adapt_threshold(std::size_t level, std::uint32_t magnitude, bool adapt) {
-  BankLevel& here = memory_.levels[level];
-  const auto expected = static_cast<std::uint32_t>(parameters_.thresholds[level]);
-  if (level == 0 && adapt) gain_.follow(magnitude, expected);
-  const auto universal =
-      static_cast<std::uint32_t>(std::uint64_t{expected} * gain_.raw() >> NoiseGain::kFraction);
-  if (level == 0) gate_.set_limit(outlier_limit(universal));
-  here.threshold = universal;
-  if (parameters_.rule == ThresholdRule::sqtwolog) return;
-  here.threshold = universal / RiskHistogram::kWhole * here.risk.sixteenths();
-  here.risk.add(magnitude >> shift_, universal >> shift_);
-  choice_due_ = choice_due_ || here.risk.full();
+// Returns the universal one.
+template <std::size_t kTaps>
+std::uint32_t FilterBank<kTaps>::adapt_threshold(LevelThreshold& threshold,
+                                                 std::uint32_t magnitude) {
+  const std::uint32_t universal = gain_.of(threshold.expected);
+  threshold.now = universal;
+  if (rule_ == ThresholdRule::heursure) {
+    threshold.now = universal / RiskHistogram::kWhole * threshold.risk.sixteenths();
+    threshold.risk.add(magnitude >> shift_, universal >> shift_);
+    if (threshold.risk.full()) choice_due_ = true;
+  }
+  return universal;
+}
+
+template <std::size_t kTaps>
+void FilterBank<kTaps>::adapt_finest(std::uint32_t magnitude) {
+  if (follow_noise_) gain_.follow(magnitude, finest_.threshold.expected);
+  gate_.set_limit(outlier_limit(adapt_threshold(finest_.threshold, magnitude)));
 }
 
 // Once a sample, where the bank itself has little to do, and the finest level first: its next
 // detail is the first to come.
-void FilterBank::choose_threshold() {
-  for (BankLevel& level : memory_.levels) {
-    if (level.risk.full()) return level.risk.choose();
+template <std::size_t kTaps>
+void FilterBank<kTaps>::choose_threshold() {
+  if (finest_.threshold.risk.full()) return finest_.threshold.risk.choose();
+  for (auto* level = coarser_; level != coarser_end_; ++level) {
+    if (level->threshold.risk.full()) return level->threshold.risk.choose();
   }
   choice_due_ = false;
 }
 
 template <std::size_t kTaps>
-std::int32_t FilterBank::step(std::int32_t sample, bool adapt) {
-  gate_.push(memory_.line, sample);
+std::int32_t FilterBank<kTaps>::step(std::int32_t sample) {
+  gate_.push(line_, sample);
   const std::uint32_t number = samples_++;
-  std::int32_t noise = memory_.levels[0].waiting_noise;
+  std::int32_t noise = 0;
   if ((number & 1U) == 0U) {
-    noise = noise_of_pair<kTaps>(adapt, number);
-  } else if (choice_due_) {
-    choose_threshold();
+    noise = noise_of_pair(number);
+  } else {
+    if (choice_due_) choose_threshold();
+    noise = finest_.waiting_noise;
   }
   const std::int32_t removed_rate =
       round_shift(shift_left(noise, shift_), kDetailFraction - Rate::fractional_bits);
-  return saturate<std::int32_t>(std::int64_t{memory_.line.from(delay_)[0]} - removed_rate);
+  return saturating_difference(line_.oldest(), removed_rate);
 }
 
 // Level l (from 0) gets an input at every 2^l-th sample, and every second of these, beginning with
 // the first, completes a pair: as many levels as the sample number has zeros at its end.
 template <std::size_t kTaps>
-std::int32_t FilterBank::noise_of_pair(bool adapt, std::uint32_t number) {
-  constexpr auto kInputHalf = rounding_half<std::int64_t>(kTapFraction);
-  constexpr auto kDetailHalf = rounding_half<std::int64_t>(kDetailShift);
-  std::array<std::int32_t, kMostLevels> removed_now;
-  const std::int32_t* const low = parameters_.low.data;
-  const std::int32_t* const high = parameters_.high.data;
-  const std::int32_t* const synthesis = parameters_.synthesis.data;
-  BankLevel* const levels = memory_.levels.data;
-  const std::size_t level_count = memory_.levels.size;
-  const bool adaptive = parameters_.rule != ThresholdRule::fixed;
-  FilterSums sums{dot<kTaps>(low, memory_.line.from(0), kInputHalf),
-                  dot<kTaps>(high, memory_.line.from(late_age_), kDetailHalf)};
-  std::int32_t* inputs = memory_.inputs;
-  std::size_t level = 0;
-  for (;;) {
-    const auto detail = saturate<std::int32_t>(floor_shift(sums.high, kDetailShift));
-    if (adaptive) adapt_threshold(level, magnitude_of(detail), adapt);
-    removed_now[level] = exchange(levels[level], removed(levels[level], detail));
-    if (++level == level_count) break;
-    const auto input = saturate<std::int32_t>(floor_shift(sums.low, kTapFraction));
-    BankLevel& next = levels[level];
-    if (((number >> level) & 1U) != 0U) {
-      next.waiting_input = input;
+[[gnu::always_inline]] inline std::int32_t FilterBank<kTaps>::noise_of_pair(std::uint32_t number) {
+  const std::int32_t* const filters = filters_;
+  Two found(split<kTaps>(filters, line_.newest(), line_.oldest(kTaps)));
+  if (rule_ != ThresholdRule::fixed) adapt_finest(magnitude_of(found.second()));
+  const std::int32_t finest_removed = removed(found.second(), finest_.threshold.now);
+
+  CoarserLevel<kTaps>* level = coarser_;
+  std::uint32_t noise = 0;
+  for (; level != coarser_end_; ++level) {
+    number >>= 1U;
+    if ((number & 1U) != 0U) {
+      level->inputs[kTaps] = found.first();
+      noise = lower_half(level->waiting_noise);
       break;
     }
-    sums = push_and_split<kTaps>(low, high, inputs, input, next.waiting_input,
-                                 {kInputHalf, kDetailHalf});
-    inputs += kTaps;
+    std::int32_t* const inputs = level->inputs.data();
+    push_pair<kTaps>(inputs, found.first(), inputs[kTaps]);
+    found = Two(split<kTaps>(filters, inputs, inputs));
+    if (rule_ != ThresholdRule::fixed) {
+      adapt_threshold(level->threshold, magnitude_of(found.second()));
+    }
+    level->hold(removed(found.second(), level->threshold.now));
   }
-  std::int32_t noise = level < level_count ? levels[level].waiting_noise : 0;
-  std::uint32_t* window = memory_.noise_windows + level * (kTaps / 2);
-  do {
+
+  const std::int32_t* const synthesis = filters + 2 * kTaps;
+  while (level != coarser_) {
     --level;
-    window -= kTaps / 2;
-    const NoisePair pair = merge<kTaps>(synthesis, window, pack(noise, removed_now[level]));
-    levels[level].waiting_noise = static_cast<std::int16_t>(pair.odd);
-    noise = pair.even;
-  } while (level > 0);
-  return noise;
+    const Two pair(merge<kTaps>(synthesis, level->noise.data(), pack(noise, level->removed())));
+    noise = lower_half(pair.first());
+    level->waiting_noise = static_cast<std::int16_t>(pair.second());
+  }
+  const Two pair(merge<kTaps>(synthesis, finest_.noise.data(), pack(noise, finest_removed)));
+  finest_.waiting_noise = static_cast<std::int16_t>(pair.second());
+  return pair.first();
 }
 
-template std::int32_t FilterBank::step<2>(std::int32_t, bool);
-template std::int32_t FilterBank::step<4>(std::int32_t, bool);
-template std::int32_t FilterBank::step<6>(std::int32_t, bool);
-template std::int32_t FilterBank::step<8>(std::int32_t, bool);
-template std::int32_t FilterBank::step<10>(std::int32_t, bool);
-template std::int32_t FilterBank::step<12>(std::int32_t, bool);
-template std::int32_t FilterBank::step<14>(std::int32_t, bool);
-template std::int32_t FilterBank::step<16>(std::int32_t, bool);
-template std::int32_t FilterBank::step<18>(std::int32_t, bool);
-template std::int32_t FilterBank::step<20>(std::int32_t, bool);
-template std::int32_t FilterBank::step<22>(std::int32_t, bool);
-template std::int32_t FilterBank::step<24>(std::int32_t, bool);
-template std::int32_t FilterBank::step<26>(std::int32_t, bool);
-template std::int32_t FilterBank::step<28>(std::int32_t, bool);
-template std::int32_t FilterBank::step<30>(std::int32_t, bool);
-
-template <>
-std::int32_t FilterBank::step<kAnyTaps>(std::int32_t sample, bool adapt) {
-  using Step = std::int32_t (FilterBank::*)(std::int32_t, bool);
-  static constexpr Step kByPairs[] = {
-      &FilterBank::step<2>,  &FilterBank::step<4>,  &FilterBank::step<6>,  &FilterBank::step<8>,
-      &FilterBank::step<10>, &FilterBank::step<12>, &FilterBank::step<14>, &FilterBank::step<16>,
-      &FilterBank::step<18>, &FilterBank::step<20>, &FilterBank::step<22>, &FilterBank::step<24>,
-      &FilterBank::step<26>, &FilterBank::step<28>, &FilterBank::step<30>};
-  static_assert(sizeof kByPairs / sizeof kByPairs[0] == kMostTaps / 2);
-  return (this->*kByPairs[parameters_.taps() / 2 - 1])(sample, adapt);
-}
+template class FilterBank<2>;
+template class FilterBank<4>;
+template class FilterBank<6>;
+template class FilterBank<8>;
+template class FilterBank<10>;
+template class FilterBank<12>;
+template class FilterBank<14>;
+template class FilterBank<16>;
+template class FilterBank<18>;
+template class FilterBank<20>;
+template class FilterBank<22>;
+template class FilterBank<24>;
+template class FilterBank<26>;
+template class FilterBank<28>;
+template class FilterBank<30>;
 
 }  // namespace fog

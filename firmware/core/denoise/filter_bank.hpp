@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -10,23 +11,45 @@
 
 namespace fog {
 
-/// One level of the bank: its state, in memory that the denoiser owns.
+/// One level of the bank.
+template <std::size_t kTaps>
 struct BankLevel {
-  std::int16_t* removed_delay = nullptr;  ///< holds removed details back for the levels below
-  std::uint16_t delay_length = 0;         ///< of removed_delay
-  std::uint16_t delay_next = 0;           ///< its oldest
-  std::uint32_t threshold = 0;            ///< now, LSB 2^-16 deg/h
-  std::int32_t waiting_input = 0;         ///< the older one of the next pair
-  std::int16_t waiting_noise = 0;         ///< the odd one of the last pair
-  RiskHistogram risk;                     ///< heursure only
+  /// Newest first: coarser noise in the lower half of a word, what is removed here in the upper.
+  std::array<std::uint32_t, kTaps / 2> noise{};
+  LevelThreshold threshold;
+  std::int16_t waiting_noise = 0;  ///< the odd one of the last pair
 };
 
-/// Memory that a bank works in and that somebody else owns.
+/// Slots for removed details that wait for the levels below: for every level but the finest, as
+/// many as pairs to wait, and one.
+constexpr std::size_t denoise_waiting(std::size_t taps, std::size_t levels) {
+  std::size_t slots = 0;
+  for (std::size_t below = 0; below + 1 < levels; ++below) slots += denoise_delay(taps, below) + 1;
+  return slots;
+}
+
+/// Any but the finest: it has inputs of its own, and waits for the levels below it.
+template <std::size_t kTaps>
+struct CoarserLevel : BankLevel<kTaps> {
+  std::array<std::int32_t, kTaps + 1> inputs{};  ///< newest first; last, the one without a pair yet
+  std::int16_t* removed_first = nullptr;  ///< ring of removed details in memory that somebody else
+  std::int16_t* removed_end = nullptr;    ///< owns: as many as pairs to wait, and one
+  std::int16_t* removed_next = nullptr;
+
+  /// Takes what is removed now, gives back what was as many pairs ago as it has to wait.
+  [[gnu::always_inline]] void hold(std::int32_t removed) {
+    *removed_next = static_cast<std::int16_t>(removed);
+    removed_next = removed_next + 1 == removed_end ? removed_first : removed_next + 1;
+  }
+  std::int32_t removed() const { return *removed_next; }
+};
+
+/// Memory that a bank works in and that somebody else owns: zeros.
+template <std::size_t kTaps>
 struct BankMemory {
-  SampleLine line;                         ///< delay + 1 samples or more
-  Span<BankLevel> levels;                  ///< each with its removed_delay
-  std::int32_t* inputs = nullptr;          ///< levels - 1 windows of as many samples as taps
-  std::uint32_t* noise_windows = nullptr;  ///< levels windows of half as many words
+  std::int32_t* line = nullptr;            ///< SampleLine::memory(delay + 1, kTaps) values
+  CoarserLevel<kTaps>* coarser = nullptr;  ///< one less than there are levels
+  std::int16_t* waiting = nullptr;         ///< denoise_waiting() slots
 };
 
 /// Splits the signal level by level, finds in the details what thresholding would remove, and puts
@@ -34,46 +57,54 @@ struct BankMemory {
 ///
 /// Level 1 finds its details as late as they are needed, from the old end of the line of samples
 /// that is there anyway, instead of holding them back.
+///
+/// kTaps: of the filter. An image links the one that it uses.
+template <std::size_t kTaps>
 class FilterBank {
  public:
-  FilterBank() = default;
-  /// `parameters` with at least one level; their arrays and the memory must outlive this.
-  FilterBank(const DenoiseParameters& parameters, const BankMemory& memory);
+  /// `parameters` with kTaps taps, or without levels for a bank that must not be used. Their arrays
+  /// and the memory must outlive this.
+  FilterBank(const DenoiseParameters& parameters, const BankMemory<kTaps>& memory);
 
-  /// As if `value` had been the input for ever: no noise.
-  void prime(std::int32_t value);
+  /// Takes the first sample, as if it had been the input for ever: no noise.
+  void prime(std::int32_t sample);
 
   /// Takes a sample and returns the one of `delay` samples ago without its noise, LSB of Rate.
-  /// Where `adapt`, the late details of level 1 count for the noise gain. kTaps is the number of
-  /// taps, or kAnyTaps; an image links the one that it uses.
-  template <std::size_t kTaps>
-  std::int32_t step(std::int32_t sample, bool adapt);
+  /// While the line still holds what prime() put there, prime_further() has to precede each.
+  std::int32_t step(std::int32_t sample);
+  void prime_further() { line_.fill_further(kTaps); }
 
-  /// Slots of the line; where the newest sample stands in it, and the one that was returned.
-  std::size_t slots() const { return memory_.line.length(); }
-  std::size_t newest_slot() const { return memory_.line.slot(0); }
-  std::size_t oldest_slot() const { return memory_.line.slot(delay_); }
+  /// Whether the details of level 1 count for the noise gain; at first they do not.
+  void follow_noise(bool follow) { follow_noise_ = follow; }
+
+  /// The sample of the last step, for a next one that is missing.
+  std::int32_t last() const { return gate_.last(line_); }
+
+  const SampleLine& line() const { return line_; }
+  const LevelThreshold& finest_threshold() const { return finest_.threshold; }
 
  private:
-  template <std::size_t kTaps>
-  std::int32_t noise_of_pair(bool adapt, std::uint32_t number);
-  std::int16_t removed(const BankLevel& level, std::int32_t detail) const;
-  void adapt_threshold(std::size_t level, std::uint32_t magnitude, bool adapt);
+  std::int32_t noise_of_pair(std::uint32_t number);
+  [[gnu::cold]] std::int32_t removed_beyond(std::int32_t detail, std::int32_t threshold) const;
+  std::int32_t removed(std::int32_t detail, std::uint32_t threshold) const;
+  void adapt_finest(std::uint32_t magnitude);
+  std::uint32_t adapt_threshold(LevelThreshold& threshold, std::uint32_t magnitude);
   void choose_threshold();
 
-  DenoiseParameters parameters_;
-  BankMemory memory_;
+  SampleLine line_;
   OutlierGate gate_;
-  std::uint32_t delay_ = 0;
-  std::uint32_t late_age_ = 0;      // of the newest sample in level 1's late window
-  std::uint32_t samples_ = 0;       // modulo 2^32
+  std::uint32_t samples_ = 0;  // modulo 2^32
+  const std::int32_t* filters_;
+  ThresholdRule rule_;
+  ThresholdMode mode_;
+  std::int32_t rounding_half_ = 0;  // of a shift by shift_
   int shift_ = 0;                   // noise_shift()
-  std::int32_t rounding_half_ = 0;  // of a shift by that
+  CoarserLevel<kTaps>* coarser_;
+  CoarserLevel<kTaps>* coarser_end_;  // a count would have to be multiplied for each pair
+  BankLevel<kTaps> finest_;
   NoiseGain gain_;
+  bool follow_noise_ = false;
   bool choice_due_ = false;  // some histogram is full
 };
-
-template <>
-std::int32_t FilterBank::step<kAnyTaps>(std::int32_t sample, bool adapt);
 
 }  // namespace fog

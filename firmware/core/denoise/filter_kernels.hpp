@@ -6,101 +6,111 @@
 #include "core/denoise/denoise_parameters.hpp"
 #include "core/fixed_point/dual_product.hpp"
 #include "core/fixed_point/shift.hpp"
+#include "core/signal/quantities.hpp"
 
 // The inner loops of the filter bank, unrolled for the number of taps. For filter_bank.cpp only,
-// which is compiled with options that suit them (firmware/CMakeLists.txt) and change no result:
-// -fno-schedule-insns, because GCC's scheduling before register allocation moves all loads to the
-// front, runs out of registers and spills the 64-bit sums; -fno-tree-ter, because it keeps reads of
-// neighbours together as they are written here, which become one instruction (LDRD).
+// which is compiled with options that suit it (firmware/CMakeLists.txt) and change no result:
+// -fno-tree-ter and -fno-tree-coalesce-vars leave reads of neighbours together as they are written
+// here, which become one instruction (LDRD); -fno-if-conversion2 leaves rare cases in branches
+// instead of passing through them conditionally. Each loop is a function of its own, because only
+// there GCC has registers enough for all its sums.
 namespace fog {
 
-/// start + sum of taps[i] * window[i]; sum |tap| < 2 keeps it below 2^63. Two neighbours are read
-/// at a time: the processor does that in one instruction.
-template <std::size_t kTaps>
-[[gnu::always_inline]] inline std::int64_t dot(const std::int32_t* taps, const std::int32_t* window,
-                                               std::int64_t start) {
-#pragma GCC unroll 15
-  for (std::size_t i = 0; i < kTaps; i += 2) {
-    const std::int32_t tap = taps[i];
-    const std::int32_t next_tap = taps[i + 1];
-    const std::int32_t newer = window[i];
-    const std::int32_t older = window[i + 1];
-    start += std::int64_t{tap} * newer;
-    start += std::int64_t{next_tap} * older;
+/// Two results as they come back in two registers; a struct of two would go through memory.
+class Two {
+ public:
+  static std::uint64_t of(std::int32_t first, std::int32_t second) {
+    return (std::uint64_t{static_cast<std::uint32_t>(second)} << 32U) |
+           static_cast<std::uint32_t>(first);
   }
-  return start;
-}
+  explicit Two(std::uint64_t both) : both_(both) {}
+  std::int32_t first() const {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(both_));
+  }
+  std::int32_t second() const {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(both_ >> 32U));
+  }
 
-/// Sums of the low-pass and of the high-pass filter.
-struct FilterSums {
-  std::int64_t low;
-  std::int64_t high;
+ private:
+  std::uint64_t both_;
 };
 
-/// Both sums after taking two samples into `window` (kTaps values, newest first): each value is
-/// read once, used twice and written back two places further.
+// Input and approximation have the format of Rate; a detail is held finer.
+constexpr int kDetailShift = kTapFraction + Rate::fractional_bits - kDetailFraction;
+
+/// One step of a level: the approximation of the `newest` inputs, the detail of the `oldest` (kTaps
+/// each, newest first; the same window but on level 1). high[i] = (-1)^i low[taps - 1 - i], so that
+/// each tap is read once for both. Two neighbours are read at a time: the processor does that in
+/// one instruction. sum |tap| < 2 keeps all sums below 2^63.
 template <std::size_t kTaps>
-[[gnu::always_inline]] inline FilterSums push_and_split(const std::int32_t* low,
-                                                        const std::int32_t* high,
-                                                        std::int32_t* window, std::int32_t newer,
-                                                        std::int32_t older, FilterSums sums) {
+[[gnu::noinline]] std::uint64_t split(const std::int32_t* low, const std::int32_t* newest,
+                                      const std::int32_t* oldest) {
+  auto low_sum = rounding_half<std::int64_t>(kTapFraction);
+  auto even_sum = rounding_half<std::int64_t>(kDetailShift);
+  std::int64_t odd_sum = 0;
 #pragma GCC unroll 15
   for (std::size_t i = 0; i < kTaps; i += 2) {
-    const std::int32_t next_newer = window[i];
-    const std::int32_t next_older = window[i + 1];
-    window[i] = newer;
-    window[i + 1] = older;
-    const std::int32_t low_tap = low[i];
-    const std::int32_t next_low_tap = low[i + 1];
-    sums.low += std::int64_t{low_tap} * newer;
-    sums.low += std::int64_t{next_low_tap} * older;
-    const std::int32_t high_tap = high[i];
-    const std::int32_t next_high_tap = high[i + 1];
-    sums.high += std::int64_t{high_tap} * newer;
-    sums.high += std::int64_t{next_high_tap} * older;
-    newer = next_newer;
-    older = next_older;
+    const std::int32_t tap = low[i];
+    const std::int32_t next_tap = low[i + 1];
+    const std::int32_t newer = newest[i];
+    const std::int32_t older = newest[i + 1];
+    low_sum += std::int64_t{tap} * newer;
+    low_sum += std::int64_t{next_tap} * older;
+    const std::int32_t even = oldest[kTaps - 2 - i];
+    const std::int32_t odd = oldest[kTaps - 1 - i];
+    even_sum += std::int64_t{next_tap} * even;
+    odd_sum += std::int64_t{tap} * odd;
   }
-  return sums;
+  return Two::of(saturating_shift<kTapFraction>(low_sum),
+                 saturating_shift<kDetailShift>(even_sum - odd_sum));
 }
 
-/// The noise of two neighbouring samples.
-struct NoisePair {
-  std::int32_t even;
-  std::int32_t odd;
-};
+/// Takes two inputs into `window` (kTaps values, newest first).
+template <std::size_t kTaps>
+[[gnu::always_inline]] inline void push_pair(std::int32_t* window, std::int32_t newer,
+                                             std::int32_t older) {
+#pragma GCC unroll 15
+  for (std::size_t i = kTaps - 2; i > 0; i -= 2) {
+    const std::int32_t next_newer = window[i - 2];
+    const std::int32_t next_older = window[i - 1];
+    window[i] = next_newer;
+    window[i + 1] = next_older;
+  }
+  window[0] = newer;
+  window[1] = older;
+}
 
 /// Takes `newest` (coarser noise in the lower half, removed detail in the upper) into `window`
-/// (kTaps / 2 such words, newest first), whose oldest word leaves; returns the two finer values.
-/// The synthesis filters are the analysis filters backwards, times 2 for the normalisation: the
-/// shift drops one bit less than the taps have. noise_shift() keeps every sum within 30 bits.
+/// (kTaps / 2 such words, newest first), whose oldest word leaves; returns the two finer values,
+/// even and odd. The synthesis filters are the analysis filters backwards, times 2 for the
+/// normalisation: the shift drops one bit less than the taps have. Word taps - 1 - i holds the
+/// halves of word i crossed over, one of them negated, so that each word is read once for both.
+/// noise_shift() keeps every sum within 30 bits.
 template <std::size_t kTaps>
-[[gnu::always_inline]] inline NoisePair merge(const std::int32_t* synthesis, std::uint32_t* window,
-                                              std::uint32_t newest) {
+[[gnu::noinline]] std::uint64_t merge(const std::int32_t* synthesis, std::uint32_t* window,
+                                      std::uint32_t newest) {
+  constexpr std::size_t kWords = kTaps / 2;
   constexpr int kDropped = kSynthesisTapFraction - 1;
+  std::uint32_t words[kWords];
+  words[0] = newest;
+#pragma GCC unroll 15
+  for (std::size_t i = 1; i < kWords; ++i) words[i] = window[i - 1];
+#pragma GCC unroll 15
+  for (std::size_t i = 0; i < kWords; ++i) window[i] = words[i];
   auto even = rounding_half<std::int32_t>(kDropped);
   std::int32_t odd = even;
-  const auto add = [&](std::uint32_t word, const std::int32_t* taps) {
-    const auto even_taps = static_cast<std::uint32_t>(taps[0]);
-    const auto odd_taps = static_cast<std::uint32_t>(taps[1]);
-    even = add_dual_product(word, even_taps, even);
-    odd = add_dual_product(word, odd_taps, odd);
-  };
 #pragma GCC unroll 8
-  for (std::size_t k = 0; k + 1 < kTaps / 2; k += 2) {
-    const std::uint32_t next = window[k];
-    const std::uint32_t after_next = window[k + 1];
-    window[k] = newest;
-    window[k + 1] = next;
-    add(newest, synthesis + 2 * k);
-    add(next, synthesis + 2 * k + 2);
-    newest = after_next;
+  for (std::size_t i = 0; i < (kWords + 1) / 2; ++i) {
+    const auto even_taps = static_cast<std::uint32_t>(synthesis[2 * i]);
+    const auto odd_taps = static_cast<std::uint32_t>(synthesis[2 * i + 1]);
+    const std::uint32_t mirrored = words[kWords - 1 - i];
+    even = add_dual_product(words[i], even_taps, even);
+    odd = add_dual_product(words[i], odd_taps, odd);
+    if (2 * i + 1 == kWords) break;
+    even = add_crossed_product(mirrored, odd_taps, even);
+    odd = add_crossed_product(even_taps, mirrored, odd);
   }
-  if constexpr (kTaps / 2 % 2 == 1) {
-    window[kTaps / 2 - 1] = newest;
-    add(newest, synthesis + kTaps - 2);
-  }
-  return {floor_shift(even, kDropped), floor_shift(odd, kDropped)};
+  return Two::of(floor_shift(even, kDropped), floor_shift(odd, kDropped));
 }
 
 }  // namespace fog

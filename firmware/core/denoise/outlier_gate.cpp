@@ -1,26 +1,44 @@
 #include "core/denoise/outlier_gate.hpp"
 
 namespace fog {
+namespace {
 
-// Distances are up to 2^32 - 1; sums of three need 64 bits.
-bool OutlierGate::is_outlier(std::int32_t before_last, std::int32_t last, std::int32_t next) const {
-  if ((withheld_ > last) != (withheld_ > next)) return false;
-  const std::uint64_t allowed =
-      std::uint64_t{limit_} + distance(next, last) + distance(last, before_last);
-  return distance(withheld_, last) > allowed && distance(withheld_, next) > allowed;
+std::uint32_t distance(std::int32_t a, std::int32_t b) {
+  const auto difference = static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b);
+  return a > b ? difference : 0U - difference;
 }
 
-void OutlierGate::push_jump(SampleLine& line, std::int32_t sample) {
-  if (withholding_) {
-    // The newest in the line is the stand-in, the one before it what it repeats.
-    withholding_ = false;
-    if (!is_outlier(line.from(2)[0], line.from(1)[0], sample)) line.replace(0, withheld_);
-  } else if (limit_ > 0) {
-    withholding_ = true;
-    withheld_ = sample;
-    sample = line.from(0)[0];
+// Whether `rest` is more than `part`; if so, takes it off: a sum in its place could need 34 bits.
+bool exceeds(std::uint32_t& rest, std::uint32_t part) {
+  if (rest <= part) return false;
+  rest -= part;
+  return true;
+}
+
+}  // namespace
+
+bool OutlierGate::is_outlier(std::int32_t next, std::int32_t last) const {
+  if ((withheld_ > last) != (withheld_ > next)) return false;
+  const std::uint32_t off_last = distance(withheld_, last);
+  const std::uint32_t off_next = distance(withheld_, next);
+  std::uint32_t off = off_last < off_next ? off_last : off_next;
+  return exceeds(off, limit_) && exceeds(off, distance(next, last)) &&
+         exceeds(off, distance(last, before_last_));
+}
+
+std::int32_t OutlierGate::judge(SampleLine& line, std::int32_t sample) {
+  const std::int32_t newest = line.newest()[0];
+  if (withholding()) {
+    // The newest in the line is the stand-in, which repeats the one before.
+    if (!is_outlier(sample, newest)) line.replace_newest(withheld_);
+    span_ = 2 * limit_ + 1;
+    return sample;
   }
-  line.push(sample);
+  if (limit_ == 0) return sample;
+  span_ = 0;
+  withheld_ = sample;
+  before_last_ = line.newest()[1];
+  return newest;
 }
 
 }  // namespace fog

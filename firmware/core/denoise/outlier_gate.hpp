@@ -14,28 +14,36 @@ namespace fog {
 /// oscillations are never outliers. Limit 0: every sample passes.
 class OutlierGate {
  public:
-  /// Below 2^31; the samples' unit.
-  void set_limit(std::uint32_t limit) { limit_ = limit; }
+  /// Below 2^30; the samples' unit.
+  void set_limit(std::uint32_t limit) {
+    limit_ = limit;
+    if (!withholding()) span_ = 2 * limit + 1;
+  }
 
-  void push(SampleLine& line, std::int32_t sample) {
-    if (!withholding_ && distance(sample, line.from(0)[0]) <= limit_) {
-      line.push(sample);
-    } else {
-      push_jump(line, sample);
+  /// The sample that was pushed last.
+  std::int32_t last(const SampleLine& line) const {
+    return withholding() ? withheld_ : line.newest()[0];
+  }
+
+  [[gnu::always_inline]] void push(SampleLine& line, std::int32_t sample) {
+    std::int32_t jump = 0;
+    if (__builtin_sub_overflow(sample, line.newest()[0], &jump) ||
+        static_cast<std::uint32_t>(jump) + limit_ >= span_) {
+      sample = judge(line, sample);
     }
+    line.push(sample);
   }
 
  private:
-  static constexpr std::uint32_t distance(std::int32_t a, std::int32_t b) {
-    const auto difference = static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b);
-    return a > b ? difference : 0U - difference;
-  }
-  void push_jump(SampleLine& line, std::int32_t sample);
-  bool is_outlier(std::int32_t before_last, std::int32_t last, std::int32_t next) const;
+  // What goes into the line in place of a sample that jumps, or that follows one.
+  [[gnu::cold]] std::int32_t judge(SampleLine& line, std::int32_t sample);
+  [[gnu::always_inline]] inline bool is_outlier(std::int32_t next, std::int32_t last) const;
+  bool withholding() const { return span_ == 0; }
 
   std::uint32_t limit_ = 0;
+  std::uint32_t span_ = 1;  // -limit to limit; 0 while a sample is withheld: none passes
   std::int32_t withheld_ = 0;
-  bool withholding_ = false;
+  std::int32_t before_last_ = 0;  // two samples before the one withheld
 };
 
 }  // namespace fog

@@ -10,24 +10,26 @@ namespace fog {
 template <std::size_t kSlots>
 class ValidityLine {
  public:
-  ValidityLine() { words_.fill(~std::uint32_t{0}); }
-
-  /// Whether all samples in the line were valid. As long as valid ones follow, there is nothing to
-  /// exchange.
+  /// Whether all samples in the line were valid: as long as valid ones follow, nothing needs to be
+  /// exchanged.
   bool settled() const { return unsettled_ == 0; }
 
   /// Notes whether the newest sample, in slot `newest` of `length`, is valid, and tells whether the
   /// one in slot `asked` was.
   bool exchange(bool valid, std::size_t newest, std::size_t asked, std::size_t length) {
-    unsettled_ = valid ? unsettled_ - 1 : length;
-    std::uint32_t& word = words_[newest / 32U];
+    if (!valid) {
+      unsettled_ = length;
+    } else if (unsettled_ > 0) {
+      --unsettled_;
+    }
+    std::uint32_t& word = invalid_[newest / 32U];
     const std::uint32_t mask = std::uint32_t{1} << (newest % 32U);
-    word = valid ? word | mask : word & ~mask;
-    return ((words_[asked / 32U] >> (asked % 32U)) & 1U) != 0U;
+    word = valid ? word & ~mask : word | mask;
+    return ((invalid_[asked / 32U] >> (asked % 32U)) & 1U) == 0U;
   }
 
  private:
-  std::array<std::uint32_t, kSlots / 32U + 1U> words_{};
+  std::array<std::uint32_t, kSlots / 32U + 1U> invalid_{};
   std::size_t unsettled_ = 0;  // samples until every slot has been found valid since the last fault
 };
 

@@ -51,6 +51,20 @@ constexpr Narrow saturate(Wide value) {
   return value < 0 ? std::numeric_limits<Narrow>::min() : std::numeric_limits<Narrow>::max();
 }
 
+/// saturate<std::int32_t>(floor_shift(value, kBits)), 0 < kBits < 32, in few instructions: what is
+/// below the upper word's highest bits is not looked at twice.
+template <int kBits>
+[[gnu::always_inline]] constexpr std::int32_t saturating_shift(std::int64_t value) {
+  static_assert(kBits > 0 && kBits < 32);
+  const auto upper = static_cast<std::int32_t>(value >> 32);
+  // It fits where the upper word lies within +-2^(kBits - 1).
+  if ((static_cast<std::uint32_t>(upper) + (std::uint32_t{1} << (kBits - 1))) >> kBits == 0) {
+    return static_cast<std::int32_t>(value >> kBits);
+  }
+  return upper < 0 ? std::numeric_limits<std::int32_t>::min()
+                   : std::numeric_limits<std::int32_t>::max();
+}
+
 /// numerator / denominator rounded to nearest, halves upwards, as round_shift does.
 /// denominator > 0; |numerator| < 2^62.
 constexpr std::int64_t round_divide(std::int64_t numerator, std::int32_t denominator) {

@@ -100,18 +100,21 @@ bool filters_fit(const DenoiseParameters& denoise) {
   constexpr std::int64_t kHalf = std::int64_t{1} << (kTapFraction - 1);
   constexpr std::int32_t kSynthesisHalf = std::int32_t{1} << (kSynthesisTapFraction - 1);
   const std::size_t taps = denoise.taps();
+  const std::int32_t* const low = denoise.low().data;
+  const std::int32_t* const high = denoise.high().data;
+  const std::int32_t* const synthesis = denoise.synthesis().data;
   std::int64_t phase_sum[2] = {0, 0};
   std::int32_t synthesis_sum[2] = {0, 0};
   std::int64_t magnitude = 0;
   bool same = true;
   for (std::size_t i = 0; i < taps; ++i) {
-    const std::int64_t tap = denoise.low[i];
+    const std::int64_t tap = low[i];
     const std::int64_t sign = i % 2 == 0 ? 1 : -1;
     phase_sum[i % 2] += tap;
     magnitude += tap < 0 ? -tap : tap;
-    same = same && denoise.high[i] == sign * denoise.low[taps - 1 - i];
-    const auto word = static_cast<std::uint32_t>(denoise.synthesis[i]);
-    const auto mirrored = static_cast<std::uint32_t>(denoise.synthesis[taps - 1 - i]);
+    same = same && high[i] == sign * low[taps - 1 - i];
+    const auto word = static_cast<std::uint32_t>(synthesis[i]);
+    const auto mirrored = static_cast<std::uint32_t>(synthesis[taps - 1 - i]);
     synthesis_sum[i % 2] += static_cast<std::int16_t>(word);
     same = same &&
            static_cast<std::int16_t>(word >> 16U) == -sign * static_cast<std::int16_t>(mirrored);
@@ -126,9 +129,7 @@ void read_denoise(TableReader& table, DenoiseParameters& denoise) {
   const std::size_t taps = next_count(table, kMostTaps);
   denoise.rule = static_cast<ThresholdRule>(table.next(0, 2));
   denoise.mode = static_cast<ThresholdMode>(table.next(0, 1));
-  denoise.low = table.next_words(taps);
-  denoise.high = table.next_words(taps);
-  denoise.synthesis = table.next_words(taps);
+  denoise.filters = table.next_words(3 * taps);
   denoise.thresholds = table.next_words(levels);
   table.require((levels == 0) == (taps == 0) && taps % 2 == 0);
   if (levels == 0 || !table.good()) return;

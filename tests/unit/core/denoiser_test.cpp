@@ -1,21 +1,24 @@
-#include "core/denoise/denoiser.hpp"
+#include "core/denoise/any_denoiser.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "support/overflow_guard.hpp"
+#include "support/removal_bound.hpp"
 #include "support/sample_models.hpp"
 #include "wavelet/filters.hpp"
 
 namespace {
 
 using fog::Rate;
+using fog::test::kNoiseResolution;
 using Denoiser = fog::Denoiser<fog::kAnyTaps, fog::kMostLevels>;
 
 constexpr std::size_t kDelay = 465;
@@ -56,40 +59,11 @@ class DenoiserTest : public testing::Test {
   std::vector<std::int32_t> thresholds_;
 };
 
-// The most that removing details up to 1 on every level can change the output: the sum over the
-// levels of the largest phase sum of the synthesis response's magnitude. The response of a level is
-// its high-pass synthesis filter sent up through the low-pass ones of the finer levels.
+// With the same threshold on every level.
 double removal_bound(const std::vector<double>& low, int levels) {
-  const std::size_t taps = low.size();
-  double bound = 0;
-  for (int level = 1; level <= levels; ++level) {
-    std::vector<double> response;
-    for (std::size_t i = 0; i < taps; ++i) {
-      response.push_back((i % 2 == 0 ? -1 : 1) * std::sqrt(2) * low[i]);
-    }
-    std::size_t period = 2;
-    for (int finer = level - 1; finer > 0; --finer, period *= 2) {
-      std::vector<double> longer(2 * response.size() + taps, 0.0);
-      for (std::size_t n = 0; n < response.size(); ++n) {
-        for (std::size_t i = 0; i < taps; ++i) {
-          longer[2 * n + i] += response[n] * std::sqrt(2) * low[taps - 1 - i];
-        }
-      }
-      response = longer;
-    }
-    double largest = 0;
-    for (std::size_t phase = 0; phase < period; ++phase) {
-      double sum = 0;
-      for (std::size_t n = phase; n < response.size(); n += period) sum += std::abs(response[n]);
-      largest = std::max(largest, sum);
-    }
-    bound += largest;
-  }
-  return bound;
+  const std::vector<double> bounds = fog::test::removal_bounds(low, levels);
+  return std::accumulate(bounds.begin(), bounds.end(), 0.0);
 }
-
-// What 16 bits of noise and 15 of synthesis taps cost at most, relative to the bound on the noise.
-constexpr double kNoiseResolution = 1.0 / 2000;
 
 TEST_F(DenoiserTest, WithThresholdZeroIsTheInputDelayedBy465SamplesBitForBit) {
   const auto denoiser = make(0, fog::ThresholdMode::soft);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <random>
 
+#include "core/fixed_point/dual_product.hpp"
 #include "support/overflow_guard.hpp"
 
 namespace {
@@ -31,6 +32,41 @@ TEST(RoundShift, DoesNotOverflowAtTheEndsOfTheRange) {
   EXPECT_EQ(round_shift(INT32_MIN, 1), -0x40000000);
   EXPECT_EQ(round_shift(INT64_MAX, 62), 2);
   EXPECT_EQ(round_shift(INT64_MIN, 63), -1);
+}
+
+TEST(SaturatingShift, IsTheFloorOfTheShiftedValueClipped) {
+  std::mt19937_64 random(1);
+  const auto expected = [](std::int64_t value, int bits) {
+    return fog::saturate<std::int32_t>(fog::floor_shift(value, bits));
+  };
+  for (int i = 0; i < 100000; ++i) {
+    const std::int64_t value = fog::floor_shift(static_cast<std::int64_t>(random()), i % 40);
+    ASSERT_EQ(fog::saturating_shift<31>(value), expected(value, 31)) << value;
+    ASSERT_EQ(fog::saturating_shift<25>(value), expected(value, 25)) << value;
+    ASSERT_EQ(fog::saturating_shift<1>(value), expected(value, 1)) << value;
+  }
+  for (const std::int64_t end : {std::int64_t{INT32_MAX}, std::int64_t{INT32_MIN}}) {
+    for (std::int64_t beside = -1; beside <= 1; ++beside) {
+      const std::int64_t value = (end + beside) * (std::int64_t{1} << 25);
+      ASSERT_EQ(fog::saturating_shift<25>(value), expected(value, 25)) << value;
+    }
+  }
+}
+
+TEST(DualProduct, AddsTheProductsOfTheHalvesStraightOrCrossed) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<std::int32_t> half(-8192, 8191);  // sums stay within 32 bits
+  for (int i = 0; i < 10000; ++i) {
+    const std::int32_t a_low = half(random), a_high = half(random);
+    const std::int32_t b_low = half(random), b_high = half(random);
+    const auto word = [](std::int32_t low, std::int32_t high) {
+      return (static_cast<std::uint32_t>(high) << 16U) |
+             (static_cast<std::uint32_t>(low) & 0xFFFFU);
+    };
+    const std::uint32_t a = word(a_low, a_high), b = word(b_low, b_high);
+    ASSERT_EQ(fog::add_dual_product(a, b, i), i + a_low * b_low + a_high * b_high);
+    ASSERT_EQ(fog::add_crossed_product(a, b, i), i + a_low * b_high - a_high * b_low);
+  }
 }
 
 TEST(RoundDivide, RoundsLikeRoundShift) {

@@ -26,6 +26,37 @@ TEST(ModelFile, ReadsBackToTheSameBits) {
   EXPECT_EQ(fogcomp::model_text(fogcomp::parse_model(text, "gyro.model")), text);
 }
 
+// A file from before ranges of rate and time, noise floors and holdouts were kept.
+TEST(ModelFile, ReadsAFileWithoutTheLaterEntries) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  const std::string old = fogcomp::model_text(model);
+  EXPECT_EQ(old.find("range_s"), std::string::npos);
+  EXPECT_EQ(old.find("history_"), std::string::npos);
+  const fogcomp::Model read = fogcomp::parse_model(old, "old.model");
+  EXPECT_FALSE(read.rate_range_degc_per_min.has_value());
+  EXPECT_FALSE(read.history[0].excess_removed().has_value());
+}
+
+TEST(ModelFile, KeepsTheWholeHistory) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  model.rate_range_degc_per_min = fogcomp::Range{-0.7, 0.9};
+  model.time_range_s = fogcomp::Range{5, 36005};
+  model.history.push_back({"add thermal_lag:tau=300", 0xFFFFFFFF, 0.024, 0.0205, 0.02,
+                           fogcomp::HistoryEntry::Holdout{0.027, 0.026}, true});
+  const std::string text = fogcomp::model_text(model);
+  const fogcomp::Model read = fogcomp::parse_model(text, "gyro.model");
+  EXPECT_EQ(fogcomp::model_text(read), text);
+  EXPECT_EQ(read.rate_range_degc_per_min->most, 0.9);
+  EXPECT_EQ(read.time_range_s->least, 5);
+  ASSERT_EQ(read.history.size(), 2U);
+  EXPECT_FALSE(read.history[0].noise_floor_dph.has_value());
+  EXPECT_EQ(read.history[1].action, "add thermal_lag:tau=300");
+  EXPECT_EQ(read.history[1].holdout->rms_after_dph, 0.026);
+  EXPECT_TRUE(read.history[1].forced);
+  // 0.024^2 - 0.0205^2 = 1.5575e-4 of 0.024^2 - 0.02^2 = 1.76e-4.
+  EXPECT_NEAR(read.history[1].excess_removed().value_or(0), 0.88494, 1e-5);
+}
+
 TEST(ModelFile, RefusesEveryDamagedByte) {
   const std::string good = fogcomp::model_text(fog::test::paper_like_model());
   for (std::size_t i = 0; i < good.size(); ++i) {

@@ -1,0 +1,143 @@
+// fogcomp add: one effect more, everything refitted, kept only if it helps out of sample.
+
+#include <cstdio>
+
+#include "cli/arguments.hpp"
+#include "cli/recording_options.hpp"
+#include "evaluation/comparison.hpp"
+#include "model/catalogue.hpp"
+#include "model/model_file.hpp"
+#include "refinement/add_effect.hpp"
+#include "support/json.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+Json runs_json(const std::vector<Addition::RunError>& runs) {
+  Json array = Json::array();
+  for (const Addition::RunError& run : runs) {
+    array.push(std::move(
+        Json::object()
+            .set("file", run.file)
+            .set("holdout", run.holdout)
+            .set("rms_before_dph", run.rms_before_dph)
+            .set("rms_after_dph", run.rms_after_dph)
+            .set("noise_floor_dph", run.noise_floor_dph ? Json(*run.noise_floor_dph) : Json())
+            .set("outside_temperature", run.outside_temperature)));
+  }
+  return array;
+}
+
+void print_json(const Addition& addition, bool written, const std::string& output) {
+  const EffectTerm& term = addition.model.terms[addition.changed];
+  const CatalogueEntry& entry = find_effect(term.name);
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < term.parameters.size(); ++i) {
+    parameters.set(entry.parameters[i].name, term.parameters[i]);
+  }
+  Json coefficients = Json::object();
+  for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
+    coefficients.set(entry.coefficients[i].symbol, natural_coefficient(term, i));
+  }
+  const OutOfSample& judged = addition.out_of_sample;
+  Json notes = Json::array();
+  for (const std::string& warning : addition.fit.identified.warnings) notes.push(warning);
+  Json result = Json::object();
+  result.set("effect", term.name)
+      .set("accepted", addition.accepted)
+      .set("reason", addition.reason)
+      .set("out_of_sample_rms_before_dph", judged.rms_before_dph)
+      .set("out_of_sample_rms_after_dph", judged.rms_after_dph)
+      .set("out_of_sample_gain", judged.gain)
+      .set("runs", runs_json(addition.runs))
+      .set("parameters", std::move(parameters))
+      .set("coefficients", std::move(coefficients))
+      .set("notes", std::move(notes))
+      .set("model", written ? Json(output) : Json());
+  std::puts(result.text().c_str());
+}
+
+void print_run(const Addition::RunError& run) {
+  std::printf("  %-32s %10.4f -> %10.4f", (run.file + (run.holdout ? " (holdout)" : "")).c_str(),
+              run.rms_before_dph, run.rms_after_dph);
+  if (run.noise_floor_dph) {
+    const double floor = *run.noise_floor_dph;
+    std::printf("   floor %.4f, drift %.4f -> %.4f", floor,
+                floor_removed(run.rms_before_dph, floor), floor_removed(run.rms_after_dph, floor));
+  }
+  if (run.outside_temperature > 0) {
+    std::printf("; %.0f %% outside the trained temperatures", 100 * run.outside_temperature);
+  }
+  std::puts("");
+}
+
+void print_text(const Addition& addition, bool written, const std::string& output) {
+  std::printf("deg/h, rms of %g s means\n", addition.model.average_s);
+  for (const Addition::RunError& run : addition.runs) print_run(run);
+  Model changed;
+  changed.terms = {addition.model.terms[addition.changed]};
+  std::printf("\n%s\n", describe(changed).c_str());
+  for (const std::string& warning : addition.fit.identified.warnings) {
+    std::printf("  note: %s\n", warning.c_str());
+  }
+  std::printf("%s: %s\n", addition.accepted ? "accepted" : "refused", addition.reason.c_str());
+  if (written) {
+    std::printf("written%s: %s\n", addition.accepted ? "" : " by --force", output.c_str());
+  } else {
+    std::puts("nothing written; --force keeps it all the same");
+  }
+}
+
+int run_add(const Arguments& arguments) {
+  const std::string output = arguments.required("o");
+  AddSettings settings;
+  settings.run_offsets = arguments.has("run-offsets");
+  settings.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
+  const std::vector<std::string>& words = arguments.positionals();
+  const Model model = load_model(words[0]);
+  ReadOptions reading = read_options(arguments);
+  reading.model_scale_factor = model.scale_factor;
+  const TrainingRuns training =
+      read_training_runs({words.begin() + 2, words.end()}, reading, model.average_s);
+  std::vector<RunInBlocks> holdouts;
+  for (const std::string& file : arguments.all("holdout")) {
+    holdouts.push_back(run_in_blocks(read_recording(file, reading), model.average_s));
+  }
+  const Addition addition = add_effect(model, words[1], training, holdouts, settings);
+  const bool written = addition.accepted || arguments.has("force");
+  if (written) save_model(addition.model, output);
+  if (arguments.has("json")) {
+    print_json(addition, written, output);
+  } else {
+    print_text(addition, written, output);
+  }
+  return written ? 0 : 1;
+}
+
+}  // namespace
+
+Command add_command() {
+  Command command;
+  command.name = "add";
+  command.positionals = "MODEL EFFECT[:k=v] RUN...";
+  command.least_positionals = 3;
+  command.most_positionals = kAnyNumber;
+  command.summary = "adds an effect, refits everything, keeps it if it helps out of sample";
+  command.example =
+      "fogcomp add gyro.model thermal_lag run.csv --holdout reversed.csv -o better.model";
+  command.options = {
+      {"o", "MODEL", "model file to write", ""},
+      {"holdout", "RUN", "a run to judge by instead of leaving parts out; may be repeated", "",
+       true},
+      {"force", "", "keep the effect even if it does not help", ""},
+      {"run-offsets", "", "every recording has a bias of its own; the model keeps the first's", ""},
+      {"seed", "N", "of the network's first weights", "1"},
+      {"json", "", "one JSON object on stdout", ""},
+  };
+  for (Option& option : recording_options()) command.options.push_back(std::move(option));
+  command.run = run_add;
+  return command;
+}
+
+}  // namespace fogcomp::cli

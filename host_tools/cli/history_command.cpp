@@ -1,0 +1,137 @@
+// fogcomp history: the error ladder of a model, step by step.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "cli/arguments.hpp"
+#include "model/model_file.hpp"
+#include "support/input_error.hpp"
+#include "support/json.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+std::string hash_text(std::uint32_t hash) {
+  return format("%08x", static_cast<unsigned>(hash));
+}
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json step_json(const HistoryEntry& step) {
+  Json object = Json::object();
+  object.set("action", step.action)
+      .set("data_hash", hash_text(step.data_hash))
+      .set("rms_before_dph", step.rms_before_dph)
+      .set("rms_after_dph", step.rms_after_dph)
+      .set("noise_floor_dph", number_or_null(step.noise_floor_dph))
+      .set("excess_removed", number_or_null(step.excess_removed()))
+      .set("holdout_rms_before_dph", step.holdout ? Json(step.holdout->rms_before_dph) : Json())
+      .set("holdout_rms_after_dph", step.holdout ? Json(step.holdout->rms_after_dph) : Json())
+      .set("forced", step.forced);
+  return object;
+}
+
+void print_json(const Model& model, const std::string& file) {
+  Json steps = Json::array();
+  for (const HistoryEntry& step : model.history) steps.push(step_json(step));
+  Json result = Json::object();
+  result.set("model", file).set("average_s", model.average_s).set("steps", std::move(steps));
+  std::puts(result.text().c_str());
+}
+
+// How much of a bar's width an error takes: its ratio to the noise floor, logarithmic, so that the
+// last steps show as well as the first; plainly its size where no floor is known.
+class Scale {
+ public:
+  explicit Scale(const std::vector<HistoryEntry>& steps) {
+    for (const HistoryEntry& step : steps) {
+      most_dph_ = std::max({most_dph_, step.rms_before_dph, step.rms_after_dph});
+    }
+    floor_dph_ = steps.back().noise_floor_dph.value_or(0);
+  }
+  bool by_ratio() const { return floor_dph_ > 0 && most_dph_ > floor_dph_; }
+  double share(double rms_dph) const {
+    if (most_dph_ <= 0 || rms_dph <= floor_dph_) return 0;
+    if (!by_ratio()) return rms_dph / most_dph_;
+    return std::log(rms_dph / floor_dph_) / std::log(most_dph_ / floor_dph_);
+  }
+
+ private:
+  double most_dph_ = 0;
+  double floor_dph_ = 0;
+};
+
+void print_rung(const Scale& scale, const std::string& name, double rms_dph) {
+  constexpr double kWidth = 48;
+  const auto length = static_cast<std::size_t>(std::lround(kWidth * scale.share(rms_dph)));
+  std::printf("  %10.4f  %-48s  %s\n", rms_dph, std::string(length, '#').c_str(), name.c_str());
+}
+
+void print_ladder(const std::vector<HistoryEntry>& steps) {
+  const Scale scale(steps);
+  if (scale.by_ratio()) std::puts("  (bars: ratio to the noise floor, logarithmic)");
+  print_rung(scale, "before any step", steps.front().rms_before_dph);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    print_rung(scale, format("%zu %s", i + 1, steps[i].action.c_str()), steps[i].rms_after_dph);
+  }
+  if (steps.back().noise_floor_dph) {
+    print_rung(scale, "noise floor", *steps.back().noise_floor_dph);
+  }
+}
+
+void print_step(std::size_t number, const HistoryEntry& step) {
+  const auto removed = step.excess_removed();
+  std::printf("  %4zu %10.4f -> %10.4f %10s", number, step.rms_before_dph, step.rms_after_dph,
+              removed ? format("%.1f %%", 100 * *removed).c_str() : "-");
+  const std::string holdout = step.holdout ? format("%.4f -> %.4f", step.holdout->rms_before_dph,
+                                                    step.holdout->rms_after_dph)
+                                           : "-";
+  std::printf("   %-24s %s%s\n", holdout.c_str(), hash_text(step.data_hash).c_str(),
+              step.forced ? "  forced: did not help out of sample" : "");
+}
+
+void print_text(const Model& model, const std::string& file) {
+  const std::vector<HistoryEntry>& steps = model.history;
+  std::printf("%s: error on the data of each fit, deg/h rms of %g s means\n\n", file.c_str(),
+              model.average_s);
+  print_ladder(steps);
+  std::printf("\n  step     before ->      after  of excess   %-24s data\n", "held out");
+  for (std::size_t i = 0; i < steps.size(); ++i) print_step(i + 1, steps[i]);
+  const bool several = std::any_of(steps.begin(), steps.end(), [&](const HistoryEntry& step) {
+    return step.data_hash != steps.front().data_hash;
+  });
+  if (several) std::puts("  the steps saw different data: compare errors within one hash");
+}
+
+int run_history(const Arguments& arguments) {
+  const std::string& file = arguments.positionals()[0];
+  const Model model = load_model(file);
+  if (model.history.empty()) throw InputError(file, "has no history; fit it again");
+  if (arguments.has("json")) {
+    print_json(model, file);
+  } else {
+    print_text(model, file);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command history_command() {
+  Command command;
+  command.name = "history";
+  command.positionals = "MODEL";
+  command.least_positionals = 1;
+  command.most_positionals = 1;
+  command.summary = "the error ladder of a model: what was added, what it brought";
+  command.example = "fogcomp history gyro.model";
+  command.options = {{"json", "", "one JSON object on stdout", ""}};
+  command.run = run_history;
+  return command;
+}
+
+}  // namespace fogcomp::cli

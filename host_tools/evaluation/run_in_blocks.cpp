@@ -1,0 +1,23 @@
+#include "evaluation/run_in_blocks.hpp"
+
+#include <cmath>
+
+#include "evaluation/noise_floor.hpp"
+
+namespace fogcomp {
+
+RunInBlocks run_in_blocks(const Recording& recording, double average_s) {
+  RunInBlocks run;
+  run.file = recording.file;
+  run.blocks = make_blocks(recording);
+  for (const Segment& segment : find_segments(recording)) {
+    const bool last = segment.end_row == recording.rows();
+    run.segments.push_back(
+        {segment.name, segment.kind, last ? HUGE_VAL : recording.time_s[segment.end_row]});
+  }
+  run.average_s = average_s;
+  run.noise_floor_dph = noise_floor_dph(recording, average_s);
+  return run;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,119 @@
+#include "refinement/add_effect.hpp"
+
+#include <cmath>
+
+#include "evaluation/autocorrelation.hpp"
+#include "evaluation/comparison.hpp"
+#include "refinement/effect_change.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+// Whether the holdouts' squares rose from one model to the other by more than chance does once in
+// 100 times.
+class RiseTest {
+ public:
+  void add(const Comparison& before, const Comparison& after) {
+    const std::size_t first = rise_.size();
+    for (std::size_t i = 0; i < before.rows.size(); ++i) {
+      rise_.push_back(std::pow(after.rows[i].residual_dph(), 2) -
+                      std::pow(before.rows[i].residual_dph(), 2));
+      before_ += std::pow(before.rows[i].residual_dph(), 2);
+      after_ += std::pow(after.rows[i].residual_dph(), 2);
+    }
+    runs_.push_back({first, rise_.size()});
+  }
+  bool rose() const {
+    constexpr double kOneIn100 = 2.33;
+    const auto rows = static_cast<double>(rise_.size());
+    double sum = 0;
+    double squares = 0;
+    for (const double one : rise_) {
+      sum += one;
+      squares += one * one;
+    }
+    const double variance = squares - sum * sum / std::max(1.0, rows);
+    return sum > kOneIn100 * std::sqrt(variance * correlated_values(rise_, runs_));
+  }
+  HistoryEntry::Holdout rms_dph() const {
+    const auto rows = static_cast<double>(rise_.size());
+    return {std::sqrt(before_ / rows), std::sqrt(after_ / rows)};
+  }
+
+ private:
+  std::vector<double> rise_;
+  std::vector<RowRange> runs_;
+  double before_ = 0;
+  double after_ = 0;
+};
+
+FitSettings fit_settings(const Model& model, const AddSettings& settings) {
+  FitSettings fit;
+  fit.identify.run_offsets = settings.run_offsets;
+  fit.network.hidden = static_cast<int>(model.network.hidden.biases.size());
+  fit.network.training.seed = settings.seed;
+  return fit;
+}
+
+OutOfSample judge(const Model& before, const Addition& after, const SignalSeries& series,
+                  const std::vector<RunInBlocks>& holdouts, bool run_offsets) {
+  const Identification& identified = after.fit.identified;
+  if (holdouts.empty()) {
+    return cross_validate(series, before.terms, after.model.terms, after.changed,
+                          {identified.noise, identified.row_weights, run_offsets});
+  }
+  return judge_on_holdouts(before, after.model, holdouts, identified.noise, run_offsets);
+}
+
+}  // namespace
+
+Addition add_effect(const Model& model, const std::string& effect, const TrainingRuns& training,
+                    const std::vector<RunInBlocks>& holdouts, const AddSettings& settings) {
+  const EffectChange change = change_effect(model.terms, effect);
+  Addition result;
+  result.changed = change.changed;
+  Model before = model;
+  before.noise_dph_rthz = training.noise_dph_rthz;
+  result.model = before;
+  result.model.terms = change.terms;
+
+  SignalSeries series(result.model);
+  for (const RunInBlocks& run : training.runs) series.add(run.blocks);
+  const FitSettings fitting = fit_settings(model, settings);
+  fit_model(before, series, fitting);
+  result.fit = fit_model(result.model, series, fitting);
+  result.out_of_sample = judge(before, result, series, holdouts, settings.run_offsets);
+
+  RiseTest on_holdouts;
+  const auto compare = [&](const RunInBlocks& run, bool holdout) {
+    const Comparison without = compare_with(before, run);
+    const Comparison with = compare_with(result.model, run);
+    if (holdout) on_holdouts.add(without, with);
+    result.runs.push_back({run.file, holdout, without.whole.rms_dph, with.whole.rms_dph,
+                           run.noise_floor_dph, with.outside.temperature});
+  };
+  for (const RunInBlocks& run : training.runs) compare(run, false);
+  for (const RunInBlocks& run : holdouts) compare(run, true);
+
+  HistoryEntry step{"add " + effect, training.data_hash, before.residual_rms_dph,
+                    result.model.residual_rms_dph, training.noise_floor_dph};
+  if (!holdouts.empty()) step.holdout = on_holdouts.rms_dph();
+  const OutOfSample& judged = result.out_of_sample;
+  const bool rose = !holdouts.empty() && on_holdouts.rose();
+  result.accepted = judged.helps() && !rose;
+  result.reason = format(
+      "%s out of sample: the effects alone leave %.4f -> %.4f deg/h %s (gain "
+      "%.1f, needed %g)",
+      judged.helps() ? "helps" : "does not help", judged.rms_before_dph, judged.rms_after_dph,
+      judged.how.c_str(), judged.gain, kLeastGain);
+  if (judged.helps() && rose) {
+    result.reason = format("makes the whole model worse on the holdouts: %.4f -> %.4f deg/h",
+                           step.holdout->rms_before_dph, step.holdout->rms_after_dph);
+  }
+  step.forced = !result.accepted;
+  result.model.history.push_back(step);
+  return result;
+}
+
+}  // namespace fogcomp

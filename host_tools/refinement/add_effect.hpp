@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "refinement/fit_model.hpp"
+#include "refinement/out_of_sample.hpp"
+#include "refinement/training_runs.hpp"
+
+namespace fogcomp {
+
+struct AddSettings {
+  bool run_offsets = false;  ///< as IdentifySettings has it; holdouts too
+  std::uint64_t seed = 1;    ///< of the network's first weights
+};
+
+/// A model with one effect more, or one changed, and whether that was worth it.
+struct Addition {
+  struct RunError {
+    std::string file;
+    bool holdout = false;
+    double rms_before_dph = 0;  ///< of the whole model, network included, rows of average_s
+    double rms_after_dph = 0;
+    std::optional<double> noise_floor_dph;
+    /// Part of the rows outside the new model's trained temperatures, 0..1: there a holdout judges
+    /// how the board holds the drift, not the effect.
+    double outside_temperature = 0;
+  };
+  Model model;                 ///< as refitted, with its history
+  std::size_t changed = 0;     ///< the term that was added or changed
+  FitResult fit;               ///< of the new model
+  std::vector<RunError> runs;  ///< training runs, then holdouts
+  OutOfSample out_of_sample;   ///< the effects alone, before against after
+  bool accepted = false;
+  std::string reason;  ///< one line: why it is accepted or not
+};
+
+/// Adds `effect` (see change_effect) to `model` and refits everything on `training`: all effects
+/// together, then, if the model has a network, a new one of the same size on what they leave.
+/// "Before" is the model without the change, refitted on the same runs, so that refitting alone
+/// earns nothing.
+///
+/// Accepted if the effects alone gain out of sample (OutOfSample::helps): on the holdouts, or where
+/// there are none on stretches or runs left out; and if the whole model's rms on the holdouts has
+/// not risen beyond chance. Throws InputError for a bad effect, a run that lacks what it needs, and
+/// data that cannot determine it.
+Addition add_effect(const Model& model, const std::string& effect, const TrainingRuns& training,
+                    const std::vector<RunInBlocks>& holdouts, const AddSettings& settings);
+
+}  // namespace fogcomp

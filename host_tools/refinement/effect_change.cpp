@@ -1,0 +1,68 @@
+#include "refinement/effect_change.hpp"
+
+#include <algorithm>
+
+#include "identification/effect_list.hpp"
+#include "model/catalogue.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+EffectTerm parse_one(const std::string& effect) {
+  if (effect.empty()) throw InputError("effect", "is not named; fogcomp effects lists them");
+  const std::vector<EffectTerm> terms = parse_effects(effect);
+  if (terms.size() != 1) {
+    throw InputError("effect '" + effect + "'", "is more than one; add them one after the other");
+  }
+  return terms[0];
+}
+
+// The parameters that were given, not identified, written as for `fit --effects`.
+std::string given_parameters(const EffectTerm& term) {
+  const CatalogueEntry& entry = find_effect(term.name);
+  std::string text;
+  for (std::size_t i = 0; i < term.parameters.size(); ++i) {
+    if (term.identified[i]) continue;
+    text += text.empty() ? ":" : ",";
+    text += format("%s=%.17g", entry.parameters[i].name, term.parameters[i]);
+  }
+  return text;
+}
+
+EffectTerm with_settings(const EffectTerm& old, const std::string& effect) {
+  const std::size_t colon = effect.find(':');
+  std::string given = given_parameters(old);
+  if (colon != std::string::npos) {
+    given += (given.empty() ? ":" : ",") + effect.substr(colon + 1);
+  }
+  EffectTerm term = parse_one(old.name + given);
+  for (std::size_t i = 0; i < term.parameters.size(); ++i) {
+    if (term.identified[i]) term.parameters[i] = old.parameters[i];
+  }
+  return term;
+}
+
+}  // namespace
+
+EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect) {
+  EffectChange change{terms, 0};
+  const EffectTerm added = parse_one(effect);
+  const auto old = std::find_if(terms.begin(), terms.end(),
+                                [&](const EffectTerm& term) { return term.name == added.name; });
+  change.changed = static_cast<std::size_t>(old - terms.begin());
+  if (old == terms.end()) {
+    change.terms.push_back(added);
+    return change;
+  }
+  const EffectTerm changed = with_settings(*old, effect);
+  if (changed.parameters == old->parameters && changed.identified == old->identified) {
+    throw InputError("effect '" + effect + "'",
+                     "is in the model already; name a parameter to change, or another effect");
+  }
+  change.terms[change.changed] = changed;
+  return change;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace fogcomp {
+
+/// A set of effects after one was added or changed.
+struct EffectChange {
+  std::vector<EffectTerm> terms;
+  std::size_t changed = 0;  ///< which of them
+};
+
+/// `effect`: one effect as `fit --effects` has it. A new one goes to the end. One that is there
+/// already keeps its shape but for the parameters that are named: `bias_temperature:order=4` raises
+/// the order. Throws InputError for anything else than one effect, for an unknown one, and where
+/// nothing would change.
+EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect);
+
+}  // namespace fogcomp

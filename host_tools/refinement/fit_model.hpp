@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "identification/identify.hpp"
+#include "training/network_training.hpp"
+#include "wavelet/denoise.hpp"
+
+namespace fogcomp {
+
+struct FitSettings {
+  IdentifySettings identify;
+  NetworkSettings network;  ///< hidden 0: no network
+  /// What the network is trained on is denoised first; nothing: the rows stay as they are.
+  std::optional<DenoiseMethod> row_denoising;
+};
+
+struct FitResult {
+  double raw_std_dph = 0;  ///< of the rows, before any model
+  /// What the effects leave. With the network on top: Model::residual_rms_dph.
+  double effects_rms_dph = 0;
+  Identification identified;
+  std::optional<TrainerResult> training;  ///< of the network
+};
+
+/// Both stages on all rows of `series`: the effects of model.terms, all together, then a new
+/// network on what they leave. The model's network, trained range and residual are replaced; its
+/// history is the caller's. Throws InputError as identify() does.
+FitResult fit_model(Model& model, const SignalSeries& series, const FitSettings& settings);
+
+}  // namespace fogcomp

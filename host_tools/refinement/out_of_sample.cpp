@@ -1,0 +1,227 @@
+#include "refinement/out_of_sample.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evaluation/autocorrelation.hpp"
+#include "evaluation/comparison.hpp"
+#include "identification/least_squares.hpp"
+#include "identification/noise_weighted_fit.hpp"
+#include "identification/shape_search.hpp"
+#include "identification/whitening.hpp"
+#include "support/median.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kOutlier = 4;  // standard deviations; beyond, a row counts as if it were there
+
+// Rows without a gap in this sense: of one recording.
+std::vector<RowRange> runs_of(const Rows& rows) {
+  std::vector<RowRange> runs;
+  for (const std::size_t start : rows.run_starts) {
+    if (!runs.empty()) runs.back().end = start;
+    runs.push_back({start, static_cast<std::size_t>(rows.size())});
+  }
+  return runs;
+}
+
+auto segment(Eigen::VectorXd& values, const RowRange& range) {
+  return values.segment(static_cast<Eigen::Index>(range.first),
+                        static_cast<Eigen::Index>(range.size()));
+}
+
+double weighted_rms(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+  return std::sqrt(values.cwiseAbs2().dot(weights) / weights.sum());
+}
+
+// The residuals of both, a row each, as no fit has seen them.
+OutOfSample judge(const Rows& rows, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
+                  const NoiseModel& noise, const Eigen::VectorXd& weights) {
+  OutOfSample result;
+  result.rms_before_dph = weighted_rms(before, rows.weights);
+  result.rms_after_dph = weighted_rms(after, rows.weights);
+  const Whitening whitening(noise, rows, weights);
+  Eigen::VectorXd white_before = whitening.apply(before);
+  Eigen::VectorXd white_after = whitening.apply(after);
+  const double typical = sigma_by_median({white_before.begin(), white_before.end()});
+  const double most = kOutlier * std::max(1.0, typical);
+  white_before = white_before.cwiseMax(-most).cwiseMin(most);
+  white_after = white_after.cwiseMax(-most).cwiseMin(most);
+  const double variance =
+      std::max(1.0, white_after.squaredNorm() / static_cast<double>(rows.size()));
+  const double together =
+      correlated_values({white_after.begin(), white_after.end()}, runs_of(rows));
+  result.gain = (white_before.squaredNorm() - white_after.squaredNorm()) / (variance * together);
+  return result;
+}
+
+// The longest that the noise remembers in any part that counts.
+double noise_memory_s(const NoiseModel& noise) {
+  constexpr double kCounts = 0.01;  // of the noise variance
+  double total = noise.white_variance;
+  for (const NoiseModel::Component& component : noise.components) total += component.variance;
+  double longest = noise.row_s;
+  for (const NoiseModel::Component& component : noise.components) {
+    if (component.variance >= kCounts * total) longest = std::max(longest, component.tau_s);
+  }
+  return longest;
+}
+
+using Part = std::vector<RowRange>;  // left out together
+
+// Stretches of time in turns: every part has some of each phase of the run, so that what is left
+// out lies between what is known and not beyond it.
+std::vector<Part> parts_of(const Rows& rows, double memory_s) {
+  constexpr double kMemories = 3;
+  constexpr std::size_t kParts = 5;
+  const auto size = static_cast<std::size_t>(rows.size());
+  const double length_s = static_cast<double>(size) * rows.row_s;
+  const double count = std::clamp(std::floor(length_s / (kMemories * memory_s)), 10.0, 50.0);
+  const auto stretches = static_cast<std::size_t>(count);
+  std::vector<Part> parts(kParts);
+  for (std::size_t i = 0; i < stretches; ++i) {
+    parts[i % kParts].push_back({i * size / stretches, (i + 1) * size / stretches});
+  }
+  return parts;
+}
+
+// What one set of effects leaves in all rows when identified without those of `left_out`.
+struct Fold {
+  Eigen::VectorXd residual_dph;
+  bool determined = false;  // the other rows determine every coefficient
+};
+
+Fold leave_out(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+               const Part& left_out, const JudgedWith& with) {
+  const Rows& rows = series.rows();
+  Eigen::VectorXd weights = with.row_weights;
+  for (const RowRange& range : left_out) segment(weights, range).setZero();
+  const Whitening whitening(with.noise, rows, weights);
+  const Eigen::MatrixXd offsets = run_offset_columns(rows, with.run_offsets);
+  WhitenedProblem problem(series, whitening, terms, offsets);
+  search_shapes(problem, shape_parameters(terms));
+  const LinearFit fit = solve_linear(problem.matrix(), problem.measured());
+  Fold fold;
+  fold.determined = fit.rank == fit.coefficients.size();
+  fold.residual_dph = rows.drift_dph;
+  Eigen::Index column = 0;
+  for (const EffectTerm& term : problem.terms()) {
+    const Eigen::MatrixXd regressors = series.regressors(term);
+    fold.residual_dph -= regressors * fit.coefficients.segment(column, regressors.cols());
+    column += regressors.cols();
+  }
+  fold.residual_dph -= offsets * fit.coefficients.tail(offsets.cols());
+  return fold;
+}
+
+// Every shape stays but those of one term.
+std::vector<EffectTerm> shapes_kept(std::vector<EffectTerm> terms, std::size_t free) {
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (i != free) std::fill(terms[i].identified.begin(), terms[i].identified.end(), false);
+  }
+  return terms;
+}
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+struct Residuals {
+  Eigen::VectorXd before;
+  Eigen::VectorXd after;
+  bool determined = true;
+};
+
+Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTerm>& before,
+                         const std::vector<EffectTerm>& after, const std::vector<Part>& parts,
+                         const JudgedWith& with) {
+  Residuals residuals{Eigen::VectorXd(series.rows().size()), Eigen::VectorXd(series.rows().size()),
+                      true};
+  for (const Part& part : parts) {
+    Fold without = leave_out(series, before, part, with);
+    Fold added = leave_out(series, after, part, with);
+    for (const RowRange& range : part) {
+      segment(residuals.before, range) = segment(without.residual_dph, range);
+      segment(residuals.after, range) = segment(added.residual_dph, range);
+    }
+    residuals.determined = residuals.determined && added.determined;
+  }
+  return residuals;
+}
+
+Eigen::VectorXd residual_of_effects(Model model, const std::vector<RunInBlocks>& runs,
+                                    bool run_offsets) {
+  model.network = RealNetwork();
+  std::vector<double> residual;
+  for (const RunInBlocks& run : runs) {
+    const Comparison comparison = compare_with(model, run);
+    const double offset = run_offsets ? comparison.whole.mean_dph : 0;
+    for (const Comparison::Row& row : comparison.rows) {
+      residual.push_back(row.residual_dph() - offset);
+    }
+  }
+  return Eigen::Map<const Eigen::VectorXd>(residual.data(),
+                                           static_cast<Eigen::Index>(residual.size()));
+}
+
+// As fitted, in the rows of the fit.
+std::vector<double> fitted_residual(const SignalSeries& series,
+                                    const std::vector<EffectTerm>& terms) {
+  Eigen::VectorXd residual = series.rows().drift_dph;
+  for (const EffectTerm& term : terms) {
+    const Eigen::Map<const Eigen::VectorXd> coefficients(
+        term.coefficients_dph.data(), static_cast<Eigen::Index>(term.coefficients_dph.size()));
+    residual -= series.regressors(term) * coefficients;
+  }
+  return {residual.begin(), residual.end()};
+}
+
+}  // namespace
+
+bool OutOfSample::helps() const {
+  return gain >= kLeastGain;
+}
+
+OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectTerm>& before,
+                           const std::vector<EffectTerm>& after, std::size_t changed,
+                           const JudgedWith& with) {
+  constexpr std::size_t kEnoughRuns = 3;
+  constexpr double kSecondsPerHour = 3600;
+  const Rows& rows = series.rows();
+  const std::vector<EffectTerm> fixed_before = shapes_kept(before, kNone);
+  const std::vector<EffectTerm> fixed_after = shapes_kept(after, changed);
+  const std::vector<RowRange> runs = runs_of(rows);
+  // A run's own offset cannot be known without the run.
+  if (runs.size() >= kEnoughRuns && !with.run_offsets) {
+    std::vector<Part> parts;
+    for (const RowRange& run : runs) parts.push_back({run});
+    const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
+    if (left.determined) {
+      OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
+      result.how = format("on %zu runs, each left out once", runs.size());
+      return result;
+    }
+  }
+  const double residual_s = rows.row_s * correlated_values(fitted_residual(series, after), runs);
+  const std::vector<Part> parts = parts_of(rows, std::max(noise_memory_s(with.noise), residual_s));
+  const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
+  OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
+  result.how = format("on stretches of %.2g h, a fifth of them left out in turn",
+                      static_cast<double>(parts[0][0].size()) * rows.row_s / kSecondsPerHour);
+  return result;
+}
+
+OutOfSample judge_on_holdouts(const Model& before, const Model& after,
+                              const std::vector<RunInBlocks>& holdouts, const NoiseModel& noise,
+                              bool run_offsets) {
+  SignalSeries series(after);
+  for (const RunInBlocks& run : holdouts) series.add(run.blocks);
+  const Rows& rows = series.rows();
+  OutOfSample result =
+      judge(rows, residual_of_effects(before, holdouts, run_offsets),
+            residual_of_effects(after, holdouts, run_offsets), noise, rows.weights);
+  result.how = holdouts.size() == 1 ? "on the holdout" : format("on %zu holdouts", holdouts.size());
+  return result;
+}
+
+}  // namespace fogcomp

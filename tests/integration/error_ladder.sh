@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# error_ladder.sh FOGCOMP: a model is improved step by step as an engineer would: compare says what is
+# left and on what it depends, add keeps what helps out of sample and refuses what does not, history shows it.
+set -euo pipefail
+fogcomp=$(realpath "${1:?usage: error_ladder.sh FOGCOMP}")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+fail() {
+  echo "FAILED: $1" >&2
+  exit 1
+}
+
+# value FILE KEY...: a member of a JSON file.
+value() {
+  local file=$1
+  shift
+  printf 'file(READ "%s" text)\nstring(JSON value GET "${text}" %s)\nmessage("${value}")\n' \
+    "$file" "$*" >value.cmake
+  cmake -P value.cmake 2>&1
+}
+
+for seed in 1 2; do "$fogcomp" simulate -o "run$seed.csv" --seed "$seed" >/dev/null; done
+"$fogcomp" fit run1.csv -o static.model --effects bias,bias_temperature >/dev/null
+
+# The rate term is missing: the residual depends on rate and history; with it, far less is left.
+"$fogcomp" compare static.model run1.csv --json >static.json
+[[ $(value static.json runs 0 structure temperature_rate structured) == ON ]] || fail "rate not seen"
+[[ $(value static.json runs 0 structure history structured) == ON ]] || fail "history not seen"
+"$fogcomp" compare static.model run1.csv >static.txt
+grep -q 'of what is above the floor: .*temperature rate' static.txt || fail "$(cat static.txt)"
+
+"$fogcomp" add static.model temperature_rate run1.csv --holdout run2.csv -o rate.model --json >add.json
+[[ $(value add.json accepted) == ON ]] || fail "a true effect refused: $(cat add.json)"
+[[ $(value add.json runs 0 holdout) == OFF && $(value add.json runs 1 holdout) == ON ]] || fail "holdouts"
+awk -v before="$(value add.json runs 1 rms_before_dph)" -v after="$(value add.json runs 1 rms_after_dph)" \
+  'BEGIN { exit !(after < 0.7 * before) }' || fail "little gained: $(cat add.json)"
+# The same without a holdout: the same model, judged by cross-validation.
+"$fogcomp" add static.model temperature_rate run1.csv -o again.model >again.txt || fail "$(cat again.txt)"
+grep -q '^accepted: helps out of sample.*left out' again.txt || fail "$(cat again.txt)"
+cmp <(grep '^effect' rate.model) <(grep '^effect' again.model) || fail "the judge changed the model"
+
+# An effect that this gyro does not have: refused, exit code 1, nothing written, unless forced.
+for judge in "" "--holdout run2.csv"; do
+  status=0
+  # shellcheck disable=SC2086
+  "$fogcomp" add rate.model thermal_hysteresis:radius=3 run1.csv -o useless.model $judge >refused.txt || status=$?
+  ((status == 1)) || fail "exit code $status: $(cat refused.txt)"
+  [[ ! -e useless.model ]] || fail "written although refused"
+  grep -q '^refused: does not help out of sample' refused.txt || fail "$(cat refused.txt)"
+done
+"$fogcomp" add rate.model thermal_hysteresis:radius=3 run1.csv -o forced.model --force >forced.txt
+grep -q '^written by --force: forced.model' forced.txt || fail "$(cat forced.txt)"
+
+# A network is trained anew, of the same size.
+"$fogcomp" fit run1.csv -o network.model --effects bias,bias_temperature --network 4 >/dev/null
+"$fogcomp" add network.model temperature_rate run1.csv -o network2.model >/dev/null
+grep -q '^hidden logsig 4 ' network2.model || fail "no network of 4"
+
+# The ladder.
+"$fogcomp" history forced.model --json >history.json
+[[ $(value history.json steps 0 action) == "fit bias,bias_temperature" ]] || fail "first step"
+[[ $(value history.json steps 1 action) == "add temperature_rate" ]] || fail "second step"
+[[ $(value history.json steps 1 forced) == OFF && $(value history.json steps 2 forced) == ON ]] || fail "forced"
+awk -v ladder="$(value history.json steps 1 holdout_rms_after_dph)" -v add="$(value add.json runs 1 rms_after_dph)" \
+  'BEGIN { exit !(ladder - add < 1e-9 && add - ladder < 1e-9) }' || fail "holdout error: $(cat history.json)"
+[[ $(value history.json steps 1 data_hash) == "$(value history.json steps 0 data_hash)" ]] || fail "data hash"
+awk -v removed="$(value history.json steps 1 excess_removed)" 'BEGIN { exit !(removed > 0.5 && removed <= 1) }' ||
+  fail "excess removed: $(cat history.json)"
+"$fogcomp" history forced.model >history.txt
+grep -qE '####.*1 fit bias' history.txt && grep -q 'forced: did not help' history.txt || fail "$(cat history.txt)"
+
+# Two models and two runs side by side: every segment has a figure of each.
+"$fogcomp" compare static.model run1.csv run2.csv --model rate.model >both.txt
+[[ $(grep -c '^  all ' both.txt) == 2 ]] || fail "$(cat both.txt)"
+grep -qE 'before \| static\.model +rate\.model' both.txt || fail "$(cat both.txt)"
+"$fogcomp" compare static.model run1.csv run2.csv --model rate.model --json >both.json
+[[ $(value both.json models 1 model) == rate.model ]] || fail "second model"
+for run in 0 1; do
+  awk -v a="$(value both.json models 0 runs "$run" drift_left_dph)" \
+    -v b="$(value both.json models 1 runs "$run" drift_left_dph)" 'BEGIN { exit !(b < a) }' || fail "run $run"
+done
+[[ $(value both.json models 0 runs 1 residual_rms_dph) == "$(value both.json runs 1 residual_rms_dph)" ]] ||
+  fail "the contract's keys are not those of the first model"
+
+# A run that leaves the training: faster ramps, later begin.
+awk -F, -v OFS=, 'NR > 1 && $1 !~ /^#/ && $1 + 0 == $1 { $1 = $1 / 4 } { print }' run1.csv >fast.csv
+"$fogcomp" compare rate.model fast.csv >fast.txt
+grep -q 'warning: .*ramps beyond the trained' fast.txt || fail "$(cat fast.txt)"
+grep -q warning static.txt && fail "warns on its own training run"
+awk -F, 'NR == 1 || $1 !~ /^[0-9]/ || $1 >= 7200' run1.csv >late.csv
+"$fogcomp" fit late.csv -o late.model --effects bias,bias_temperature >/dev/null
+"$fogcomp" compare late.model run1.csv | grep -q 'warning: .*sooner after power-on' || fail "no warning of warm-up"
+echo "ladder: static -> rate term, drift left $(value both.json models 0 runs 1 drift_left_dph) ->" \
+  "$(value both.json models 1 runs 1 drift_left_dph) deg/h on the run held out"

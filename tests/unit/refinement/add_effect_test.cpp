@@ -1,0 +1,163 @@
+#include "refinement/add_effect.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "identification/effect_list.hpp"
+#include "refinement/effect_change.hpp"
+#include "support/input_error.hpp"
+#include "unit/identification/simulated_gyro.hpp"
+
+namespace {
+
+using fogcomp::Addition;
+using fogcomp::Model;
+
+constexpr fog::test::RowNoise kNoise{0.024, 0.006, 300};
+
+Model truth() {
+  Model model = fog::test::paper_like_model();
+  model.network = {};
+  return model;
+}
+
+Model model_of(const std::string& effects) {
+  Model model = truth();
+  model.terms = fogcomp::parse_effects(effects);
+  model.history.clear();
+  return model;
+}
+
+fogcomp::RunInBlocks run_of(const Model& real, std::uint64_t seed) {
+  return fogcomp::run_in_blocks(fog::test::recording_of(real, kNoise, seed), 10);
+}
+
+fogcomp::TrainingRuns runs_of(const Model& real, const std::vector<std::uint64_t>& seeds) {
+  fogcomp::TrainingRuns training;
+  for (const std::uint64_t seed : seeds) training.runs.push_back(run_of(real, seed));
+  training.noise_floor_dph = training.runs[0].noise_floor_dph;
+  training.noise_dph_rthz = 0.075;
+  return training;
+}
+
+Addition add(const std::string& model, const std::string& effect, const Model& real,
+             const std::vector<std::uint64_t>& seeds,
+             const std::vector<fogcomp::RunInBlocks>& holdouts = {}) {
+  return add_effect(model_of(model), effect, runs_of(real, seeds), holdouts, {});
+}
+
+const std::string kComplete = "bias,bias_temperature:order=3,temperature_rate";
+
+// An effect that stands out by about five standard deviations is accepted in most of 20 recordings,
+// one ten times as large in all.
+TEST(AddEffect, AcceptsATrueEffect) {
+  for (const double size : {1.0, 10.0}) {
+    Model real = truth();
+    real.terms[2].coefficients_dph = {size * 0.06};
+    int accepted = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      const Addition result =
+          add("bias,bias_temperature:order=3", "temperature_rate", real, {seed});
+      if (result.accepted) ++accepted;
+      if (seed == 1) {
+        std::printf("%g times: %.1f sigma, %s\n", size,
+                    result.model.terms[2].coefficients_dph[0] / result.model.terms[2].sigma_dph[0],
+                    result.reason.c_str());
+      }
+    }
+    std::printf("%d of 20 accepted\n", accepted);
+    EXPECT_GE(accepted, size > 1 ? 20 : 15);
+  }
+}
+
+TEST(AddEffect, RefusesAUselessEffect) {
+  int accepted = 0;
+  int tried = 0;
+  for (const char* const effect :
+       {"thermal_hysteresis:radius=5", "thermal_lag", "warm_up", "polarization_ripple",
+        "temperature_rate_product", "bias_temperature:order=4"}) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      const Addition result = add(kComplete, effect, truth(), {seed});
+      ++tried;
+      if (result.accepted) ++accepted;
+      if (result.accepted) std::printf("%s: %s\n", effect, result.reason.c_str());
+      EXPECT_EQ(result.model.history.back().forced, !result.accepted);
+    }
+  }
+  std::printf("%d of %d useless effects accepted\n", accepted, tried);
+  EXPECT_LE(accepted, 2);  // kLeastGain lets about one in 100 pass
+}
+
+TEST(AddEffect, IsJudgedOnHoldoutsWhereThereAreSome) {
+  int useful = 0;
+  int useless = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const std::vector<fogcomp::RunInBlocks> holdouts{run_of(truth(), 100 + seed)};
+    const Addition good =
+        add("bias,bias_temperature:order=3", "temperature_rate", truth(), {seed}, holdouts);
+    if (good.accepted) ++useful;
+    if (add(kComplete, "thermal_hysteresis", truth(), {seed}, holdouts).accepted) ++useless;
+    ASSERT_EQ(good.runs.size(), 2U);
+    EXPECT_FALSE(good.runs[0].holdout);
+    EXPECT_TRUE(good.runs[1].holdout);
+    EXPECT_LT(good.runs[1].rms_after_dph, good.runs[1].rms_before_dph);
+    ASSERT_TRUE(good.model.history.back().holdout.has_value());
+    EXPECT_NEAR(good.model.history.back().holdout->rms_after_dph, good.runs[1].rms_after_dph,
+                1e-12);
+  }
+  EXPECT_EQ(useful, 10);
+  EXPECT_LE(useless, 1);
+}
+
+// A holdout of another gyro: what the training run shows is wrong there.
+TEST(AddEffect, RefusesWhatHoldsOnlyForTheTrainingRun) {
+  Model other = truth();
+  other.terms[2].coefficients_dph = {-0.44};
+  const Addition result =
+      add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1}, {run_of(other, 2)});
+  EXPECT_FALSE(result.accepted);
+  EXPECT_LT(result.out_of_sample.gain, 0);
+}
+
+TEST(AddEffect, LeavesEachOfThreeRunsOutOnce) {
+  const Addition result =
+      add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1, 2, 3});
+  EXPECT_TRUE(result.accepted);
+  EXPECT_EQ(result.out_of_sample.how, "on 3 runs, each left out once");
+}
+
+TEST(AddEffect, RetrainsANetworkOfTheSameSize) {
+  Model model = model_of("bias,bias_temperature:order=3");
+  model.network = fog::test::paper_like_model().network;
+  const Addition result = add_effect(model, "temperature_rate", runs_of(truth(), {1}), {}, {});
+  EXPECT_TRUE(result.accepted);
+  EXPECT_EQ(result.model.network.hidden.biases.size(), 3);
+  EXPECT_NE(result.model.network.hidden.biases[0], model.network.hidden.biases[0]);
+}
+
+TEST(EffectChange, RaisesWhatIsThere) {
+  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
+  const auto order = fogcomp::change_effect(terms, "bias_temperature:order=4");
+  EXPECT_EQ(order.changed, 1U);
+  ASSERT_EQ(order.terms.size(), 3U);
+  EXPECT_EQ(order.terms[1].parameters, std::vector<double>{4});
+
+  auto identified = terms;
+  identified[2].parameters[0] = 7.5;  // by an earlier fit
+  const auto radius = fogcomp::change_effect(identified, "thermal_hysteresis:radius2=15");
+  EXPECT_EQ(radius.terms[2].parameters, (std::vector<double>{7.5, 15}));
+  EXPECT_TRUE(radius.terms[2].identified[0]);
+  EXPECT_FALSE(radius.terms[2].identified[1]);
+  EXPECT_EQ(fogcomp::change_effect(terms, "thermal_lag:tau=300").terms.size(), 4U);
+}
+
+TEST(EffectChange, RefusesWhatChangesNothing) {
+  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3");
+  for (const char* const effect : {"bias", "bias_temperature", "bias_temperature:order=3", "",
+                                   "thermal_lag,warm_up", "no_such_effect"}) {
+    EXPECT_THROW(fogcomp::change_effect(terms, effect), fogcomp::InputError) << effect;
+  }
+}
+
+}  // namespace
