@@ -40,6 +40,7 @@ Command export_command();
 Command fit_command();
 Command history_command();
 Command info_command();
+Command paper_command();
 Command replay_command();
 Command simulate_command();
 Command stream_command();

@@ -97,7 +97,8 @@ void print_text(const std::string& output, const Recording& recording, const Den
     std::printf("%-24s %10.5f %10.5f %10.5f %10.5f deg/h\n", segment.name.c_str(), raw.mean_dph,
                 denoised.mean_dph, raw.std_dph, denoised.std_dph);
   }
-  std::printf("\n%-24s %10s %10s\n", "level (1 is the finest)", "noise", "threshold");
+  if (!report.levels.empty())
+    std::printf("\n%-24s %10s %10s\n", "level (1 is the finest)", "noise", "threshold");
   for (std::size_t i = 0; i < report.levels.size(); ++i) {
     std::printf("%-24zu %10.5f %10.5f deg/h\n", i + 1, report.levels[i].noise,
                 report.levels[i].threshold);
@@ -131,7 +132,8 @@ Command denoise_command() {
   command.name = "denoise";
   command.positionals = "RUN";
   command.least_positionals = command.most_positionals = 1;
-  command.summary = "a recording without its noise and outliers (offline wavelet shrinkage)";
+  command.summary =
+      "a recording without its noise and outliers (offline: wavelet, lifting or Kalman)";
   command.example = "fogcomp denoise run.csv -o denoised.csv --threshold heursure --mode soft";
   command.options = {{"o", "OUT", "recording to write", ""},
                      {"json", "", "one JSON object on stdout", ""}};

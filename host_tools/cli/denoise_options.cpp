@@ -1,18 +1,40 @@
 #include "cli/denoise_options.hpp"
 
+#include "support/input_error.hpp"
 #include "wavelet/filters.hpp"
 
 namespace fogcomp::cli {
+namespace {
+
+// An option that would be accepted and ignored.
+void refuse(const Arguments& arguments, const std::string& method, const std::string& option,
+            bool meaningless) {
+  if (!meaningless || !arguments.has(option)) return;
+  throw InputError("--" + option, "means nothing to --method " + method + "; leave it out");
+}
+
+}  // namespace
 
 std::vector<Option> denoise_options() {
-  return {{"wavelet", "NAME", "haar, db2 to db10, sym2 to sym10 or coif1 to coif5", "sym8"},
-          {"levels", "N", "of the decomposition, 1 to 20", "5"},
-          {"threshold", "RULE", "heursure, sqtwolog, rigrsure or minimaxi", "heursure"},
-          {"mode", "NAME", "soft or hard thresholds", "soft"}};
+  return {
+      {"method", "NAME",
+       "wavelet; lifting: wavelet (2,2) in lifting form; kalman: smoother, ARMA noise", "wavelet"},
+      {"wavelet", "NAME", "haar, db2 to db10, sym2 to sym10 or coif1 to coif5", "sym8"},
+      {"levels", "N", "of the decomposition, 1 to 20", "5"},
+      {"threshold", "RULE", "heursure, sqtwolog, rigrsure or minimaxi", "heursure"},
+      {"mode", "NAME", "soft or hard thresholds", "soft"}};
 }
 
 DenoiseMethod denoise_method(const Arguments& arguments) {
   DenoiseMethod method;
+  const std::string name = arguments.choice("method", {"wavelet", "lifting", "kalman"});
+  method.by = name == "wavelet"   ? DenoiseBy::wavelet
+              : name == "lifting" ? DenoiseBy::lifting
+                                  : DenoiseBy::kalman;
+  refuse(arguments, name, "wavelet", method.by != DenoiseBy::wavelet);
+  for (const char* option : {"levels", "threshold", "mode"}) {
+    refuse(arguments, name, option, method.by == DenoiseBy::kalman);
+  }
   method.wavelet = arguments.choice("wavelet", wavelet_names());
   method.levels = static_cast<int>(arguments.integer("levels", 1, 20));
   method.rule = threshold_rule(arguments.choice("threshold", threshold_rule_names()));

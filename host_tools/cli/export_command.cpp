@@ -31,12 +31,25 @@ std::vector<std::string> left_out(const Model& model) {
   return notes;
 }
 
+std::uint32_t data_hash(const Model& model) {
+  return model.history.empty() ? 0 : model.history.back().data_hash;
+}
+
 int run_export(const Arguments& arguments) {
   const std::string& model_path = arguments.positionals()[0];
   const std::string output = arguments.required("o");
   const Model model = load_model(model_path);
   const BoardTable table = make_board_table(model, board_settings(arguments));
-  const QuantizationError error = verify_quantization(model, read_board_table(table, model_path));
+  const fog::ModelParameters parameters = read_board_table(table, model_path);
+  const QuantizationError error = verify_quantization(model, parameters);
+  const NetworkError network = verify_network(model, parameters);
+  if (network.worst_dph > kQuantizationLimitDph && !arguments.has("allow-error")) {
+    throw InputError(
+        model_path,
+        format("the network's integers would be %.4f deg/h off somewhere among its inputs (limit "
+               "%.4f); train it with fewer neurons or another --seed, or give --allow-error",
+               network.worst_dph, kQuantizationLimitDph));
+  }
   if (error.worst_dph > kQuantizationLimitDph && !arguments.has("allow-error")) {
     throw InputError(
         model_path,
@@ -45,7 +58,7 @@ int run_export(const Arguments& arguments) {
                error.worst_dph, error.at_temperature_degc, error.at_temperature_rate,
                kQuantizationLimitDph));
   }
-  write_file(output, header_text(table, file_name(model_path)));
+  write_file(output, header_text(table, file_name(model_path), data_hash(model)));
   if (arguments.has("json")) {
     Json result = Json::object();
     result.set("header", output).set("words", table.words.size());
@@ -61,6 +74,7 @@ int run_export(const Arguments& arguments) {
     Json notes = Json::array();
     for (const std::string& note : left_out(model)) notes.push(note);
     result.set("notes", std::move(notes));
+    result.set("network_error_dph", network.worst_dph).set("network_points", network.points);
     std::puts(result.text().c_str());
     return 0;
   }
@@ -72,6 +86,10 @@ int run_export(const Arguments& arguments) {
                 expression.name.c_str(), expression.worst_dph, expression.bound_dph);
   }
   for (const std::string& note : left_out(model)) std::printf("note: %s\n", note.c_str());
+  if (network.points > 0) {
+    std::printf("network alone: at most %.5f deg/h over %zu points of its inputs' whole range\n",
+                network.worst_dph, network.points);
+  }
   return 0;
 }
 

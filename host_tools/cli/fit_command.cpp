@@ -5,11 +5,14 @@
 #include <optional>
 
 #include "cli/arguments.hpp"
+#include "cli/fit_models.hpp"
 #include "cli/recording_options.hpp"
+#include "cli/training_options.hpp"
 #include "dataset/recording_writer.hpp"
 #include "identification/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "refinement/fit_model.hpp"
+#include "refinement/network_inputs.hpp"
 #include "refinement/training_runs.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
@@ -103,16 +106,16 @@ void print_identification(const Fit& fit) {
   std::puts("");
 }
 
-std::string fitted(const Arguments& arguments) {
-  std::string text = arguments.text("effects");
+std::string fitted(const Arguments& arguments, const std::string& effects) {
+  std::string text = effects;
   for (const std::string& definition : arguments.all("effect-expr")) text += ", " + definition;
   return text;
 }
 
 // What the options ask for, as a model without coefficients.
-Model model_settings(const Arguments& arguments) {
+Model model_settings(const Arguments& arguments, const std::string& effects) {
   Model model;
-  model.terms = parse_effects(arguments.required("effects"));
+  model.terms = parse_effects(effects);
   for (const std::string& definition : arguments.all("effect-expr")) {
     add_expression(model.terms, definition);
   }
@@ -127,17 +130,24 @@ Model model_settings(const Arguments& arguments) {
   return model;
 }
 
+// Only lm knows.
+std::optional<double> determined_weights(const Fit& fit) {
+  if (!fit.result.training) return std::nullopt;
+  return fit.result.training->effective_parameters;
+}
+
 Fit fit(const Arguments& arguments) {
-  arguments.choice("trainer", {"lm"});
+  const WantedModel wanted = wanted_model(arguments);
   FitSettings settings;
   settings.identify.run_offsets = arguments.has("run-offsets");
   settings.row_denoising = row_denoising(arguments);
-  settings.training.hidden = static_cast<int>(arguments.integer("network", 0, 32));
-  settings.training.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
+  settings.network = wanted.network;
+  settings.network_inputs = parse_network_inputs(arguments.text("inputs"));
 
   Fit fit;
   Model& model = fit.model;
-  model = model_settings(arguments);
+  model = model_settings(arguments, wanted.effects);
+  if (wanted.network.hidden > 0) model.network.inputs = settings.network_inputs;  // runs need these
   fit.searched_steps = searches_steps(model.terms);
   // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
   ReadOptions reading = read_options(arguments);
@@ -150,18 +160,25 @@ Fit fit(const Arguments& arguments) {
   for (const RunInBlocks& run : training.runs) series.add(run.blocks);
   fit.rows = series.rows().size();
   fit.row_s = series.rows().row_s;
-  fit.result = fit_model(model, series, settings);
+  if (wanted.order_by_validation) choose_order(model.terms, series.rows());
+  {
+    TrainingWatch watch(settings.network.training);
+    fit.result = fit_model(model, series, settings);
+    if (fit.result.training) watch.report(*fit.result.training);
+  }
+
   for (const FoundStep& step : fit.result.identified.steps) {
     const RunInBlocks& run = training.runs[step.run];
     fit.step_places.push_back(run.file + ", " + segment_at(run, step.time_s));
   }
 
   const double effects_rms_dph = fit.result.effects_rms_dph;
-  model.history.push_back({"fit " + fitted(arguments), training.data_hash, fit.result.raw_std_dph,
-                           effects_rms_dph, training.noise_floor_dph});
+  model.history.push_back({"fit " + fitted(arguments, wanted.effects), training.data_hash,
+                           fit.result.raw_std_dph, effects_rms_dph, training.noise_floor_dph});
   if (model.network.present()) {
-    model.history.push_back({format("network %d", settings.training.hidden), training.data_hash,
-                             effects_rms_dph, model.residual_rms_dph, training.noise_floor_dph});
+    model.history.push_back(
+        {format("network %d %s", wanted.network.hidden, wanted.network.trainer.c_str()),
+         training.data_hash, effects_rms_dph, model.residual_rms_dph, training.noise_floor_dph});
   }
   return fit;
 }
@@ -195,7 +212,8 @@ void print_json(const Fit& fit, const std::string& output) {
   result.set("steps", steps_json(fit)).set("masked_rows", identified.masked);
   result.set("effects", terms_json(fit.model));
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
-  result.set("network_effective_parameters", fit.result.effective_weights);
+  const std::optional<double> determined = determined_weights(fit);
+  result.set("network_effective_parameters", determined ? Json(*determined) : Json());
   std::puts(result.text().c_str());
 }
 
@@ -207,9 +225,8 @@ void print_text(const Fit& fit, const std::string& output) {
     std::printf("  %-44s %.4f -> %.4f deg/h rms\n", step.action.c_str(), step.rms_before_dph,
                 step.rms_after_dph);
   }
-  if (fit.model.network.present()) {
-    std::printf("  (of the network's weights the data determine %.1f)\n",
-                fit.result.effective_weights);
+  if (const std::optional<double> determined = determined_weights(fit)) {
+    std::printf("  (of the network's weights the data determine %.1f)\n", *determined);
   }
   std::printf("\nwritten: %s\n", output.c_str());
 }
@@ -240,13 +257,13 @@ Command fit_command() {
       "--network 6";
   command.options = {
       {"o", "MODEL", "model file to write", ""},
+      {"model", "NAME", fit_model_help(), ""},
       {"effects", "LIST", "a,b:p=value,c:p=?[1,9] (? identifies p; fogcomp effects lists them)",
        ""},
       {"effect-expr", "NAME = EXPRESSION",
        "a term of your own, e.g. 'burst = T*T*dTdt' or 'late = lag(T,?tau[60,900]) - T'", "", true},
-      {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
-      {"trainer", "NAME", "lm (Levenberg-Marquardt, Bayesian regularisation)", "lm"},
-      {"seed", "N", "of the network's first weights", "1"},
+      {"inputs", "LIST", "of the network: also lagged_temperature:tau=S, elapsed, input_rate",
+       "temperature,temperature_rate"},
       {"average", "S", "rows of the fit, seconds", "10"},
       {"run-offsets", "", "every recording has a bias of its own; the model keeps the first's", ""},
       {"derivative-tau", "S", "time constant of the two lags behind dT/dt", "30"},
@@ -258,6 +275,7 @@ Command fit_command() {
       {"denoise-rows", "RULE", "denoise what the network is trained on, by heursure, ...", "none"},
       {"json", "", "one JSON object on stdout", ""},
   };
+  for (Option& option : training_options()) command.options.push_back(std::move(option));
   for (Option& option : recording_options()) command.options.push_back(std::move(option));
   command.run = run_fit;
   return command;

@@ -166,27 +166,6 @@ void write_layer(TableWriter& out, const RealLayer& layer, const char* name) {
   for (const double bias : layer.biases) out.real(bias, fraction, "a bias");
 }
 
-// What a signal of the network is held as on the board: fractional bits, and units of the host in
-// one of the board's.
-struct InputFormat {
-  int fraction;
-  double per_unit;
-};
-InputFormat format_of(fog::NetworkInput signal, double block_s) {
-  switch (signal) {
-    case fog::NetworkInput::temperature:
-    case fog::NetworkInput::lagged_temperature:
-      break;
-    case fog::NetworkInput::temperature_rate:
-      return {fog::TemperatureRate::fractional_bits, 1};
-    case fog::NetworkInput::elapsed:
-      return {fog::Elapsed::fractional_bits, block_s};
-    case fog::NetworkInput::input_rate:
-      return {fog::Rate::fractional_bits, 1};
-  }
-  return {fog::Temperature::fractional_bits, 1};
-}
-
 void write_input(TableWriter& out, const RealInput& input, double block_s) {
   const std::string lag = input.tau_s > 0 ? format(" (tau %g s)", input.tau_s) : "";
   out.note(format("input %s%s: (x - %.9g) / %.9g %s; signal, decay, centre, multiplier, shift",
@@ -194,7 +173,7 @@ void write_input(TableWriter& out, const RealInput& input, double block_s) {
                   unit_of(input.signal)));
   out.integer(static_cast<std::int32_t>(input.signal), "input signal");
   out.real(input.tau_s > 0 ? RealNumbers::decay(block_s / input.tau_s) : 0, 31, "an input's decay");
-  const InputFormat board = format_of(input.signal, block_s);
+  const NetworkInputFormat board = network_input_format(input.signal, block_s);
   out.real(input.centre / board.per_unit, board.fraction, "an input's centre");
   out.gain(std::ldexp(board.per_unit / input.half_range,
                       fog::ActivationOutput::fractional_bits - board.fraction),
@@ -343,6 +322,21 @@ std::int32_t as_signed(std::uint32_t word) {
 }
 
 }  // namespace
+
+NetworkInputFormat network_input_format(fog::NetworkInput signal, double block_s) {
+  switch (signal) {
+    case fog::NetworkInput::temperature:
+    case fog::NetworkInput::lagged_temperature:
+      break;
+    case fog::NetworkInput::temperature_rate:
+      return {fog::TemperatureRate::fractional_bits, 1};
+    case fog::NetworkInput::elapsed:
+      return {fog::Elapsed::fractional_bits, block_s};
+    case fog::NetworkInput::input_rate:
+      return {fog::Rate::fractional_bits, 1};
+  }
+  return {fog::Temperature::fractional_bits, 1};
+}
 
 Model board_model(const Model& model) {
   Model result = model;

@@ -35,6 +35,14 @@ Model board_model(const Model& model);
 /// and for an effect that this board cannot have: the reason is in the message.
 BoardTable make_board_table(const Model& model, const BoardSettings& settings);
 
+/// What a signal of the network is held as on the board: fractional bits, and units of the host in
+/// one of the board's.
+struct NetworkInputFormat {
+  int fraction;
+  double per_unit;
+};
+NetworkInputFormat network_input_format(fog::NetworkInput signal, double block_s);
+
 /// Takes a table apart with the firmware's own reader. Throws InputError naming `file` and the
 /// reason. The table must outlive the result.
 fog::ModelParameters read_board_table(const BoardTable& table, const std::string& file);

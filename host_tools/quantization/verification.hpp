@@ -25,10 +25,20 @@ struct QuantizationError {
   std::vector<Expression> expressions;
 };
 
+/// How far the network's integers are from the network in double, over a dense grid of all that its
+/// inputs can be: corners and centres included, and beyond the range where inputs are clipped.
+struct NetworkError {
+  double worst_dph = 0;
+  std::size_t points = 0;  ///< compared; 0 without a network
+};
+
 /// The board promises at most this: 2 LSB of Rate.
 constexpr double kQuantizationLimitDph = 2.0 / 1024;
 
 /// `parameters` is `model` rounded for the board.
 QuantizationError verify_quantization(const Model& model, const fog::ModelParameters& parameters);
+
+/// The same of the network alone, where the programme cannot lead to every corner of its inputs.
+NetworkError verify_network(const Model& model, const fog::ModelParameters& parameters);
 
 }  // namespace fogcomp

@@ -50,9 +50,10 @@ class RiseTest {
 
 FitSettings fit_settings(const Model& model, const AddSettings& settings) {
   FitSettings fit;
+  if (model.network.present()) fit.network_inputs = model.network.inputs;
   fit.identify.run_offsets = settings.run_offsets;
-  fit.training.hidden = static_cast<int>(model.network.hidden.biases.size());
-  fit.training.seed = settings.seed;
+  fit.network.hidden = static_cast<int>(model.network.hidden.biases.size());
+  fit.network.training.seed = settings.seed;
   return fit;
 }
 

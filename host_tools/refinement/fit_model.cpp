@@ -1,7 +1,9 @@
 #include "refinement/fit_model.hpp"
 
 #include <cmath>
+#include <utility>
 
+#include "identification/independent_rows.hpp"
 #include "wavelet/denoise_parts.hpp"
 
 namespace fogcomp {
@@ -29,6 +31,32 @@ void denoise_rows(const Rows& rows, const DenoiseMethod& method, Eigen::VectorXd
   denoise_parts(parts, method, "--denoise-rows");
 }
 
+// The network learns what the effects leave.
+NetworkTask network_task(const SignalSeries& series, const std::vector<RealInput>& inputs,
+                         Eigen::VectorXd target) {
+  const Rows& rows = series.rows();
+  NetworkTask task;
+  task.inputs = series.network_inputs(inputs);
+  task.target_dph = std::move(target);
+  task.weights = rows.weights;
+  task.run_starts = rows.run_starts;
+  return task;
+}
+
+RealNetwork as_model(const TrainedNetwork& trained, std::vector<RealInput> inputs) {
+  RealNetwork network;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    inputs[i].centre = trained.inputs[i].centre;
+    inputs[i].half_range = trained.inputs[i].half_range;
+  }
+  network.inputs = std::move(inputs);
+  network.hidden = trained.hidden;
+  network.output = trained.output;
+  network.centre_dph = trained.centre_dph;
+  network.amplitude_dph = trained.amplitude_dph;
+  return network;
+}
+
 }  // namespace
 
 FitResult fit_model(Model& model, const SignalSeries& series, const FitSettings& settings) {
@@ -38,15 +66,17 @@ FitResult fit_model(Model& model, const SignalSeries& series, const FitSettings&
   model.network = RealNetwork();
   result.identified = identify(model, series, settings.identify);
   result.effects_rms_dph = model.residual_rms_dph;
-  if (settings.training.hidden == 0) return result;
+  if (settings.network.hidden == 0) return result;
 
   Eigen::VectorXd target = result.identified.residual_dph;
   if (settings.row_denoising) denoise_rows(rows, *settings.row_denoising, target);
-  const TrainingResult trained =
-      train_levenberg_marquardt(rows.signals, target, rows.weights, settings.training);
-  model.network = trained.network;
+  NetworkSettings network = settings.network;
+  network.training.independent_share = independent_share(result.identified.noise);
+  const TrainedNetwork trained =
+      train_network(network_task(series, settings.network_inputs, std::move(target)), network);
+  model.network = as_model(trained, settings.network_inputs);
   model.residual_rms_dph = trained.rms_after_dph;
-  result.effective_weights = trained.effective_parameters;
+  result.training = trained.result;
   return result;
 }
 

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "identification/identify.hpp"
-#include "training/levenberg_marquardt.hpp"
+#include "training/network_training.hpp"
 #include "wavelet/denoise.hpp"
 
 namespace fogcomp {
 
 struct FitSettings {
   IdentifySettings identify;
-  TrainingSettings training;  ///< hidden 0: no network
+  NetworkSettings network;  ///< hidden 0: no network
+  std::vector<RealInput> network_inputs{{fog::NetworkInput::temperature},
+                                        {fog::NetworkInput::temperature_rate}};
   /// What the network is trained on is denoised first; nothing: the rows stay as they are.
   std::optional<DenoiseMethod> row_denoising;
 };
@@ -20,7 +23,7 @@ struct FitResult {
   /// What the effects leave. With the network on top: Model::residual_rms_dph.
   double effects_rms_dph = 0;
   Identification identified;
-  double effective_weights = 0;  ///< of the network, how many the data determine
+  std::optional<TrainerResult> training;  ///< of the network
 };
 
 /// Both stages on all rows of `series`: the effects of model.terms, all together, then a new

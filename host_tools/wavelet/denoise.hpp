@@ -15,7 +15,15 @@ enum class NoiseFrom : std::uint8_t {
   finest_level,  ///< the finest details, for all levels: for white noise and strong signals
 };
 
+/// What takes the noise away.
+enum class DenoiseBy : std::uint8_t {
+  wavelet,  ///< shrinkage of an orthogonal wavelet's details
+  lifting,  ///< the same with the lifting wavelet (2,2): `wavelet` and `extension` do not count
+  kalman,   ///< Kalman smoother with ARMA noise: none of the following counts but remove_outliers
+};
+
 struct DenoiseMethod {
+  DenoiseBy by = DenoiseBy::wavelet;
   std::string wavelet = "sym8";
   int levels = 5;
   ThresholdRule rule = ThresholdRule::heursure;
@@ -36,8 +44,8 @@ struct DenoiseReport {
   std::size_t shortened_values = 0;  ///< in parts too short for all levels (denoise_parts())
 };
 
-/// Removes noise from `values` (at least one), in place, by wavelet shrinkage: the details of every
-/// level are shrunken, the coarsest approximation stays. Any number of levels (see decompose()).
+/// Removes noise from `values` (at least one), in place. By shrinkage, the details of every level
+/// are shrunken and the coarsest approximation stays; any number of levels (see decompose()).
 DenoiseReport denoise(fog::Span<double> values, const DenoiseMethod& method);
 
 }  // namespace fogcomp

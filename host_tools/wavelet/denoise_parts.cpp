@@ -7,13 +7,29 @@
 #include "wavelet/filters.hpp"
 
 namespace fogcomp {
+namespace {
+
+constexpr std::size_t kLiftingTaps = 5;
+
+int possible_levels(std::size_t length, const DenoiseMethod& method) {
+  switch (method.by) {
+    case DenoiseBy::wavelet:
+      return most_levels(length, lowpass_filter(method.wavelet).size());
+    case DenoiseBy::lifting:
+      return most_levels(length, kLiftingTaps);
+    case DenoiseBy::kalman:
+      break;
+  }
+  return method.levels;  // has none to run out of
+}
+
+}  // namespace
 
 DenoiseReport denoise_parts(const std::vector<fog::Span<double>>& parts,
                             const DenoiseMethod& method, const std::string& where) {
-  const std::size_t taps = lowpass_filter(method.wavelet).size();
   std::size_t longest = 0;
   for (const fog::Span<double>& part : parts) longest = std::max(longest, part.size);
-  const int possible = most_levels(longest, taps);
+  const int possible = possible_levels(longest, method);
   if (possible < method.levels) {
     throw InputError(where, format("%zu rows without a gap allow %d levels of %s, not %d; use "
                                    "fewer --levels or a shorter --wavelet",
@@ -24,7 +40,7 @@ DenoiseReport denoise_parts(const std::vector<fog::Span<double>>& parts,
   std::size_t shortened = 0;
   for (const fog::Span<double>& part : parts) {
     DenoiseMethod fitting = method;
-    fitting.levels = std::min(method.levels, most_levels(part.size, taps));
+    fitting.levels = std::min(method.levels, possible_levels(part.size, method));
     if (fitting.levels < method.levels) shortened += part.size;
     DenoiseReport report = denoise(part, fitting);
     outliers += report.outliers;

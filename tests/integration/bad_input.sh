@@ -76,6 +76,9 @@ refuses "--wavelet 'sym88' is not one of" "${denoise[@]}" --wavelet sym88
 refuses "--threshold 'sure' is not one of" "${denoise[@]}" --threshold sure
 refuses "--mode 'firm' is not one of" "${denoise[@]}" --mode firm
 refuses "--levels '0' is not a number from 1" "${denoise[@]}" --levels 0
+refuses "--method 'median' is not one of" "${denoise[@]}" --method median
+refuses '--levels: means nothing to --method kalman; leave it out' "${denoise[@]}" --method kalman --levels 3
+refuses '--wavelet: means nothing to --method lifting' "${denoise[@]}" --method lifting --wavelet db4
 refuses "--denoise-rows 'sure' is not one of" "${fit[@]}" good.csv --denoise-rows sure
 refuses '^--columns: a sensor stream carries no input rate' simulate -o kept --format stream --columns input_rate
 
@@ -170,6 +173,15 @@ refuses 'order must be a whole number from 1 to 9' fit good.csv -o kept --effect
 refuses "--network '33' is not a number from 0 to 32" fit good.csv -o kept --effects bias --network 33
 refuses "--average 'ten' is not a number" fit good.csv -o kept --effects bias --average ten
 refuses "--threshold 'minimaxi' is not one of" fit good.csv -o kept --effects bias --threshold minimaxi
+refuses "--activation 'relu' is not one of" fit good.csv -o kept --effects bias --activation relu
+refuses '--model ls-svm: no model file or board can carry it; fogcomp paper' fit good.csv -o kept --model ls-svm
+refuses "'polynomail' is unknown .did you mean 'polynomial'" fit good.csv -o kept --model polynomail
+refuses '--effects: is settled by --model bp' fit good.csv -o kept --model bp --effects bias
+refuses '--trainer: is settled by --model pso-bp' fit good.csv -o kept --model pso-bp --trainer lm
+refuses '--network: is settled by --model polynomial' fit good.csv -o kept --model polynomial --network 3
+refuses '--effects is missing' fit good.csv -o kept --model effects
+refuses "'forest' is unknown" paper --models forest
+refuses '^kept: .*name a folder' paper --models effects --epochs 1 --iterations 0 --figures kept
 refuses "--trainer 'sgd' is not one of" fit good.csv -o kept --effects bias --trainer sgd
 refuses 'expects RUN' fit -o kept --effects bias
 refuses 'unexpected argument' effects bias bias

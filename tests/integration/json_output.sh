@@ -47,8 +47,16 @@ has_keys add.json effect accepted reason "runs 0 file" "runs 0 rms_before_dph" "
 has_keys history.json "steps 2 action" "steps 2 data_hash" "steps 2 rms_before_dph" "steps 2 rms_after_dph" \
   "steps 2 noise_floor_dph" "steps 2 holdout_rms_after_dph" "steps 2 forced"
 "$fogcomp" export gyro.model -o fog_model.h --json >export.json
-has_keys export.json words quantization_error_dph
+has_keys export.json words quantization_error_dph network_error_dph network_points
 "$fogcomp" replay gyro.model run.csv -o out.bin --json >replay.json
 has_keys replay.json frames bytes
+"$fogcomp" paper --gyros 2 --models polynomial --epochs 200 --iterations 5 --figures figures --json >paper.json
+has_keys paper.json gyros rows raw_std_dph noise_floor_dph std_cut_bound "tables 6 pso_bp_std_printed_dph" \
+  "tables 6 pso_bp_std_dph" "tables 0 denoised_mean_dph" "denoisers 5 truth_error_rms_dph" \
+  "medians 0 std_cut_of_bound" "medians 2 held_out 1 truth_error_rms_dph"
+for figure in 1 3 4 8 9 10; do
+  [[ $(wc -l <figures/figure_$figure.csv) == 5956 ]] || { echo "figure $figure is not 5955 rows" >&2; exit 1; }
+done
+"$fogcomp" paper --gyros 2 --models polynomial --epochs 200 --iterations 5 --json | cmp - paper.json
 "$fogcomp" effects --json >effects.json
 has_keys effects.json "effects 2 equation"

@@ -100,13 +100,13 @@ TEST(ModelFile, NamesFileLineAndRemedy) {
 
 TEST(Header, ReadsBackToTheSameTable) {
   const fogcomp::BoardTable table = fogcomp::make_board_table(fog::test::paper_like_model(), {});
-  const std::string text = fogcomp::header_text(table, "gyro.model");
+  const std::string text = fogcomp::header_text(table, "gyro.model", 0x1234);
   EXPECT_EQ(fogcomp::parse_header(text, "fog_model.h").words, table.words);
 }
 
 TEST(Header, RefusesAChangedNumber) {
   const fogcomp::BoardTable table = fogcomp::make_board_table(fog::test::paper_like_model(), {});
-  std::string text = fogcomp::header_text(table, "gyro.model");
+  std::string text = fogcomp::header_text(table, "gyro.model", 0x1234);
   const std::size_t digit = text.find("2101248000");
   ASSERT_NE(digit, std::string::npos);
   text[digit] = '1';

@@ -1,0 +1,95 @@
+#include "cli/fit_models.hpp"
+
+#include <algorithm>
+
+#include "cli/training_options.hpp"
+#include "comparators/comparator.hpp"
+#include "comparators/polynomial.hpp"
+#include "support/input_error.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+// Models with a trainer here have a network on the bias alone, of (temperature, temperature rate).
+struct Preset {
+  const char* name;
+  const char* effects;  // "" where --effects says
+  const char* trainer;  // "" for no network, "any" where --trainer says
+  bool order_by_validation;
+};
+
+constexpr const char* kOpen = "any";
+constexpr int kUsualHidden = 10;
+
+constexpr Preset kPresets[] = {
+    {"polynomial", "bias,bias_temperature", "", true},
+    {"rate-polynomial", "bias,bias_temperature,temperature_rate,temperature_rate_product", "",
+     true},
+    {"bp", "bias", "traingdx", false},
+    {"ga-bp", "bias", "ga-bp", false},
+    {"pso-bp", "bias", "pso-bp", false},
+    {"effects", "", "", false},
+    {"effects+network", "", kOpen, false},
+};
+
+void refuse(const Arguments& arguments, const char* option, const std::string& model) {
+  if (!arguments.has(option)) return;
+  throw InputError(std::string("--") + option,
+                   "is settled by --model " + model + "; leave one of the two out");
+}
+
+const Preset& find_preset(const std::string& name) {
+  for (const Preset& preset : kPresets) {
+    if (name == preset.name) return preset;
+  }
+  find_comparator(name);  // names the nearest where there is none
+  throw InputError("--model " + name,
+                   "no model file or board can carry it; fogcomp paper compares it with those that "
+                   "can");
+}
+
+}  // namespace
+
+WantedModel wanted_model(const Arguments& arguments) {
+  WantedModel model;
+  model.network = network_settings(arguments);
+  if (!arguments.has("model")) {
+    model.effects = arguments.required("effects");
+    return model;
+  }
+  const std::string name = arguments.text("model");
+  const Preset& preset = find_preset(name);
+  const std::string trainer = preset.trainer;
+  model.order_by_validation = preset.order_by_validation;
+  model.effects = preset.effects;
+  if (model.effects.empty()) {
+    model.effects = arguments.required("effects");
+  } else {
+    refuse(arguments, "effects", name);
+  }
+  if (trainer != kOpen) refuse(arguments, "trainer", name);
+  if (trainer.empty()) {
+    refuse(arguments, "network", name);
+    return model;
+  }
+  if (trainer != kOpen) model.network.trainer = trainer;
+  if (!arguments.has("network")) model.network.hidden = kUsualHidden;
+  return model;
+}
+
+std::string fit_model_help() {
+  std::string names;
+  for (const Preset& preset : kPresets)
+    names += std::string(names.empty() ? "" : ", ") + preset.name;
+  return "instead of --effects and --network: " + names +
+         "; the firmware carries all of these (fogcomp paper compares others)";
+}
+
+void choose_order(std::vector<EffectTerm>& terms, const Rows& rows) {
+  const auto found = std::find_if(terms.begin(), terms.end(), [](const EffectTerm& term) {
+    return term.name == "bias_temperature";
+  });
+  found->parameters[0] = Polynomial::best_order(temperature_of(rows), rows.drift_dph);
+}
+
+}  // namespace fogcomp::cli

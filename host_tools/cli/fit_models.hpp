@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "identification/signal_series.hpp"
+#include "training/network_training.hpp"
+
+namespace fogcomp::cli {
+
+/// What `fit --model NAME` stands for: effects and a network, as the board can carry them.
+struct WantedModel {
+  std::string effects;
+  NetworkSettings network;           ///< 0 hidden neurons: none
+  bool order_by_validation = false;  ///< of bias_temperature
+};
+
+/// --model, and --effects, --network, --trainer where the name leaves them open. Throws InputError
+/// for a model that only `fogcomp paper` has, and where --model and another option contradict.
+WantedModel wanted_model(const Arguments& arguments);
+
+/// "polynomial, ...", for --help.
+std::string fit_model_help();
+
+/// Sets the polynomial's order from 1 to 9 to the one that predicts best what it was not fitted to.
+void choose_order(std::vector<EffectTerm>& terms, const Rows& rows);
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "support/interrupt.hpp"
+#include "support/progress.hpp"
+#include "training/network_training.hpp"
+
+namespace fogcomp::cli {
+
+/// --network, --trainer and what belongs to them.
+std::vector<Option> training_options();
+/// `hidden` is 0 where no network is wanted.
+NetworkSettings network_settings(const Arguments& arguments);
+
+/// While one lives, a training shows a progress bar, and Ctrl-C ends it with the best weights so
+/// far.
+class TrainingWatch {
+ public:
+  /// `settings` is what the training will get.
+  explicit TrainingWatch(TrainerSettings& settings);
+  /// Says on stderr where the training was interrupted.
+  void report(const TrainerResult& result) const;
+
+ private:
+  Progress progress_;
+  InterruptGuard guard_;
+};
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,88 @@
+#include "paper/simulated_run.hpp"
+
+#include <cmath>
+
+#include "dataset/recording.hpp"
+#include "evaluation/noise_floor.hpp"
+#include "simulation/embedded_files.hpp"
+#include "simulation/profile_parser.hpp"
+#include "simulation/simulation.hpp"
+#include "support/input_error.hpp"
+
+namespace fogcomp {
+namespace {
+
+using namespace simulation;
+
+constexpr double kSampleRateHz = 1;
+
+struct Samples {
+  Recording recording;
+  std::vector<double> truth_dph;
+};
+
+Samples simulate(const GyroDescription& gyro, const Programme& programme, std::uint64_t seed) {
+  SimulationOptions options;
+  options.rate_hz = kSampleRateHz;
+  options.seed = seed;
+  Simulation run(gyro, programme, options);
+  Samples samples;
+  Recording& recording = samples.recording;
+  recording.period_s = 1 / kSampleRateHz;
+  recording.stretch_starts = {0};
+  RowChunk chunk;
+  const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  while (run.next(chunk)) {
+    append(recording.time_s, chunk.time_s);
+    append(recording.temperature_degc, chunk.temperature_degc);
+    append(recording.rate_dph, chunk.rate_dph);
+    for (std::size_t i = 0; i < chunk.rows(); ++i) {
+      double sum = 0;
+      for (const std::vector<double>& effect : chunk.effects_dph) sum += effect[i];
+      samples.truth_dph.push_back(sum);
+    }
+  }
+  return samples;
+}
+
+std::vector<std::string> segments_of(const Programme& programme, const Rows& rows) {
+  std::vector<std::string> names;
+  auto leg = programme.legs.begin();
+  for (const double time_s : rows.time_s) {
+    while (leg + 1 != programme.legs.end() && time_s >= leg->end_s) ++leg;
+    names.push_back(leg->segment);
+  }
+  return names;
+}
+
+}  // namespace
+
+SimulatedRun simulate_run(const std::string& profile, std::uint64_t seed, const Model& settings) {
+  GyroDescription gyro;
+  apply_preset(gyro, find_text("paper", ready_made_presets(), "preset"), "paper");
+  const Programme programme =
+      parse_profile(find_text(profile, ready_made_profiles(), "profile"), profile, seed);
+  Samples samples = simulate(gyro, programme, seed);
+  samples.recording.file = profile;
+
+  SimulatedRun run{SignalSeries(settings), {}, 0, {}};
+  run.series.add(make_blocks(samples.recording));
+  const Rows& rows = run.series.rows();
+  run.noise_floor_dph = noise_floor_dph(samples.recording, settings.average_s).value_or(0);
+  run.segments = segments_of(programme, rows);
+  const auto per_row = static_cast<std::size_t>(std::lround(settings.average_s * kSampleRateHz));
+  const Eigen::Map<const Eigen::VectorXd> truth(
+      samples.truth_dph.data(), static_cast<Eigen::Index>(samples.truth_dph.size()));
+  run.truth_dph.resize(rows.size());
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    const Eigen::Index first = i * static_cast<Eigen::Index>(per_row);
+    const Eigen::Index count =
+        std::min<Eigen::Index>(static_cast<Eigen::Index>(per_row), truth.size() - first);
+    run.truth_dph[i] = truth.segment(first, count).mean();
+  }
+  return run;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/network.hpp"
+
+namespace fogcomp {
+
+/// `temperature,temperature_rate,lagged_temperature:tau=300` -> inputs without normalisation. Up to
+/// four; a lagged temperature may stand there with several time constants. Throws InputError naming
+/// what is unknown or missing.
+std::vector<RealInput> parse_network_inputs(const std::string& list);
+
+}  // namespace fogcomp

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "model/network.hpp"
+
+namespace fogcomp {
+
+constexpr int kMostTrainedInputs = 8;
+constexpr int kMostTrainedHidden = 32;
+
+/// inputs -> hidden neurons -> one output, and where each weight lies in the one vector that the
+/// trainers move: hidden weights neuron by neuron, hidden biases, output weights, output bias.
+struct Perceptron {
+  Eigen::Index inputs = 2;   ///< 1 to kMostTrainedInputs
+  Eigen::Index hidden = 10;  ///< 1 to kMostTrainedHidden
+  fog::Activation hidden_activation = fog::Activation::logsig;
+  fog::Activation output_activation = fog::Activation::tansig;
+
+  Eigen::Index size() const { return hidden * (inputs + 2) + 1; }
+  Eigen::Index hidden_weight(Eigen::Index neuron) const { return neuron * inputs; }
+  Eigen::Index hidden_bias() const { return hidden * inputs; }
+  Eigen::Index output_weight() const { return hidden * (inputs + 1); }
+  Eigen::Index output_bias() const { return hidden * (inputs + 2); }
+
+  RealLayer hidden_layer(const Eigen::VectorXd& weights) const;
+  RealLayer output_layer(const Eigen::VectorXd& weights) const;
+
+  /// First weights for inputs within +-1, by the rule of Nguyen and Widrow (IJCNN 1990), as
+  /// MATLAB's initnw: the hidden neurons' curved parts lie spread over the inputs' range, each a
+  /// little beyond the next. Output weights within +-0.5.
+  Eigen::VectorXd first_weights(std::uint64_t seed) const;
+};
+
+}  // namespace fogcomp
