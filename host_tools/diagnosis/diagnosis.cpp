@@ -26,7 +26,7 @@ const double kLibraryLogP = std::log(0.009);
 const double kStructureLogP = std::log(0.001);
 const double kFastLogP = std::log(0.0005);
 
-constexpr double kNamed = 0.95;       // probability from which one name is given
+constexpr double kNamed = 0.92;       // probability from which one name is given
 constexpr double kConfusable = 0.05;  // and from which an effect is among those that it may be
 // Of the excess, by one, two, three effects: what leaves more than that does not explain it.
 // Several effects together imitate a good deal of what is none of them.

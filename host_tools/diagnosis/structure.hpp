@@ -22,7 +22,7 @@ std::vector<StructureGroup> structure_groups(const Rows& rows);
 /// Fast structure: the strongest line and the strongest octave of the residual's periodogram.
 struct FastStructure {
   double line_period_s = 0;
-  double line_power = 0;     ///< of white noise of variance 1: exponentially distributed, mean 1
+  double line_power = 0;     ///< over that of its neighbours: exponentially distributed, mean 1
   double line_log_p = 0;     ///< logarithm of the chance that any line of white noise is as strong
   double band_period_s = 0;  ///< middle of the octave
   double band_excess = 0;    ///< of the octave's power above white noise, relative
@@ -31,7 +31,8 @@ struct FastStructure {
   double share = 0;
 };
 
-/// Looks at a whitened residual, run by run, at periods of two rows to a twentieth of the run.
+/// Looks at a whitened residual, run by run, at periods of two rows to an eighth of the run (lines)
+/// or a twentieth (octaves).
 FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& whitened_residual);
 
 }  // namespace fogcomp

@@ -13,12 +13,14 @@ namespace {
 constexpr double kRankThreshold = 1e-8;
 // What is known beforehand of how well the model's own terms describe what they stand for; one
 // standard deviation each. The sensor's time: so long before or behind the coil.
-constexpr double kSensorDelay_s = 30;
+constexpr double kSensorDelay_s = 60;
 // A coil of many layers is no single body: this share of the drift may follow with each of these
 // lags, more is an effect of its own.
 constexpr double kLaggingShare = 0.1;
 constexpr std::array<double, 3> kLags_s{60, 240, 960};
-constexpr Eigen::Index kPriors = 1 + kLags_s.size();
+// The corners of a ramp: rounder or sharper by as much as this smoothing rounds them.
+constexpr double kRounding_s = 40;
+constexpr Eigen::Index kPriors = 2 + kLags_s.size();
 
 bool starts_run(const Rows& rows, std::size_t row) {
   return std::binary_search(rows.run_starts.begin(), rows.run_starts.end(), row);
@@ -52,6 +54,24 @@ Eigen::VectorXd behind(const Rows& rows, const Eigen::VectorXd& values, double t
   return result;
 }
 
+// First-order lags forward and backward: rounder corners, no delay.
+Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
+  Eigen::VectorXd result = values;
+  for (Eigen::Index i = 1; i < result.size(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (starts_run(rows, row)) continue;
+    const double elapsed_s = rows.time_s[row] - rows.time_s[row - 1];
+    result[i] = result[i - 1] - std::expm1(-elapsed_s / tau_s) * (result[i] - result[i - 1]);
+  }
+  for (Eigen::Index i = result.size() - 2; i >= 0; --i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (starts_run(rows, row + 1)) continue;
+    const double elapsed_s = rows.time_s[row + 1] - rows.time_s[row];
+    result[i] = result[i + 1] - std::expm1(-elapsed_s / tau_s) * (result[i] - result[i + 1]);
+  }
+  return result;
+}
+
 Eigen::MatrixXd with_priors(const Eigen::MatrixXd& columns) {
   Eigen::MatrixXd longer = Eigen::MatrixXd::Zero(columns.rows() + kPriors, columns.cols());
   longer.topRows(columns.rows()) = columns;
@@ -74,8 +94,9 @@ ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
   const Eigen::VectorXd drift = fit.columns * fit.coefficients;
   Eigen::MatrixXd inexact(rows.size(), kPriors);
   inexact.col(0) = kSensorDelay_s * slope(rows, drift);
+  inexact.col(1) = drift - smoothed(rows, drift, kRounding_s);
   for (std::size_t i = 0; i < kLags_s.size(); ++i) {
-    inexact.col(static_cast<Eigen::Index>(i) + 1) = kLaggingShare * behind(rows, drift, kLags_s[i]);
+    inexact.col(static_cast<Eigen::Index>(i) + 2) = kLaggingShare * behind(rows, drift, kLags_s[i]);
   }
   Eigen::MatrixXd columns =
       Eigen::MatrixXd::Zero(rows.size() + kPriors, fit.whitened.cols() + kPriors);

@@ -28,6 +28,7 @@ if ask fit "$fogcomp" fit "${recordings[@]}" -o "$answers/declared.model" --effe
   effect=$(sed -nE '/"verdict":"missing_effect"/ s/^[^[]*"effect":"([a-z_]+)".*/\1/p' "$answers/diagnosis.json")
   if [[ $effect && -f $runs/unseen.csv ]] && knows add RUN; then
     ask add "$fogcomp" add "$answers/declared.model" "$effect" "${recordings[@]}" -o "$answers/added.model" --json &&
+      [[ -f $answers/added.model ]] && # exit code 1: refused
       ask unseen "$fogcomp" compare "$answers/added.model" "$runs/unseen.csv" --json || true
   fi
   if grep -qw loop "$runs/request.txt" && knows diagnose --max-effects; then

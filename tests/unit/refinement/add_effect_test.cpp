@@ -152,10 +152,20 @@ TEST(EffectChange, RaisesWhatIsThere) {
   EXPECT_EQ(fogcomp::change_effect(terms, "thermal_lag:tau=300").terms.size(), 4U);
 }
 
+TEST(EffectChange, GrowsAnEffectThatIsThereAlready) {
+  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
+  const auto higher = fogcomp::change_effect(terms, "bias_temperature");
+  EXPECT_EQ(higher.changed, 1U);
+  EXPECT_EQ(higher.terms[1].parameters[0], 4);
+  const auto second = fogcomp::change_effect(terms, "thermal_hysteresis");
+  EXPECT_TRUE(second.terms[2].identified[1]);
+  EXPECT_GT(second.terms[2].parameters[1], 0);
+}
+
 TEST(EffectChange, RefusesWhatChangesNothing) {
   const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3");
-  for (const char* const effect : {"bias", "bias_temperature", "bias_temperature:order=3", "",
-                                   "thermal_lag,warm_up", "no_such_effect"}) {
+  for (const char* const effect :
+       {"bias", "bias_temperature:order=3", "", "thermal_lag,warm_up", "no_such_effect"}) {
     EXPECT_THROW(fogcomp::change_effect(terms, effect), fogcomp::InputError) << effect;
   }
 }

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# diagnose.sh FOGCOMP [MEMS_FOLDER]: the paper's own case, the ladder, real recordings, bad input.
+set -euo pipefail
+fogcomp=$(realpath "${1:?usage: diagnose.sh FOGCOMP [MEMS_FOLDER]}")
+mems=$(realpath -m "${2:-nowhere}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+fail() { echo "FAILED: $*" >&2; exit 1; }
+
+# The reference paper explains the drift by temperature and the Shupe effect, which is zero in a
+# steady ramp; its own table shows an offset there.
+"$fogcomp" simulate -o paper.csv --profile paper --seed 7 >/dev/null
+"$fogcomp" fit paper.csv -o shupe.model --effects bias,bias_temperature:order=2,shupe:tau=900 >/dev/null
+"$fogcomp" diagnose shupe.model paper.csv >said.txt
+cat said.txt
+grep -q '^missing effect: temperature_rate ' said.txt || fail "the paper's missing effect is not named"
+"$fogcomp" diagnose shupe.model paper.csv --json >said.json
+grep -q '^{"verdict":"missing_effect","effect":"temperature_rate","confusable":\[\]' said.json ||
+  fail 'JSON: verdict and effect'
+for key in experiment candidates untestable where residual_rms_dph noise_floor_dph unexplained_fraction; do
+  grep -q "\"$key\":" said.json || fail "JSON lacks $key"
+done
+"$fogcomp" diagnose shupe.model paper.csv --seed 1 --json | cmp - said.json || fail 'not reproducible'
+
+# Following it brings the error down to near the floor, and then it stops.
+"$fogcomp" diagnose shupe.model paper.csv --max-effects 6 >ladder.txt
+sed -n '/^error ladder/,$p' ladder.txt
+added=$(grep -c '^  + ' ladder.txt)
+last=$(grep '^  + ' ladder.txt | tail -n 1 | awk '{print $NF}')
+awk -v last="$last" -v added="$added" 'BEGIN { exit !(last < 0.0275 && added >= 2 && added <= 5) }' ||
+  fail "the ladder ends at $last after $added effects"
+"$fogcomp" add shupe.model temperature_rate paper.csv -o better.model >/dev/null
+"$fogcomp" history better.model | grep -q 'add temperature_rate' || fail 'history'
+
+# A recording at rest gives the noise; rows of another length, and too few, are refused.
+"$fogcomp" simulate -o rest.csv --profile static --seed 8 >/dev/null
+"$fogcomp" diagnose shupe.model paper.csv --static rest.csv --json | grep -q '"effect":"temperature_rate"' ||
+  fail '--static'
+refuses() {
+  local pattern=$1 status=0
+  shift
+  "$fogcomp" "$@" >out.txt 2>err.txt || status=$?
+  [[ $status == 2 && $(wc -l <err.txt) == 1 ]] && grep -Eq "$pattern" err.txt || fail "$* says: $(cat err.txt), exit $status"
+}
+head -n 40 paper.csv >short.csv
+refuses 'rows of 10 s are too few' diagnose shupe.model short.csv
+refuses 'at rest are too few for --static' diagnose shupe.model paper.csv --static short.csv
+refuses 'missing.csv' diagnose shupe.model missing.csv
+
+[[ -f $mems/mems_chamber_x.csv ]] || { echo 'skipped: no recording of a real sensor'; exit 0; }
+for axis in x y; do
+  run=$mems/mems_chamber_$axis.csv
+  "$fogcomp" fit "$run" -o $axis.model --effects bias,bias_temperature:order=3 --average 2 >/dev/null
+  "$fogcomp" diagnose $axis.model "$run" --max-effects 4 >$axis.txt
+  sed -n '/^error ladder/,$p' $axis.txt
+  first=$(awk '/the model, refitted/ { print $NF }' $axis.txt)
+  last=$(grep '^  [+-] ' $axis.txt | tail -n 1 | awk '{print $NF}')
+  echo "$axis: $first -> $last deg/h rms"
+  most=0.2
+  [[ $axis == x ]] || most=0.75
+  awk -v first="$first" -v last="$last" -v most=$most 'BEGIN { exit !(last <= most * first) }' ||
+    fail "$axis ends at $last of $first"
+done
