@@ -45,7 +45,7 @@ struct HypothesisSettings {
   /// How much likelier one more missing effect is than none more.
   double another = 0.15;
   /// How much likelier an effect is than one with a parameter more.
-  double simpler = 3;
+  double simpler = 4;
   /// Events need more evidence than physics, as flicker noise looks like steps: fall of chi^2.
   double least_step_gain = 60;
 };
