@@ -53,6 +53,7 @@ struct Fit {
   Eigen::Index rows = 0;
   double row_s = 0;
   FitResult result;
+  double delay_rms_dph = 0;              // of the error, what the board's delay makes
   std::vector<std::string> step_places;  // of each step found: recording and segment
   bool searched_steps = false;
 };
@@ -91,6 +92,9 @@ void print_identification(const Fit& fit) {
               identified.misfit);
   if (identified.outliers > 0) std::printf("; %zu outliers weighted down", identified.outliers);
   std::puts("");
+  std::printf(
+      "  of the error, the board's delay (block means, derivative filter) makes %.2g deg/h rms\n",
+      fit.delay_rms_dph);
   print_steps(fit);
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     std::printf("  %-24s would show from a peak of %.2g deg/h on\n", model.terms[i].name.c_str(),
@@ -167,6 +171,7 @@ Fit fit(const Arguments& arguments) {
     if (fit.result.training) watch.report(*fit.result.training);
   }
 
+  fit.delay_rms_dph = delay_error_dph(model, training.runs);
   for (const FoundStep& step : fit.result.identified.steps) {
     const RunInBlocks& run = training.runs[step.run];
     fit.step_places.push_back(run.file + ", " + segment_at(run, step.time_s));
@@ -209,6 +214,7 @@ void print_json(const Fit& fit, const std::string& output) {
   result.set("noise_white_dph", identified.noise.white_dph());
   result.set("noise_slow_dph", identified.noise.wander_dph());
   result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
+  result.set("delay_rms_dph", fit.delay_rms_dph);
   result.set("steps", steps_json(fit)).set("masked_rows", identified.masked);
   result.set("effects", terms_json(fit.model));
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));

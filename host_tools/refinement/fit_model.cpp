@@ -1,5 +1,6 @@
 #include "refinement/fit_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -57,7 +58,45 @@ RealNetwork as_model(const TrainedNetwork& trained, std::vector<RealInput> input
   return network;
 }
 
+Eigen::VectorXd effects_drift_dph(const SignalSeries& series,
+                                  const std::vector<EffectTerm>& terms) {
+  Eigen::VectorXd drift = Eigen::VectorXd::Zero(series.rows().size());
+  for (const EffectTerm& term : terms) {
+    drift += series.regressors(term) * Eigen::Map<const Eigen::VectorXd>(
+                                           term.coefficients_dph.data(),
+                                           static_cast<Eigen::Index>(term.coefficients_dph.size()));
+  }
+  return drift;
+}
+
 }  // namespace
+
+double delay_error_dph(const Model& model, const std::vector<RunInBlocks>& runs) {
+  double square = 0;
+  double weight = 0;
+  // Run by run: after a start or a gap the two have different rows, which are matched by their
+  // time.
+  for (const RunInBlocks& run : runs) {
+    SignalSeries board(model);
+    SignalSeries coil(model, Phase::zero);
+    board.add(run.blocks);
+    coil.add(run.blocks);
+    const Eigen::VectorXd late = effects_drift_dph(board, model.terms);
+    const Eigen::VectorXd exact = effects_drift_dph(coil, model.terms);
+    const Rows& rows = board.rows();
+    Eigen::Index at = 0;
+    for (Eigen::Index row = 0; row < rows.size(); ++row) {
+      const double time_s = rows.time_s[static_cast<std::size_t>(row)];
+      while (at + 1 < exact.size() &&
+             coil.rows().time_s[static_cast<std::size_t>(at)] < time_s - rows.row_s / 2) {
+        ++at;
+      }
+      square += rows.weights[row] * std::pow(late[row] - exact[at], 2);
+      weight += rows.weights[row];
+    }
+  }
+  return std::sqrt(square / std::max(weight, 1e-300));
+}
 
 FitResult fit_model(Model& model, const SignalSeries& series, const FitSettings& settings) {
   const Rows& rows = series.rows();

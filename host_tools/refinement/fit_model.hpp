@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "evaluation/run_in_blocks.hpp"
 #include "identification/identify.hpp"
 #include "training/network_training.hpp"
 #include "wavelet/denoise.hpp"
@@ -25,6 +26,11 @@ struct FitResult {
   Identification identified;
   std::optional<TrainerResult> training;  ///< of the network
 };
+
+/// How much of a fit's error is the board's delay: rms over all rows, deg/h, of what the effects
+/// make of signals as the board has them (block means, causal derivative) less what they make of
+/// signals without delay.
+double delay_error_dph(const Model& model, const std::vector<RunInBlocks>& runs);
 
 /// Both stages on all rows of `series`: the effects of model.terms, all together, then a new
 /// network on what they leave. The model's network, trained range and residual are replaced; its
