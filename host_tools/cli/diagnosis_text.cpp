@@ -114,7 +114,9 @@ std::string next_line(const Diagnosis& diagnosis, const std::string& model,
     text += "  to tell: " + diagnosis.experiment->sentence + "\n";
   }
   const std::string effect = effect_to_add(diagnosis);
-  if (!effect.empty()) {
+  if (effect == kBiasStep) {
+    text += "  next: fit again with bias_step among the --effects: it finds steps and masks them\n";
+  } else if (!effect.empty()) {
     text += "  next: fogcomp add " + model + " " + to_add(diagnosis, effect) + " " + runs +
             " -o NEW.model\n";
   }

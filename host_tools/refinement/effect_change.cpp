@@ -49,6 +49,11 @@ EffectTerm with_settings(const EffectTerm& old, const std::string& effect) {
 EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect) {
   EffectChange change{terms, 0};
   const EffectTerm added = parse_one(effect);
+  if (is_event(added)) {
+    throw InputError("effect '" + effect + "'",
+                     "is an event of one recording, which nothing out of sample can confirm; "
+                     "fit --effects ...,bias_step finds steps and masks them");
+  }
   const auto old = std::find_if(terms.begin(), terms.end(),
                                 [&](const EffectTerm& term) { return term.name == added.name; });
   change.changed = static_cast<std::size_t>(old - terms.begin());

@@ -26,7 +26,8 @@ if ask fit "$fogcomp" fit "${recordings[@]}" -o "$answers/declared.model" --effe
   { time ask diagnosis "$fogcomp" diagnose "$answers/declared.model" "${recordings[@]}" --json || true; } \
     2>"$answers/seconds.txt"
   effect=$(sed -nE '/"verdict":"missing_effect"/ s/^[^[]*"effect":"([a-z_]+)".*/\1/p' "$answers/diagnosis.json")
-  if [[ $effect && -f $runs/unseen.csv ]] && knows add RUN; then
+  # A bias step is an event of one recording: it is masked, not added.
+  if [[ $effect && $effect != bias_step && -f $runs/unseen.csv ]] && knows add RUN; then
     ask add "$fogcomp" add "$answers/declared.model" "$effect" "${recordings[@]}" -o "$answers/added.model" --json &&
       [[ -f $answers/added.model ]] && # exit code 1: refused
       ask unseen "$fogcomp" compare "$answers/added.model" "$runs/unseen.csv" --json || true
