@@ -38,15 +38,9 @@ std::string shape(const EffectTerm& term) {
   return text;
 }
 
-const CandidateFinding* finding_of(const Diagnosis& diagnosis, const std::string& effect) {
-  const auto found = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
-                                  [&](const CandidateFinding& c) { return c.effect == effect; });
-  return found == diagnosis.candidates.end() ? nullptr : &*found;
-}
-
 // How to name an effect to `add`, with what it takes to grow one that is there already.
 std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
-  const CandidateFinding* finding = finding_of(diagnosis, effect);
+  const CandidateFinding* finding = diagnosis.find(effect);
   const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
                                 [&](const EffectTerm& term) { return term.name == effect; });
   if (own == diagnosis.terms.end() || finding == nullptr) return effect;
@@ -64,7 +58,7 @@ std::string verdict_line(const Diagnosis& diagnosis) {
     case Verdict::none:
       return "nothing is missing: what is left is noise, as far as these recordings can show\n";
     case Verdict::missing_effect: {
-      const CandidateFinding* finding = finding_of(diagnosis, diagnosis.effect);
+      const CandidateFinding* finding = diagnosis.find(diagnosis.effect);
       const std::string described = shape(finding->term());
       return format("missing effect: %s (%s)\n", diagnosis.effect.c_str(),
                     find_effect(diagnosis.effect).description.title) +
@@ -85,7 +79,7 @@ std::string error_line(const Diagnosis& diagnosis) {
   std::string text = format("  the model leaves %.4g deg/h rms; the noise floor is %.4g",
                             diagnosis.residual_rms_dph, diagnosis.noise_floor_dph);
   const std::string effect = effect_to_add(diagnosis);
-  if (const CandidateFinding* finding = finding_of(diagnosis, effect)) {
+  if (const CandidateFinding* finding = diagnosis.find(effect)) {
     text += format("; with %s %.4g", effect.c_str(), finding->rms_after_dph);
   }
   return text + "\n";
@@ -156,7 +150,6 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& model,
   }
   text += format("  chance that noise alone looks like this: %.2g\n", diagnosis.chance);
   for (const std::string& note : diagnosis.notes) text += "  note: " + note + "\n";
-  if (!diagnosis.network_learnt.empty()) text += "  network: " + diagnosis.network_learnt + "\n";
   if (!diagnosis.candidates.empty()) text += candidate_table(diagnosis);
   return text + untestable_lines(diagnosis);
 }

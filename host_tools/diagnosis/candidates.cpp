@@ -7,6 +7,7 @@
 
 #include "dataset/input_columns.hpp"
 #include "identification/effect_list.hpp"
+#include "identification/noise_weighted_fit.hpp"
 #include "identification/shape_search.hpp"
 #include "model/catalogue.hpp"
 
@@ -122,18 +123,11 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const EffectTer
 // An event has a moment, not a shape: a step at evenly spaced times of each recording.
 std::vector<Candidate::Shape> step_shapes(const Rows& rows, const ToVisible& to_visible) {
   std::vector<Candidate::Shape> shapes;
-  const auto size = static_cast<std::size_t>(rows.size());
-  for (std::size_t run = 0; run < rows.run_starts.size(); ++run) {
-    const std::size_t first = rows.run_starts[run];
-    const std::size_t end = run + 1 < rows.run_starts.size() ? rows.run_starts[run + 1] : size;
+  for (const RowRange& run : rows.runs()) {
     for (int i = 1; i < kStepsPerRun; ++i) {
-      const std::size_t at = first + (end - first) * static_cast<std::size_t>(i) / kStepsPerRun;
-      if (at <= first || at >= end) continue;
-      Eigen::MatrixXd step = Eigen::MatrixXd::Zero(rows.size(), 1);
-      step.col(0)
-          .segment(static_cast<Eigen::Index>(at), static_cast<Eigen::Index>(end - at))
-          .setOnes();
-      VisiblePart part = to_visible(step);
+      const std::size_t at = run.first + run.size() * static_cast<std::size_t>(i) / kStepsPerRun;
+      if (at <= run.first || at >= run.end) continue;
+      VisiblePart part = to_visible(step_column(rows, at));
       if (part.visible[0] < kLeastVisible) continue;
       EffectTerm term = parse_effects(kBiasStep)[0];
       term.parameters[0] = rows.time_s[at];

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "dataset/segments.hpp"
 #include "diagnosis/explained_space.hpp"
@@ -15,6 +14,7 @@
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/quiet_rows.hpp"
 #include "model/catalogue.hpp"
+#include "support/chi_square.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -70,15 +70,6 @@ Structure find_structure(const Rows& rows, const ModelRemover& remover) {
   }
   structure.all = principal(side_by_side(parts, remover.residual().size()));
   return structure;
-}
-
-// ln of the chance that `columns` of white noise gain as much: Wilson and Hilferty's cube root.
-double chi_square_log_p(double gain, double columns) {
-  if (columns < 1) return 0;
-  const double variance = 2 / (9 * columns);
-  const double z =
-      (std::cbrt(std::max(gain, 0.0) / columns) - (1 - variance)) / std::sqrt(variance);
-  return z < 1 ? 0 : -z * z / 2 - std::log(z * 2.5066);
 }
 
 class Diagnoser {
@@ -143,12 +134,10 @@ class Diagnoser {
     const Eigen::VectorXd rest =
         solve_linear(side_by_side(parts, rows_.size()), rows_.drift_dph).residual;
     std::vector<NoiseSample> samples = noise_samples(quiet_stretches(rows_, fit_.residual_dph));
-    for (std::size_t run = 0; run < rows_.run_starts.size(); ++run) {
-      const auto first = static_cast<Eigen::Index>(rows_.run_starts[run]);
-      const Eigen::Index end = run + 1 < rows_.run_starts.size()
-                                   ? static_cast<Eigen::Index>(rows_.run_starts[run + 1])
-                                   : rows_.size();
-      samples.push_back({rest.segment(first, end - first), kFirstFrequency});
+    for (const RowRange& run : rows_.runs()) {
+      samples.push_back({rest.segment(static_cast<Eigen::Index>(run.first),
+                                      static_cast<Eigen::Index>(run.size())),
+                         kFirstFrequency});
     }
     NoiseModel noise = fit_noise(samples, rows_.row_s, longest_run_s(rows_));
     noise.from_quiet_parts = fit_.noise.from_quiet_parts;
@@ -258,7 +247,7 @@ class Diagnoser {
       result.unexplained =
           result.excess > 0 ? std::clamp((left - left_width) / result.excess, 0.0, 1.0) : 0;
       result.enough = result.unexplained < kUnexplained[size] ||
-                      chi_square_log_p(left, left_width) > kLeftoverLogP;
+                      tail_log_p(standard_score(std::max(left, 0.0), left_width)) > kLeftoverLogP;
     }
     return result;
   }
@@ -361,16 +350,16 @@ class Diagnoser {
   // What each term of the model is worth.
   void weigh_terms() {
     result_.terms = fit_.terms;
-    solve(result_.terms);
     Eigen::Index first = 0;
-    for (const EffectTerm& term : result_.terms) {
-      const auto width = static_cast<Eigen::Index>(term.coefficients_dph.size());
-      double gain = 0;
-      if (fit_.covariance.size() > 0) {
-        const Eigen::VectorXd own = fit_.coefficients.segment(first, width);
-        gain = own.dot(fit_.covariance.block(first, first, width, width).llt().solve(own));
-      }
-      result_.term_gain.push_back(gain);
+    for (EffectTerm& term : result_.terms) {
+      const auto width =
+          static_cast<Eigen::Index>(make_effect(term, rows_.row_s)->regressor_count());
+      const Eigen::VectorXd own = fit_.coefficients.segment(first, width);
+      term.coefficients_dph.assign(own.begin(), own.end());
+      result_.term_gain.push_back(
+          fit_.covariance.size() == 0
+              ? 0
+              : own.dot(fit_.covariance.block(first, first, width, width).llt().solve(own)));
       first += width;
     }
   }
@@ -389,10 +378,7 @@ class Diagnoser {
     std::vector<Rank> ranks;
     for (std::size_t i = 0; i < leads.size(); ++i) {
       const std::string& effect = candidates_[i].effect;
-      const auto found =
-          std::find_if(result_.candidates.begin(), result_.candidates.end(),
-                       [&](const CandidateFinding& finding) { return finding.effect == effect; });
-      ranks.push_back({leads[i], found->probability, effect});
+      ranks.push_back({leads[i], result_.find(effect)->probability, effect});
     }
     std::stable_sort(ranks.begin(), ranks.end(),
                      [](const Rank& a, const Rank& b) { return a.lead > b.lead; });
@@ -438,10 +424,7 @@ class Diagnoser {
         event = true;
         continue;
       }
-      const auto found =
-          std::find_if(result_.candidates.begin(), result_.candidates.end(),
-                       [&](const CandidateFinding& finding) { return finding.effect == effect; });
-      rivals.push_back({effect, found->completed});
+      rivals.push_back({effect, result_.find(effect)->completed});
     }
     if (rivals.size() > 1) return propose_experiment(model_, rivals, fit_.noise);
     Experiment repeat;
@@ -506,19 +489,22 @@ const char* name_of(Verdict verdict) {
   return "unknown";
 }
 
+const CandidateFinding* Diagnosis::find(const std::string& name) const {
+  const auto found =
+      std::find_if(candidates.begin(), candidates.end(),
+                   [&](const CandidateFinding& finding) { return finding.effect == name; });
+  return found == candidates.end() ? nullptr : &*found;
+}
+
 std::string effect_to_add(const Diagnosis& diagnosis) {
   constexpr double kClearly = 0.97;  // of the rms
   constexpr double kMainPart = 0.5;
-  const auto finding_of = [&](const std::string& effect) {
-    return *std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
-                         [&](const CandidateFinding& one) { return one.effect == effect; });
-  };
   if (diagnosis.verdict == Verdict::missing_effect) return diagnosis.effect;
   if (diagnosis.verdict == Verdict::ambiguous) {
     std::string best = diagnosis.confusable.front();
     for (const std::string& effect : diagnosis.confusable) {
-      const double rms = finding_of(effect).rms_after_dph;
-      if (rms < kClearly * finding_of(best).rms_after_dph) best = effect;
+      const double rms = diagnosis.find(effect)->rms_after_dph;
+      if (rms < kClearly * diagnosis.find(best)->rms_after_dph) best = effect;
     }
     return best;
   }

@@ -95,7 +95,9 @@ struct Diagnosis {
   NoiseModel noise;
   Eigen::Index rows = 0;
   double row_s = 0;
-  std::string network_learnt;      ///< a sentence, where the model has a network
+  /// What is said of an effect; nullptr where it cannot be tested.
+  const CandidateFinding* find(const std::string& name) const;
+
   std::vector<std::string> notes;  ///< whole sentences: what limits the answer
 };
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "dataset/input_columns.hpp"
 #include "identification/least_squares.hpp"
+#include "identification/noise_weighted_fit.hpp"
 #include "identification/shape_search.hpp"
 #include "identification/signal_series.hpp"
 #include "identification/whitening.hpp"
@@ -96,11 +96,11 @@ class Trial {
     whitening_.emplace(noise, series_.rows(), series_.rows().weights);
   }
 
-  double hours() const { return longest_run_hours(); }
+  double hours() const { return (longest_run_s(series_.rows()) + series_.rows().row_s) / 3600; }
 
   // Standard deviations by which `truth` differs from the best that `imitator` can do.
   double told(const Rival& truth, const Rival& imitator) const {
-    const Eigen::VectorXd signal = whitening_->apply(drift(truth.terms));
+    const Eigen::VectorXd signal = whitening_->apply(series_.drift_dph(truth.terms));
     double least = HUGE_VAL;
     const EffectTerm& own = imitator.terms.back();
     std::vector<Eigen::MatrixXd> base;
@@ -118,21 +118,6 @@ class Trial {
   }
 
  private:
-  double longest_run_hours() const {
-    const Rows& rows = series_.rows();
-    return (rows.time_s.back() - rows.time_s.front() + rows.row_s) / 3600;
-  }
-  Eigen::VectorXd drift(const std::vector<EffectTerm>& terms) const {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(series_.rows().size());
-    for (const EffectTerm& term : terms) {
-      sum +=
-          series_.regressors(term) * Eigen::Map<const Eigen::VectorXd>(
-                                         term.coefficients_dph.data(),
-                                         static_cast<Eigen::Index>(term.coefficients_dph.size()));
-    }
-    return sum;
-  }
-
   Model model_;
   SignalSeries series_;
   std::optional<Whitening> whitening_;

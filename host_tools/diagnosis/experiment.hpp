@@ -26,7 +26,7 @@ struct Rival {
 /// Simulates every programme of the menu (fast, reversed, minor loops, random steps, heater,
 /// restarts, axis flips...) for a typical gyro, and asks of each: if one rival is true as fitted,
 /// how much of it can the other not imitate there, with everything refitted? The programme whose
-/// least told pair of rivals is told best is proposed. `axis`: whether input rate may be varied.
+/// least told pair of rivals is told best is proposed.
 Experiment propose_experiment(const Model& model, const std::vector<Rival>& rivals,
                               const NoiseModel& noise);
 

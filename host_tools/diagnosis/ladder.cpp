@@ -54,9 +54,6 @@ Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effec
   for (int i = 0; i < most_effects; ++i) {
     const std::string effect = effect_to_add(ladder.last);
     if (effect.empty()) break;
-    const auto finding =
-        std::find_if(ladder.last.candidates.begin(), ladder.last.candidates.end(),
-                     [&](const CandidateFinding& one) { return one.effect == effect; });
     Ladder::Step step;
     step.effect = effect;
     if (ladder.last.verdict == Verdict::ambiguous) {
@@ -65,7 +62,7 @@ Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effec
       }
     }
     step.rms_before_dph = ladder.last.residual_rms_dph;
-    grown.terms = finding->completed;
+    grown.terms = ladder.last.find(effect)->completed;
     Diagnosis next = diagnose(grown, data, settings);
     step.rms_after_dph = next.residual_rms_dph;
     const double fall = square(step.rms_before_dph) - square(step.rms_after_dph);

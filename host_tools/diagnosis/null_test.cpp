@@ -35,7 +35,7 @@ double best_evidence(const ExplainedSpace& space, const Library& library,
 
 // Logarithm of the share of draws beyond `value`; beyond the upper draws, by their exponential
 // tail.
-double tail_log_p(std::vector<double> draws, double value) {
+double beyond_log_p(std::vector<double> draws, double value) {
   std::sort(draws.begin(), draws.end());
   const auto size = static_cast<double>(draws.size());
   const auto above =
@@ -70,9 +70,9 @@ NullTest test_against_noise(const ExplainedSpace& space, const Library& library,
   }
   NullTest test;
   test.library_log_p =
-      tail_log_p(evidence, best_evidence(space, library, structure, freedom, space.along()));
+      beyond_log_p(evidence, best_evidence(space, library, structure, freedom, space.along()));
   test.structure_log_p =
-      tail_log_p(smooth, space.along().segment(structure.first, structure.count).squaredNorm());
+      beyond_log_p(smooth, space.along().segment(structure.first, structure.count).squaredNorm());
   return test;
 }
 

@@ -8,6 +8,8 @@
 
 #include "dataset/input_columns.hpp"
 #include "identification/least_squares.hpp"
+#include "identification/row_filters.hpp"
+#include "support/chi_square.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp {
@@ -45,30 +47,11 @@ Eigen::MatrixXd smooths(const Eigen::VectorXd& x, int knots) {
   return columns;
 }
 
-bool starts_run(const Rows& rows, std::size_t row) {
-  return std::binary_search(rows.run_starts.begin(), rows.run_starts.end(), row);
-}
-
-Eigen::VectorXd lagging(const Rows& rows, const Eigen::VectorXd& x, double tau_s) {
-  Eigen::VectorXd behind(x.size());
-  double state = 0;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    if (starts_run(rows, row)) {
-      state = x[i];
-    } else {
-      state += -std::expm1(-(rows.time_s[row] - rows.time_s[row - 1]) / tau_s) * (x[i] - state);
-    }
-    behind[i] = x[i] - state;
-  }
-  return behind;
-}
-
 Eigen::VectorXd played(const Rows& rows, const Eigen::VectorXd& x, double radius) {
   Eigen::VectorXd behind(x.size());
   double state = 0;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    state = starts_run(rows, static_cast<std::size_t>(i))
+    state = rows.starts_run(static_cast<std::size_t>(i))
                 ? x[i]
                 : std::clamp(state, x[i] - radius, x[i] + radius);
     behind[i] = x[i] - state;
@@ -76,20 +59,14 @@ Eigen::VectorXd played(const Rows& rows, const Eigen::VectorXd& x, double radius
   return behind;
 }
 
-std::size_t run_end(const Rows& rows, std::size_t run) {
-  return run + 1 < rows.run_starts.size() ? rows.run_starts[run + 1]
-                                          : static_cast<std::size_t>(rows.size());
-}
-
 Eigen::MatrixXd of_time(const Rows& rows) {
   const auto runs = static_cast<int>(rows.run_starts.size());
   const int knots = std::clamp(kMostTimeKnots / runs, 3, kTimeKnots);
   std::vector<Eigen::MatrixXd> parts;
-  for (std::size_t run = 0; run < rows.run_starts.size(); ++run) {
-    const auto first = static_cast<Eigen::Index>(rows.run_starts[run]);
-    const auto count = static_cast<Eigen::Index>(run_end(rows, run)) - first;
-    const Eigen::VectorXd time =
-        Eigen::Map<const Eigen::VectorXd>(&rows.time_s[rows.run_starts[run]], count);
+  for (const RowRange& run : rows.runs()) {
+    const auto first = static_cast<Eigen::Index>(run.first);
+    const auto count = static_cast<Eigen::Index>(run.size());
+    const Eigen::VectorXd time = Eigen::Map<const Eigen::VectorXd>(&rows.time_s[run.first], count);
     Eigen::MatrixXd here = smooths(time, knots);
     Eigen::MatrixXd part = Eigen::MatrixXd::Zero(rows.size(), here.cols());
     part.middleRows(first, count) = here;
@@ -113,7 +90,7 @@ std::vector<StructureGroup> structure_groups(const Rows& rows) {
                                       product.leftCols(std::min<Eigen::Index>(2, product.cols()))},
                                  rows.size())});
   std::vector<Eigen::MatrixXd> history;
-  for (const double tau_s : kLags_s) history.push_back(lagging(rows, temperature, tau_s));
+  for (const double tau_s : kLags_s) history.push_back(behind_lag(rows, temperature, tau_s));
   for (const double radius : kRadii_degc) history.push_back(played(rows, temperature, radius));
   groups.push_back({"temperature history", side_by_side(history, rows.size())});
   groups.push_back({"time_s", of_time(rows)});
@@ -187,11 +164,10 @@ FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& white
   std::vector<Octave> octaves(kMostOctaves);
   std::vector<double> all;
   FastStructure fast;
-  for (std::size_t run = 0; run < rows.run_starts.size(); ++run) {
-    const std::size_t first = rows.run_starts[run];
-    const std::size_t size = run_end(rows, run) - first;
+  for (const RowRange& run : rows.runs()) {
+    const std::size_t size = run.size();
     const double length_s = static_cast<double>(size) * rows.row_s;
-    const auto begin = whitened_residual.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto begin = whitened_residual.begin() + static_cast<std::ptrdiff_t>(run.first);
     const std::vector<double> powers =
         periodogram({begin, begin + static_cast<std::ptrdiff_t>(size)});
     find_line(powers, length_s, fast);
@@ -211,11 +187,10 @@ FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& white
   fast.line_log_p = std::min(0.0, std::log(lines) - kLevelUncertainty * fast.line_power);
   for (const Octave& octave : octaves) {
     if (octave.count < kLeastLines) continue;
-    // A mean of exponential variables is normal after Wilson and Hilferty's cube root.
+    // Twice an exponential variable of mean 1 is chi^2 with two degrees.
     const double mean = octave.power / octave.count / level;
-    const double variance = 1 / (9 * octave.count);
-    const double z = (std::cbrt(mean) - (1 - variance)) / std::sqrt(variance);
-    const double log_p = z < 1 ? 0 : -z * z / 2 - std::log(z * 2.5066) + std::log(12.0);
+    const double score = standard_score(2 * octave.count * mean, 2 * octave.count);
+    const double log_p = score < 1 ? 0 : tail_log_p(score) + std::log(12.0);
     if (log_p >= fast.band_log_p || mean - 1 < kLeastExcess) continue;
     fast.band_log_p = log_p;
     fast.band_excess = mean - 1;

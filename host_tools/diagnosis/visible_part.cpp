@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "diagnosis/hypotheses.hpp"
+#include "identification/row_filters.hpp"
 
 namespace fogcomp {
 namespace {
@@ -22,34 +23,13 @@ constexpr std::array<double, 3> kLags_s{60, 240, 960};
 constexpr double kRounding_s = 40;
 constexpr Eigen::Index kPriors = 2 + kLags_s.size();
 
-bool starts_run(const Rows& rows, std::size_t row) {
-  return std::binary_search(rows.run_starts.begin(), rows.run_starts.end(), row);
-}
-
 // d/dt of a series of rows, per second; 0 where a run begins or ends.
 Eigen::VectorXd slope(const Rows& rows, const Eigen::VectorXd& values) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(values.size());
   for (Eigen::Index i = 1; i + 1 < values.size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
-    if (starts_run(rows, row) || starts_run(rows, row + 1)) continue;
+    if (rows.starts_run(row) || rows.starts_run(row + 1)) continue;
     result[i] = (values[i + 1] - values[i - 1]) / (rows.time_s[row + 1] - rows.time_s[row - 1]);
-  }
-  return result;
-}
-
-// What a first-order lag of the values is behind them, per run.
-Eigen::VectorXd behind(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
-  Eigen::VectorXd result(values.size());
-  double state = 0;
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    if (starts_run(rows, row)) {
-      state = values[i];
-    } else {
-      const double elapsed_s = rows.time_s[row] - rows.time_s[row - 1];
-      state += -std::expm1(-elapsed_s / tau_s) * (values[i] - state);
-    }
-    result[i] = values[i] - state;
   }
   return result;
 }
@@ -59,13 +39,13 @@ Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double
   Eigen::VectorXd result = values;
   for (Eigen::Index i = 1; i < result.size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
-    if (starts_run(rows, row)) continue;
+    if (rows.starts_run(row)) continue;
     const double elapsed_s = rows.time_s[row] - rows.time_s[row - 1];
     result[i] = result[i - 1] - std::expm1(-elapsed_s / tau_s) * (result[i] - result[i - 1]);
   }
   for (Eigen::Index i = result.size() - 2; i >= 0; --i) {
     const auto row = static_cast<std::size_t>(i);
-    if (starts_run(rows, row + 1)) continue;
+    if (rows.starts_run(row + 1)) continue;
     const double elapsed_s = rows.time_s[row + 1] - rows.time_s[row];
     result[i] = result[i + 1] - std::expm1(-elapsed_s / tau_s) * (result[i] - result[i + 1]);
   }
@@ -96,7 +76,8 @@ ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
   inexact.col(0) = kSensorDelay_s * slope(rows, drift);
   inexact.col(1) = drift - smoothed(rows, drift, kRounding_s);
   for (std::size_t i = 0; i < kLags_s.size(); ++i) {
-    inexact.col(static_cast<Eigen::Index>(i) + 2) = kLaggingShare * behind(rows, drift, kLags_s[i]);
+    inexact.col(static_cast<Eigen::Index>(i) + 2) =
+        kLaggingShare * behind_lag(rows, drift, kLags_s[i]);
   }
   Eigen::MatrixXd columns =
       Eigen::MatrixXd::Zero(rows.size() + kPriors, fit.whitened.cols() + kPriors);

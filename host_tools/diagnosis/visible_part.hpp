@@ -21,8 +21,6 @@ class ModelRemover {
   /// What the model leaves of the measurement.
   const Eigen::VectorXd& residual() const { return residual_; }
   const Whitening& whitening() const { return whitening_; }
-  /// Unknowns that the model takes.
-  Eigen::Index rank() const { return basis_.cols(); }
 
  private:
   Eigen::MatrixXd without_model(Eigen::MatrixXd columns) const;

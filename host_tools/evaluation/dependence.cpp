@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "evaluation/autocorrelation.hpp"
+#include "support/chi_square.hpp"
 
 namespace fogcomp {
 namespace {
@@ -124,14 +125,6 @@ ClassMeans means_of(const std::vector<std::size_t>& class_of, std::size_t classe
   return means;
 }
 
-// Chi^2 to a standard score (Wilson & Hilferty 1931).
-double standard_score(double chi_square, Eigen::Index degrees) {
-  if (degrees < 1) return 0;
-  const auto freedom = static_cast<double>(degrees);
-  const double spread = 2 / (9 * freedom);
-  return (std::cbrt(chi_square / freedom) - (1 - spread)) / std::sqrt(spread);
-}
-
 bool has_noise(const ResidualRows& rows) {
   return rows.noise.white_variance > 0;
 }
@@ -145,7 +138,7 @@ ClassTest test_means(const ClassMeans& means, const ResidualRows& rows) {
   const Eigen::VectorXd weights = noise.solve(ones);
   const Eigen::VectorXd apart =
       means.mean_dph.array() - weights.dot(means.mean_dph) / weights.sum();
-  test.score = standard_score(apart.dot(noise.solve(apart)), size - 1);
+  test.score = standard_score(apart.dot(noise.solve(apart)), static_cast<double>(size - 1));
 
   const Eigen::VectorXd share = means.rows / means.rows.sum();
   const double common = share.dot(means.mean_dph);
@@ -273,7 +266,7 @@ Loop loop_over(const std::vector<double>& temperature_degc, const ResidualRows& 
   }
   const Eigen::VectorXd width = differ * means.mean_dph;
   const Eigen::MatrixXd noise = differ * means.covariance * differ.transpose();
-  loop.test.score = standard_score(width.dot(noise.ldlt().solve(width)), size);
+  loop.test.score = standard_score(width.dot(noise.ldlt().solve(width)), static_cast<double>(size));
   return loop;
 }
 

@@ -19,18 +19,15 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
 }
 
-// First row and end of the recording that each row is part of.
+// First row and end of each recording, as Eigen counts.
 struct Run {
   Eigen::Index first;
   Eigen::Index end;
 };
 std::vector<Run> runs_of(const Rows& rows) {
   std::vector<Run> runs;
-  for (std::size_t i = 0; i < rows.run_starts.size(); ++i) {
-    const auto end = i + 1 < rows.run_starts.size()
-                         ? static_cast<Eigen::Index>(rows.run_starts[i + 1])
-                         : rows.size();
-    runs.push_back({static_cast<Eigen::Index>(rows.run_starts[i]), end});
+  for (const RowRange& run : rows.runs()) {
+    runs.push_back({static_cast<Eigen::Index>(run.first), static_cast<Eigen::Index>(run.end)});
   }
   return runs;
 }

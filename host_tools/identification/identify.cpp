@@ -98,10 +98,8 @@ void take_out_steps(std::vector<EffectTerm>& terms) {
 // A step as a term of the model and as an event of its recording.
 void add_step(Model& model, Identification& result, const Rows& rows, const ChangePoint& change,
               double size_dph, double sigma_dph) {
-  const auto after = std::upper_bound(rows.run_starts.begin(), rows.run_starts.end(),
-                                      static_cast<std::size_t>(change.row));
-  result.steps.push_back({static_cast<std::size_t>(after - rows.run_starts.begin()) - 1,
-                          change.time_s, change.time_sigma_s, size_dph, sigma_dph});
+  result.steps.push_back({rows.run_at(static_cast<std::size_t>(change.row)), change.time_s,
+                          change.time_sigma_s, size_dph, sigma_dph});
   model.terms.push_back(
       {kBiasStep, {change.time_s}, {true}, {change.time_sigma_s}, {size_dph}, {sigma_dph}});
   result.visible_dph.push_back(kVisible * sigma_dph);

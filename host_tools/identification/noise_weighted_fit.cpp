@@ -27,10 +27,8 @@ Eigen::MatrixXd all_columns(const SignalSeries& series, const std::vector<Effect
 
 double longest_run_s(const Rows& rows) {
   double longest_s = 0;
-  for (std::size_t run = 0; run < rows.run_starts.size(); ++run) {
-    const std::size_t end =
-        run + 1 < rows.run_starts.size() ? rows.run_starts[run + 1] : rows.time_s.size();
-    longest_s = std::max(longest_s, rows.time_s[end - 1] - rows.time_s[rows.run_starts[run]]);
+  for (const RowRange& run : rows.runs()) {
+    longest_s = std::max(longest_s, rows.time_s[run.end - 1] - rows.time_s[run.first]);
   }
   return longest_s;
 }
@@ -124,14 +122,19 @@ NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<Ef
   return fit;
 }
 
+Eigen::VectorXd step_column(const Rows& rows, std::size_t row) {
+  const RowRange run = rows.runs()[rows.run_at(row)];
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(rows.size());
+  column.segment(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(run.end - row))
+      .setOnes();
+  return column;
+}
+
 Eigen::MatrixXd run_offset_columns(const Rows& rows, bool wanted) {
   const std::size_t runs = wanted ? rows.run_starts.size() : 1;
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows.size(), static_cast<Eigen::Index>(runs) - 1);
+  Eigen::MatrixXd columns(rows.size(), static_cast<Eigen::Index>(runs) - 1);
   for (std::size_t run = 1; run < runs; ++run) {
-    const auto first = static_cast<Eigen::Index>(rows.run_starts[run]);
-    const auto end =
-        run + 1 < runs ? static_cast<Eigen::Index>(rows.run_starts[run + 1]) : rows.size();
-    columns.col(static_cast<Eigen::Index>(run) - 1).segment(first, end - first).setOnes();
+    columns.col(static_cast<Eigen::Index>(run) - 1) = step_column(rows, rows.run_starts[run]);
   }
   return columns;
 }

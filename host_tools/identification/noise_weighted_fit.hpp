@@ -60,6 +60,9 @@ double longest_run_s(const Rows& rows);
 /// rows.
 NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual);
 
+/// 1 from a row to the end of its recording, else 0.
+Eigen::VectorXd step_column(const Rows& rows, std::size_t row);
+
 /// Rows x (recordings - 1): ones in the second, third... recording each. No columns unless
 /// `wanted`.
 Eigen::MatrixXd run_offset_columns(const Rows& rows, bool wanted = true);

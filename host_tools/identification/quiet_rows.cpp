@@ -23,9 +23,8 @@ double rate_limit(const Rows& rows) {
 }
 
 bool follows(const Rows& rows, std::size_t row) {
-  const bool new_run =
-      std::find(rows.run_starts.begin(), rows.run_starts.end(), row) != rows.run_starts.end();
-  return row > 0 && !new_run && rows.time_s[row] - rows.time_s[row - 1] < kGap * rows.row_s;
+  return row > 0 && !rows.starts_run(row) &&
+         rows.time_s[row] - rows.time_s[row - 1] < kGap * rows.row_s;
 }
 
 // An axis that is turned, a field that is switched on: no noise either.

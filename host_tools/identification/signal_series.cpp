@@ -159,6 +159,34 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make) const {
   return samples.cwiseInverse().asDiagonal() * sums;
 }
 
+std::vector<RowRange> Rows::runs() const {
+  std::vector<RowRange> runs;
+  for (const std::size_t start : run_starts) {
+    if (!runs.empty()) runs.back().end = start;
+    runs.push_back({start, static_cast<std::size_t>(size())});
+  }
+  return runs;
+}
+
+std::size_t Rows::run_at(std::size_t row) const {
+  const auto after = std::upper_bound(run_starts.begin(), run_starts.end(), row);
+  return static_cast<std::size_t>(after - run_starts.begin()) - 1;
+}
+
+bool Rows::starts_run(std::size_t row) const {
+  return std::binary_search(run_starts.begin(), run_starts.end(), row);
+}
+
+Eigen::VectorXd SignalSeries::drift_dph(const std::vector<EffectTerm>& terms) const {
+  Eigen::VectorXd drift = Eigen::VectorXd::Zero(rows_.size());
+  for (const EffectTerm& term : terms) {
+    drift += regressors(term) * Eigen::Map<const Eigen::VectorXd>(
+                                    term.coefficients_dph.data(),
+                                    static_cast<Eigen::Index>(term.coefficients_dph.size()));
+  }
+  return drift;
+}
+
 Eigen::MatrixXd SignalSeries::regressors(const EffectTerm& term) const {
   struct Part {
     std::unique_ptr<RealEffect> effect;

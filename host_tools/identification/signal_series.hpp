@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/thermal/signals.hpp"
+#include "dataset/segments.hpp"
 #include "identification/block_series.hpp"
 #include "model/model.hpp"
 
@@ -20,6 +21,11 @@ struct Rows {
   std::vector<std::size_t> run_starts;             ///< first row of each recording
 
   Eigen::Index size() const { return drift_dph.size(); }
+  /// The rows of each recording.
+  std::vector<RowRange> runs() const;
+  /// Which of them a row is part of, and whether it is its first.
+  std::size_t run_at(std::size_t row) const;
+  bool starts_run(std::size_t row) const;
 };
 
 /// How a temperature becomes the signals that effects see.
@@ -45,6 +51,8 @@ class SignalSeries {
 
   /// The row means of an effect's regressors, rows x regressors of the effect.
   Eigen::MatrixXd regressors(const EffectTerm& term) const;
+  /// The row means of what the terms make together with their coefficients, deg/h.
+  Eigen::VectorXd drift_dph(const std::vector<EffectTerm>& terms) const;
 
   /// Least and most of each signal that an expression can have, over all blocks.
   SignalRanges signal_ranges() const;

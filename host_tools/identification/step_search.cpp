@@ -20,16 +20,6 @@ Eigen::MatrixXd with_column(const Eigen::MatrixXd& columns, const Eigen::VectorX
   return all;
 }
 
-// 1 from a row to the end of its recording.
-Eigen::VectorXd step_column(const Rows& rows, Eigen::Index row) {
-  Eigen::VectorXd column = Eigen::VectorXd::Zero(rows.size());
-  const auto next = std::upper_bound(rows.run_starts.begin(), rows.run_starts.end(),
-                                     static_cast<std::size_t>(row));
-  const auto end = next == rows.run_starts.end() ? rows.size() : static_cast<Eigen::Index>(*next);
-  column.segment(row, end - row).setOnes();
-  return column;
-}
-
 // The best place for a step in what a fit leaves, with that fit's noise. The first `columns` of its
 // matrix are the model beside the step; whatever comes after them is put back into the residual.
 std::optional<ChangePoint> locate(const Rows& rows, const NoiseWeightedFit& fit,
@@ -72,11 +62,13 @@ FitWithSteps fit_with_steps(const SignalSeries& series, const std::vector<Effect
   while (result.steps.size() < kMostSteps) {
     const auto seen = locate(rows, result.fit, result.fit.linear(), kept);
     if (!seen || !earns(*seen, kWorthALook)) break;
-    const NoiseWeightedFit tried =
-        fit_determined(series, terms, with_column(columns, step_column(rows, seen->row)), kept);
+    const NoiseWeightedFit tried = fit_determined(
+        series, terms, with_column(columns, step_column(rows, static_cast<std::size_t>(seen->row))),
+        kept);
     const auto found = locate(rows, tried, tried.linear() - 1, kept);
     if (!found || !earns(*found, kEarned)) break;
-    const Eigen::MatrixXd more = with_column(columns, step_column(rows, found->row));
+    const Eigen::MatrixXd more =
+        with_column(columns, step_column(rows, static_cast<std::size_t>(found->row)));
     Eigen::VectorXd fewer = kept;
     fewer.segment(found->first, found->last - found->first + 1).setZero();
     NoiseWeightedFit fit = fit_determined(series, terms, more, fewer);

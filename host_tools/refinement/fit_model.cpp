@@ -20,11 +20,8 @@ double weighted_std(const Rows& rows) {
 // apart than one and a half times their length are not neighbours.
 void denoise_rows(const Rows& rows, const DenoiseMethod& method, Eigen::VectorXd& values) {
   std::vector<fog::Span<double>> parts;
-  std::size_t next_run = 0;
   for (std::size_t row = 0; row < rows.time_s.size(); ++row) {
-    const bool new_run = next_run < rows.run_starts.size() && rows.run_starts[next_run] == row;
-    if (new_run) ++next_run;
-    if (new_run || rows.time_s[row] - rows.time_s[row - 1] > 1.5 * rows.row_s) {
+    if (rows.starts_run(row) || rows.time_s[row] - rows.time_s[row - 1] > 1.5 * rows.row_s) {
       parts.push_back({values.data() + row, 0});
     }
     ++parts.back().size;
@@ -58,17 +55,6 @@ RealNetwork as_model(const TrainedNetwork& trained, std::vector<RealInput> input
   return network;
 }
 
-Eigen::VectorXd effects_drift_dph(const SignalSeries& series,
-                                  const std::vector<EffectTerm>& terms) {
-  Eigen::VectorXd drift = Eigen::VectorXd::Zero(series.rows().size());
-  for (const EffectTerm& term : terms) {
-    drift += series.regressors(term) * Eigen::Map<const Eigen::VectorXd>(
-                                           term.coefficients_dph.data(),
-                                           static_cast<Eigen::Index>(term.coefficients_dph.size()));
-  }
-  return drift;
-}
-
 }  // namespace
 
 double delay_error_dph(const Model& model, const std::vector<RunInBlocks>& runs) {
@@ -81,8 +67,8 @@ double delay_error_dph(const Model& model, const std::vector<RunInBlocks>& runs)
     SignalSeries coil(model, Phase::zero);
     board.add(run.blocks);
     coil.add(run.blocks);
-    const Eigen::VectorXd late = effects_drift_dph(board, model.terms);
-    const Eigen::VectorXd exact = effects_drift_dph(coil, model.terms);
+    const Eigen::VectorXd late = board.drift_dph(model.terms);
+    const Eigen::VectorXd exact = coil.drift_dph(model.terms);
     const Rows& rows = board.rows();
     Eigen::Index at = 0;
     for (Eigen::Index row = 0; row < rows.size(); ++row) {

@@ -17,16 +17,6 @@ namespace {
 
 constexpr double kOutlier = 4;  // standard deviations; beyond, a row counts as if it were there
 
-// Rows without a gap in this sense: of one recording.
-std::vector<RowRange> runs_of(const Rows& rows) {
-  std::vector<RowRange> runs;
-  for (const std::size_t start : rows.run_starts) {
-    if (!runs.empty()) runs.back().end = start;
-    runs.push_back({start, static_cast<std::size_t>(rows.size())});
-  }
-  return runs;
-}
-
 auto segment(Eigen::VectorXd& values, const RowRange& range) {
   return values.segment(static_cast<Eigen::Index>(range.first),
                         static_cast<Eigen::Index>(range.size()));
@@ -51,8 +41,7 @@ OutOfSample judge(const Rows& rows, const Eigen::VectorXd& before, const Eigen::
   white_after = white_after.cwiseMax(-most).cwiseMin(most);
   const double variance =
       std::max(1.0, white_after.squaredNorm() / static_cast<double>(rows.size()));
-  const double together =
-      correlated_values({white_after.begin(), white_after.end()}, runs_of(rows));
+  const double together = correlated_values({white_after.begin(), white_after.end()}, rows.runs());
   result.gain = (white_before.squaredNorm() - white_after.squaredNorm()) / (variance * together);
   return result;
 }
@@ -190,7 +179,7 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
   const Rows& rows = series.rows();
   const std::vector<EffectTerm> fixed_before = shapes_kept(before, kNone);
   const std::vector<EffectTerm> fixed_after = shapes_kept(after, changed);
-  const std::vector<RowRange> runs = runs_of(rows);
+  const std::vector<RowRange> runs = rows.runs();
   // A run's own offset cannot be known without the run.
   if (runs.size() >= kEnoughRuns && !with.run_offsets) {
     std::vector<Part> parts;
