@@ -6,10 +6,6 @@
 namespace fogcomp::cli {
 namespace {
 
-Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
-
 // One member of every element, as an array.
 template <class Element, class Member>
 std::vector<double> members(const std::vector<Element>& elements, Member member) {
@@ -33,7 +29,7 @@ Json segment_json(const Comparison::Segment& segment, const std::optional<double
       .set("raw_mean_dph", segment.raw_mean_dph)
       .set("raw_std_dph", segment.raw_std_dph)
       .set("raw_rms_dph", segment.raw_rms_dph)
-      .set("drift_left_dph", number_or_null(drift(segment.rms_dph, floor_dph)));
+      .set("drift_left_dph", drift(segment.rms_dph, floor_dph));
   return object;
 }
 
@@ -53,7 +49,7 @@ Json test_json(const ResidualAnalysis& analysis, const ClassTest& test) {
   Json object = Json::object();
   object.set("structured", test.structured())
       .set("score", test.score)
-      .set("share_of_excess", number_or_null(analysis.share_of_excess(test)));
+      .set("share_of_excess", analysis.share_of_excess(test));
   return object;
 }
 
@@ -85,7 +81,7 @@ Json structure_json(const ResidualAnalysis& analysis) {
   Json offset = test_json(analysis, analysis.offset);
   offset.set("sigma_dph", analysis.offset_sigma_dph);
   Json object = Json::object();
-  object.set("excess_dph2", number_or_null(analysis.excess_dph2))
+  object.set("excess_dph2", analysis.excess_dph2)
       .set("temperature_degc", dependence_json(analysis, analysis.temperature))
       .set("temperature_rate", dependence_json(analysis, analysis.rate))
       .set("time_s", dependence_json(analysis, analysis.time))
@@ -144,9 +140,9 @@ Json run_json(const ModelOnRun& run) {
       .set("residual_mean_dph", whole.mean_dph)
       .set("residual_rms_dph", whole.rms_dph)
       .set("residual_std_dph", whole.std_dph)
-      .set("noise_floor_dph", number_or_null(comparison.noise_floor_dph))
-      .set("drift_before_dph", number_or_null(drift(whole.raw_std_dph, comparison.noise_floor_dph)))
-      .set("drift_left_dph", number_or_null(drift(whole.rms_dph, comparison.noise_floor_dph)))
+      .set("noise_floor_dph", comparison.noise_floor_dph)
+      .set("drift_before_dph", drift(whole.raw_std_dph, comparison.noise_floor_dph))
+      .set("drift_left_dph", drift(whole.rms_dph, comparison.noise_floor_dph))
       .set("segments", std::move(segments))
       .set("effects", effects_json(comparison.effects))
       .set("structure", structure_json(run.analysis))

@@ -17,18 +17,14 @@ std::string hash_text(std::uint32_t hash) {
   return format("%08x", static_cast<unsigned>(hash));
 }
 
-Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
-
 Json step_json(const HistoryEntry& step) {
   Json object = Json::object();
   object.set("action", step.action)
       .set("data_hash", hash_text(step.data_hash))
       .set("rms_before_dph", step.rms_before_dph)
       .set("rms_after_dph", step.rms_after_dph)
-      .set("noise_floor_dph", number_or_null(step.noise_floor_dph))
-      .set("excess_removed", number_or_null(step.excess_removed()))
+      .set("noise_floor_dph", step.noise_floor_dph)
+      .set("excess_removed", step.excess_removed())
       .set("holdout_rms_before_dph", step.holdout ? Json(step.holdout->rms_before_dph) : Json())
       .set("holdout_rms_after_dph", step.holdout ? Json(step.holdout->rms_after_dph) : Json())
       .set("forced", step.forced);

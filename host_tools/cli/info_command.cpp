@@ -14,10 +14,6 @@
 namespace fogcomp::cli {
 namespace {
 
-Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
-
 Json value_or_null(const std::optional<NoiseCoefficient>& coefficient) {
   return coefficient ? Json(coefficient->value) : Json();
 }
@@ -41,8 +37,8 @@ Json segments_json(const std::vector<SegmentSummary>& segments) {
                    .set("end_s", segment.end_s)
                    .set("rows", segment.rows)
                    .set("mean_dph", segment.bias.mean_dph)
-                   .set("std_dph", number_or_null(segment.bias.std_dph))
-                   .set("sample_std_dph", number_or_null(segment.bias.sample_std_dph))
+                   .set("std_dph", segment.bias.std_dph)
+                   .set("sample_std_dph", segment.bias.sample_std_dph)
                    .set("temperature_min_degc", segment.temperature_min_degc)
                    .set("temperature_max_degc", segment.temperature_max_degc)
                    .set("temperature_rate_degc_per_min", segment.temperature_rate_degc_per_min));
@@ -83,9 +79,9 @@ Json info_json(const Recording& recording, const RunSummary& summary) {
       .set("period_s", recording.period_s)
       .set("average_s", summary.average_s)
       .set("mean_dph", summary.bias.mean_dph)
-      .set("std_dph", number_or_null(summary.bias.std_dph))
-      .set("sample_std_dph", number_or_null(summary.bias.sample_std_dph))
-      .set("noise_floor_dph", number_or_null(summary.noise_floor_dph))
+      .set("std_dph", summary.bias.std_dph)
+      .set("sample_std_dph", summary.bias.sample_std_dph)
+      .set("noise_floor_dph", summary.noise_floor_dph)
       .set("segments", segments_json(summary.segments))
       .set("allan", allan_json(summary.allan));
   set_coefficients(object, summary.noise, value_or_null);
@@ -93,14 +89,13 @@ Json info_json(const Recording& recording, const RunSummary& summary) {
   set_coefficients(half_widths, summary.noise, half_width_or_null);
   const TemperatureSensitivity& sensitivity = summary.sensitivity;
   object.set("half_width_95", std::move(half_widths))
-      .set("bias_temperature_sensitivity_dph_per_degc",
-           number_or_null(sensitivity.bias_dph_per_degc))
+      .set("bias_temperature_sensitivity_dph_per_degc", sensitivity.bias_dph_per_degc)
       .set("temperature_rate_sensitivity_heating_dph_per_degc_per_min",
-           number_or_null(sensitivity.heating_dph_per_degc_per_min))
+           sensitivity.heating_dph_per_degc_per_min)
       .set("temperature_rate_sensitivity_cooling_dph_per_degc_per_min",
-           number_or_null(sensitivity.cooling_dph_per_degc_per_min))
-      .set("hysteresis_dph", number_or_null(sensitivity.hysteresis_dph))
-      .set("hysteresis_at_degc", number_or_null(sensitivity.hysteresis_at_degc));
+           sensitivity.cooling_dph_per_degc_per_min)
+      .set("hysteresis_dph", sensitivity.hysteresis_dph)
+      .set("hysteresis_at_degc", sensitivity.hysteresis_at_degc);
   return object;
 }
 

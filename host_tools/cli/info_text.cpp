@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "support/text.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::cli {
 namespace {
 
-constexpr double kSecondsPerHour = 3600;
 constexpr double kInstabilityToFloor = 0.664;  // sqrt(2 ln 2 / pi)
 
 /// Decimals that show a figure of this size with `digits` digits.

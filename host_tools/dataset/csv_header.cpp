@@ -6,6 +6,7 @@
 #include "dataset/columns.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp {
 namespace {
@@ -102,7 +103,6 @@ void choose_rate(CsvHeader& header, const std::string& file, const std::string& 
                      "'counts' without a scale factor; give --scale-factor (counts per "
                      "deg/s) or a column 'rate_dph'");
   }
-  constexpr double kDphPerDegreePerSecond = 3600;
   std::replace(header.slots.begin(), header.slots.end(), kRateSlot, CsvHeader::kIgnored);
   header.slots[static_cast<std::size_t>(counts - header.names.begin())] = kRateSlot;
   header.dph_per_rate_unit = kDphPerDegreePerSecond / *scale_factor;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "support/median.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp {
 namespace {
@@ -15,7 +16,6 @@ constexpr double kSlowestRampDegcPerMin = 0.05;
 constexpr double kLeastRampDegc = 2;
 constexpr double kShortestSoakS = 120;
 constexpr double kLeastToleranceDegc = 0.3;
-constexpr double kSecondsPerMinute = 60;
 constexpr std::size_t kMostPoints = 4000;
 
 /// Mean temperature of a few rows.

@@ -12,11 +12,11 @@
 #include "core/acquisition/sensor_frame.hpp"
 #include "dataset/fixed_decimal.hpp"
 #include "dataset/input_columns.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp {
 namespace {
 
-constexpr double kDphPerDegreePerSecond = 3600;
 constexpr double kTemperatureLsbPerDegc = 65536;
 
 // Rounds to the raw integer of a frame. What does not fit is clamped and not valid, as from a

@@ -13,11 +13,11 @@
 #include "dataset/input_columns.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp {
 namespace {
 
-constexpr double kDphPerDegreePerSecond = 3600;
 constexpr double kDegcPerLsb = 1.0 / 65536;
 
 bool is_control(char character) {

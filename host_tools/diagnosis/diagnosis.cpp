@@ -60,8 +60,8 @@ Structure find_structure(const Rows& rows, const ModelRemover& remover) {
     Eigen::MatrixXd kept(part.columns.rows(), part.columns.cols());
     Eigen::Index count = 0;
     for (Eigen::Index i = 0; i < part.columns.cols(); ++i) {
-      constexpr double kLeastVisible = 0.01;
-      if (part.visible[i] > kLeastVisible) kept.col(count++) = part.columns.col(i).normalized();
+      constexpr double kVisibleColumn = 0.01;
+      if (part.visible[i] > kVisibleColumn) kept.col(count++) = part.columns.col(i).normalized();
     }
     if (count == 0) continue;
     structure.variables.push_back(group.variable);

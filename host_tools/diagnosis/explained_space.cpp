@@ -7,7 +7,7 @@ namespace fogcomp {
 namespace {
 
 // Of unit columns: two that agree to 1e-8 count as one.
-constexpr double kRidge = 1e-8;
+constexpr double kSystemRidge = 1e-8;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ ExplainedSpace::System ExplainedSpace::system(const std::vector<ColumnRange>& pa
     system.right.segment(row, a.count) = along.segment(a.first, a.count);
     row += a.count;
   }
-  system.matrix.diagonal().array() += kRidge;
+  system.matrix.diagonal().array() += kSystemRidge;
   return system;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kDraws = 400;
 constexpr double kTailShare = 0.15;  // of the draws that an exponential tail is fitted to
-constexpr double kRidge = 1e-7;
+constexpr double kCovarianceRidge = 1e-7;
 
 // The best effect's evidence, measured in the noise that smooth functions still find beside that
 // effect: where slow noise is stronger than the quiet parts said, it is so in every direction.
@@ -53,7 +53,7 @@ double beyond_log_p(std::vector<double> draws, double value) {
 NullTest test_against_noise(const ExplainedSpace& space, const Library& library,
                             const ColumnRange& structure, double freedom, std::uint64_t seed) {
   Eigen::MatrixXd gram = space.gram();
-  gram.diagonal().array() += kRidge * gram.diagonal().maxCoeff();
+  gram.diagonal().array() += kCovarianceRidge * gram.diagonal().maxCoeff();
   const Eigen::MatrixXd root = gram.llt().matrixL();
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;

@@ -20,7 +20,7 @@ constexpr int kRateKnots = 6;
 constexpr int kProductKnots = 4;
 constexpr int kTimeKnots = 8;  // per run
 constexpr int kMostTimeKnots = 32;
-constexpr std::array<double, 4> kLags_s{240, 960, 3840, 15360};
+constexpr std::array<double, 4> kHistoryLags_s{240, 960, 3840, 15360};
 constexpr std::array<double, 4> kRadii_degc{2, 5, 10, 20};
 
 Eigen::VectorXd column_of(const Rows& rows,
@@ -90,7 +90,7 @@ std::vector<StructureGroup> structure_groups(const Rows& rows) {
                                       product.leftCols(std::min<Eigen::Index>(2, product.cols()))},
                                  rows.size())});
   std::vector<Eigen::MatrixXd> history;
-  for (const double tau_s : kLags_s) history.push_back(behind_lag(rows, temperature, tau_s));
+  for (const double tau_s : kHistoryLags_s) history.push_back(behind_lag(rows, temperature, tau_s));
   for (const double radius : kRadii_degc) history.push_back(played(rows, temperature, radius));
   groups.push_back({"temperature history", side_by_side(history, rows.size())});
   groups.push_back({"time_s", of_time(rows)});

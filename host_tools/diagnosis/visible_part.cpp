@@ -18,10 +18,10 @@ constexpr double kSensorDelay_s = 60;
 // A coil of many layers is no single body: this share of the drift may follow with each of these
 // lags, more is an effect of its own.
 constexpr double kLaggingShare = 0.1;
-constexpr std::array<double, 3> kLags_s{60, 240, 960};
+constexpr std::array<double, 3> kDriftLags_s{60, 240, 960};
 // The corners of a ramp: rounder or sharper by as much as this smoothing rounds them.
 constexpr double kRounding_s = 40;
-constexpr Eigen::Index kPriors = 2 + kLags_s.size();
+constexpr Eigen::Index kPriors = 2 + kDriftLags_s.size();
 
 // d/dt of a series of rows, per second; 0 where a run begins or ends.
 Eigen::VectorXd slope(const Rows& rows, const Eigen::VectorXd& values) {
@@ -75,9 +75,9 @@ ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
   Eigen::MatrixXd inexact(rows.size(), kPriors);
   inexact.col(0) = kSensorDelay_s * slope(rows, drift);
   inexact.col(1) = drift - smoothed(rows, drift, kRounding_s);
-  for (std::size_t i = 0; i < kLags_s.size(); ++i) {
+  for (std::size_t i = 0; i < kDriftLags_s.size(); ++i) {
     inexact.col(static_cast<Eigen::Index>(i) + 2) =
-        kLaggingShare * behind_lag(rows, drift, kLags_s[i]);
+        kLaggingShare * behind_lag(rows, drift, kDriftLags_s[i]);
   }
   Eigen::MatrixXd columns =
       Eigen::MatrixXd::Zero(rows.size() + kPriors, fit.whitened.cols() + kPriors);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/units.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -10,8 +12,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kSecondsPerHour = 3600;
 constexpr Index kRandomTerms = AllanModel::kTerms - 1;  // all but the ramp
 constexpr Index kFrequenciesPerOctave = 24;
 

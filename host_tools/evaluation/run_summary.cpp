@@ -5,11 +5,10 @@
 
 #include "dataset/blocks.hpp"
 #include "evaluation/noise_floor.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp {
 namespace {
-
-constexpr double kSecondsPerMinute = 60;
 
 struct Moments {
   double mean = 0;

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "support/units.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -48,7 +50,6 @@ void compare_soaks(const Recording& blocks, const std::vector<double>& bias,
 // dT/dt of each block by the difference over a minute to each side, less at the ends of a stretch.
 std::vector<double> temperature_rate_degc_per_min(const Recording& blocks) {
   constexpr double kSideS = 60;
-  constexpr double kSecondsPerMinute = 60;
   const auto side = static_cast<std::size_t>(std::max(1.0, std::round(kSideS / blocks.period_s)));
   std::vector<double> rate(blocks.rows(), 0);
   for (const RowRange& stretch : stretches_of(blocks, {0, blocks.rows()})) {

@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "support/median.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp {
 namespace {
 
 constexpr Eigen::Index kLeastRows = 10;  // on each side of a jump
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kWithin = 9;           // of the best chi^2: three standard deviations
-constexpr double kUndetermined = 1e-6;  // share of a jump that the model's columns leave
+constexpr double kWithin = 9;            // of the best chi^2: three standard deviations
+constexpr double kUndetermined = 1e-6;   // share of a jump that the model's columns leave
 
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);

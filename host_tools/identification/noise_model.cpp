@@ -8,11 +8,11 @@
 #include <unsupported/Eigen/FFT>
 
 #include "support/median.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLadderStep = 4;  // between neighbouring time constants
 constexpr int kUpdates = 300;
 constexpr double kNegligible = 1e-5;  // of the white variance: such a component is dropped

@@ -11,6 +11,7 @@
 #include "identification/whitening.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp {
 namespace {
@@ -175,7 +176,6 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
                            const std::vector<EffectTerm>& after, std::size_t changed,
                            const JudgedWith& with) {
   constexpr std::size_t kEnoughRuns = 3;
-  constexpr double kSecondsPerHour = 3600;
   const Rows& rows = series.rows();
   const std::vector<EffectTerm> fixed_before = shapes_kept(before, kNone);
   const std::vector<EffectTerm> fixed_after = shapes_kept(after, changed);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +25,7 @@ class Json {
   Json(const char* value) : value_(std::string(value)) {}
   Json(std::string value) : value_(std::move(value)) {}
   Json(const std::vector<double>& values);
+  Json(const std::optional<double>& value) : Json(value ? Json(*value) : Json()) {}
 
   static Json array() { return Json(Array{}); }
   static Json object() { return Json(Object{}); }

@@ -11,7 +11,7 @@ constexpr double kMostIncrease = 1.04;   // max_perf_inc
 constexpr double kMomentum = 0.9;        // mc
 constexpr double kLeastGradient = 1e-5;  // min_grad
 // MATLAB's max_fail is 6 epochs; noise of the held-out rows moves that little, so wait longer.
-constexpr int kPatience = 200;
+constexpr int kEpochsWithoutGain = 200;
 constexpr int kEpochsPerReport = 50;
 
 }  // namespace
@@ -21,7 +21,7 @@ TrainerResult descend(const TrainingProblem& problem, const TrainerSettings& set
   Eigen::VectorXd weights = first;
   Eigen::VectorXd gradient;
   double cost = problem.rows->mean_square(problem.shape, weights, gradient);
-  BestWeights best(problem, kPatience);
+  BestWeights best(problem, kEpochsWithoutGain);
   best.offer(weights, cost);
   Eigen::VectorXd step = -settings.learning_rate * gradient;
   Eigen::VectorXd tried_gradient;

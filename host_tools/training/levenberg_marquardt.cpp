@@ -19,7 +19,7 @@ constexpr double kMostDamping = 1e12;
 constexpr double kConverged = 1e-7;  // relative fall of the cost in a step
 // Steps without a better held-out error. Long, because the prices of error and of weights settle in
 // the middle of a training, and the error on other runs falls again when they do.
-constexpr int kPatience = 60;
+constexpr int kStepsWithoutGain = 60;
 constexpr int kMostSteps = 200;
 
 MatrixXd normal_matrix(const MatrixXd& jacobian) {
@@ -66,7 +66,7 @@ TrainerResult train_levenberg_marquardt(const TrainingProblem& problem,
   Evidence evidence;
   evidence.rows = settings.independent_share * static_cast<double>(errors.size());
   double damping = 1;
-  BestWeights best(problem, kPatience);
+  BestWeights best(problem, kStepsWithoutGain);
   if (problem.held_out != nullptr) best.offer(w, errors.squaredNorm() / rows.total_weight());
   TrainerResult result;
   const int most_steps = std::min(settings.epochs, kMostSteps);

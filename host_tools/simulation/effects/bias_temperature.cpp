@@ -3,8 +3,6 @@
 namespace fogcomp::simulation {
 namespace {
 
-constexpr double kReference_degc = 20;
-
 // What is left of polarisation, electronics and pick-up errors when they are slow: a smooth
 // function of the temperature of the part they come from.
 class BiasTemperature : public Effect {

@@ -12,6 +12,9 @@
 
 namespace fogcomp::simulation {
 
+/// Where what depends on temperature has its value at room temperature.
+constexpr double kReference_degc = 20;
+
 /// Slow surroundings of the gyro that effects act through and that may be recorded.
 struct Ambient {
   double field_ut = 0;  ///< along the reference direction in the coil's plane

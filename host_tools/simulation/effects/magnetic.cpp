@@ -5,8 +5,6 @@
 namespace fogcomp::simulation {
 namespace {
 
-constexpr double kReference_degc = 20;
-
 // Faraday effect in a twisted fibre: the field in the coil's plane times a sensitivity that follows
 // the gyro's azimuth (the field's direction is in ambient.field_ut) and temperature.
 class Magnetic : public Effect {

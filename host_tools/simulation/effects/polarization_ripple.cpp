@@ -5,7 +5,6 @@
 namespace fogcomp::simulation {
 namespace {
 
-constexpr double kReference_degc = 20;
 // Birefringence does not change in proportion to temperature: -5.3e-7 to -5.9e-7 /K have been
 // measured (effects.md, source 18), some 10 % over a wide range.
 constexpr double kChirp_per_k = 5e-4;

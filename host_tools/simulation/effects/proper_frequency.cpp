@@ -3,7 +3,6 @@
 namespace fogcomp::simulation {
 namespace {
 
-constexpr double kReference_degc = 20;
 constexpr double kSpeedOfLight_mps = 299792458.0;
 
 // The modulation clock stays, the coil's proper frequency c / (2 n L) moves with temperature;

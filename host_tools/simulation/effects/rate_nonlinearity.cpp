@@ -1,12 +1,11 @@
 #include <cmath>
 
 #include "simulation/effects/effect_list.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::simulation {
 namespace {
 
-constexpr double kSecondsPerMinute = 60;
-constexpr double kReference_degc = 20;
 constexpr double kSpan_k = 40;  ///< above and below the reference, where T^2 counts as 1
 
 enum class Form { magnitude, square, temperature_squared };

@@ -5,8 +5,6 @@
 namespace fogcomp::simulation {
 namespace {
 
-constexpr double kReference_degc = 20;
-
 // Scale factor ~ L D / wavelength. The source's mean wavelength follows its own temperature, with a
 // cooler that holds it less and less well away from 20 degC; the coil grows with its own.
 class ScaleFactorTemperature : public Effect {

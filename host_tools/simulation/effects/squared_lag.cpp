@@ -1,11 +1,10 @@
 #include <cmath>
 
 #include "simulation/effects/effect_list.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::simulation {
 namespace {
-
-constexpr double kSecondsPerMinute = 60;
 
 // Memory that is not linear: the square of a rate that two masses in a chain have smoothed. A fast
 // ramp counts more than twice the ramp half as fast, and cooling counts like warming.

@@ -1,12 +1,8 @@
 #include "simulation/effects/stress_kernel.hpp"
 
+#include "support/units.hpp"
+
 namespace fogcomp::simulation {
-namespace {
-
-constexpr double kSecondsPerMinute = 60;
-
-}  // namespace
-
 CellArray stress_kernel(const CoilError& coil_error, double inside, double outside) {
   const int layers = coil_error.coil().layers;
   CellArray kernel = coil_error.kernel_dph_s() * coil_error.material().strain_phase();

@@ -6,7 +6,6 @@
 namespace fogcomp::simulation {
 namespace {
 
-constexpr double kReference_degc = 20;
 // Coating and potting stiffen towards the cold roughly exponentially.
 constexpr double kStiffening_per_k = 0.004;
 

@@ -1,9 +1,9 @@
 #include "simulation/effects/effect_list.hpp"
 
+#include "support/units.hpp"
+
 namespace fogcomp::simulation {
 namespace {
-
-constexpr double kSecondsPerMinute = 60;
 
 // A mass inside the spool, on an elastic bond, presses on the innermost layers as it expands, later
 // than the coil does. How much later is heat flow (GyroThermalModel's hub, two lumps in a chain).

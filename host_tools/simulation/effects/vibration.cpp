@@ -3,7 +3,6 @@
 namespace fogcomp::simulation {
 namespace {
 
-constexpr double kReference_degc = 20;
 // Dampers and glue stiffen in the cold and let less through.
 constexpr double kDamping_per_k = 3e-3;
 

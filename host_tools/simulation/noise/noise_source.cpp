@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/units.hpp"
+
 namespace fogcomp::simulation {
 namespace {
 
-constexpr double kSecondsPerHour = 3600;
 constexpr double kOutlier_s = 0.5;
 constexpr double kNever_s = 1e18;
 

@@ -9,13 +9,13 @@ namespace {
 using fogcomp::share_of;
 using Values = std::vector<double>;
 
-constexpr std::size_t kRows = 400;
+constexpr std::size_t kShareRows = 400;
 
 template <class Value>
 Values rows(Value value) {
   Values values;
-  for (std::size_t i = 0; i < kRows; ++i) {
-    values.push_back(value(6.283185307179586 * static_cast<double>(i) / kRows));
+  for (std::size_t i = 0; i < kShareRows; ++i) {
+    values.push_back(value(6.283185307179586 * static_cast<double>(i) / kShareRows));
   }
   return values;
 }
@@ -25,7 +25,7 @@ TEST(EffectShares, AddUpForEffectsThatDoNotGoTogether) {
   const Values sine = rows([](double x) { return 2 * std::sin(x); });
   const Values cosine = rows([](double x) { return std::cos(x); });
   const Values measured = rows([](double x) { return 2 * std::sin(x) + std::cos(x) + 7; });
-  const Values residual(kRows, 7);
+  const Values residual(kShareRows, 7);
   const auto a = share_of("a", sine, residual, measured);
   const auto b = share_of("b", cosine, residual, measured);
   EXPECT_NEAR(a.share, 0.8, 1e-9);
@@ -38,7 +38,7 @@ TEST(EffectShares, AddUpForEffectsThatDoNotGoTogether) {
 TEST(EffectShares, OfEffectsThatGoTogetherNeedNotAddUp) {
   const Values half = rows([](double x) { return std::sin(x); });
   const Values measured = rows([](double x) { return 2 * std::sin(x); });
-  const auto share = share_of("half", half, Values(kRows, 0), measured);
+  const auto share = share_of("half", half, Values(kShareRows, 0), measured);
   EXPECT_NEAR(share.share, 0.25, 1e-9);
 }
 
@@ -52,7 +52,7 @@ TEST(EffectShares, AreNegativeForAnEffectThatDoesHarm) {
 TEST(EffectShares, GiveAConstantNoShareOfTheVariance) {
   const Values measured = rows([](double x) { return 3 + std::sin(x); });
   const Values residual = rows([](double x) { return std::sin(x); });
-  const auto share = share_of("bias", Values(kRows, 3), residual, measured);
+  const auto share = share_of("bias", Values(kShareRows, 3), residual, measured);
   EXPECT_NEAR(share.share, 0, 1e-9);
   EXPECT_NEAR(share.mean_dph, 3, 1e-9);
 }

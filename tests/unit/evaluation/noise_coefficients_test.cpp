@@ -10,7 +10,7 @@
 namespace fogcomp {
 namespace {
 
-constexpr int kSeeds = 100;
+constexpr int kRecordings = 100;
 constexpr int kEnough = 90;
 
 NoiseCoefficients fitted(const std::vector<double>& rate) {
@@ -40,7 +40,7 @@ struct Tallies {
 Tallies simulate(const NoiseTruth& truth) {
   constexpr std::size_t kSamples = 65536;
   Tallies tallies;
-  for (int seed = 1; seed <= kSeeds; ++seed) {
+  for (int seed = 1; seed <= kRecordings; ++seed) {
     const NoiseCoefficients found =
         fitted(make_noise(truth, kSamples, 1, static_cast<std::uint64_t>(seed)));
     tallies.q.count(found.quantization_deg, truth.quantization_deg);

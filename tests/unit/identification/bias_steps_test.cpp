@@ -10,15 +10,10 @@
 
 namespace {
 
+using fog::test::truth;
 using fogcomp::Model;
 
 constexpr double kWhiteDph = 0.024;
-
-Model truth() {
-  Model model = fog::test::paper_like_model();
-  model.network = {};
-  return model;
-}
 
 // White noise, and flicker noise as components an octave and a half apart.
 fogcomp::Recording noisy_recording(std::uint64_t seed) {

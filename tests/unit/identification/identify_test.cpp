@@ -11,13 +11,8 @@
 
 namespace {
 
+using fog::test::truth;
 using fogcomp::Model;
-
-Model truth() {
-  Model model = fog::test::paper_like_model();
-  model.network = {};
-  return model;
-}
 
 // A model of the same effects as the truth, coefficients unknown.
 Model unknown() {

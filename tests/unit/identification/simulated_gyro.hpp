@@ -9,6 +9,13 @@
 
 namespace fog::test {
 
+/// The effects of the paper-like model, without its network.
+inline fogcomp::Model truth() {
+  fogcomp::Model model = paper_like_model();
+  model.network = {};
+  return model;
+}
+
 /// Noise of a recording's rows: white and one slow Gauss-Markov component.
 struct RowNoise {
   double white_dph = 0;

@@ -195,7 +195,7 @@ TEST_P(PaperPreset, GivesTheTableOfThePaper) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, PaperPreset, testing::Values(1, 2, 3, 4, 5));
 
-std::string error_of(const std::vector<std::string>& options) {
+std::string gyro_error(const std::vector<std::string>& options) {
   try {
     gyro_of(options);
   } catch (const InputError& error) {
@@ -205,19 +205,19 @@ std::string error_of(const std::vector<std::string>& options) {
 }
 
 TEST(GyroDescription, SaysWhatIsWrongWithAnOption) {
-  EXPECT_EQ(error_of({"shuppe"}),
+  EXPECT_EQ(gyro_error({"shuppe"}),
             "test: no effect or part 'shuppe' (did you mean 'shupe'?); fogcomp simulate --list "
             "shows them");
-  EXPECT_EQ(error_of({"shupe:peek=1"}),
+  EXPECT_EQ(gyro_error({"shupe:peek=1"}),
             "test: shupe has no parameter 'peek' (did you mean 'peak'?); it has peak, scale, "
             "asymmetry_m");
-  EXPECT_EQ(error_of({"shupe:peak"}), "test: 'peak' is not of the form name=value");
-  EXPECT_EQ(error_of({"shupe:peak=-1"}),
+  EXPECT_EQ(gyro_error({"shupe:peak"}), "test: 'peak' is not of the form name=value");
+  EXPECT_EQ(gyro_error({"shupe:peak=-1"}),
             "test: shupe: peak '-1' is not a number from 0 to 1e+06 deg/h");
-  EXPECT_EQ(error_of({"coil:layers=40.5"}), "test: coil: layers '40.5' is not a whole number");
-  EXPECT_EQ(error_of({"shupe:peak=nan"}),
+  EXPECT_EQ(gyro_error({"coil:layers=40.5"}), "test: coil: layers '40.5' is not a whole number");
+  EXPECT_EQ(gyro_error({"shupe:peak=nan"}),
             "test: shupe: peak 'nan' is not a number from 0 to 1e+06 deg/h");
-  EXPECT_EQ(error_of({"coil:winding=quadrupol"}),
+  EXPECT_EQ(gyro_error({"coil:winding=quadrupol"}),
             "test: coil: winding 'quadrupol' is not one of single, dipole, quadrupole, octupole "
             "(did you mean 'quadrupole'?)");
 }

@@ -4,11 +4,13 @@
 #include <map>
 
 #include "unit/wavelet/golden_file.hpp"
+#include "unit/wavelet/view.hpp"
 #include "wavelet/denoise.hpp"
 #include "wavelet/filters.hpp"
 
 namespace {
 
+using fog::test::view;
 using fogcomp::Extension;
 
 constexpr double kTolerance = 1e-12;
@@ -19,10 +21,6 @@ void expect_near(const Values& values, const std::vector<double>& golden, const 
   for (std::size_t i = 0; i < golden.size(); ++i) {
     ASSERT_NEAR(values[i], golden[i], kTolerance) << what << " value " << i;
   }
-}
-
-fog::Span<const double> view(const std::vector<double>& values) {
-  return {values.data(), values.size()};
 }
 
 // These tables of PyWavelets are themselves off by more than 1e-12 from the orthonormal filter.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "unit/wavelet/view.hpp"
 #include "wavelet/denoise.hpp"
 #include "wavelet/filters.hpp"
 #include "wavelet/magnitudes.hpp"
@@ -13,16 +14,14 @@
 
 namespace {
 
+using fog::test::view;
+
 std::vector<double> white_noise(std::size_t size, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   std::vector<double> values(size);
   for (double& value : values) value = normal(random);
   return values;
-}
-
-fog::Span<const double> view(const std::vector<double>& values) {
-  return {values.data(), values.size()};
 }
 
 TEST(WaveletFilters, AreOrthonormalWithTheMomentsOfTheirFamilyVanishing) {
