@@ -14,6 +14,30 @@
 namespace fogcomp::cli {
 namespace {
 
+Json halves_json(const std::vector<HalfTest>& halves) {
+  Json array = Json::array();
+  for (const HalfTest& half : halves) {
+    array.push(std::move(Json::object()
+                             .set("identified_on", half.identified_on)
+                             .set("determined", half.determined)
+                             .set("rms_before_dph", half.rms_before_dph)
+                             .set("rms_after_dph", half.rms_after_dph)));
+  }
+  return array;
+}
+
+// Identified on one half of every run, judged on the other.
+void print_half(const HalfTest& half) {
+  const bool on_first = std::string(half.identified_on) == "first";
+  if (!half.determined) {
+    std::printf("  the %s half alone cannot identify it\n", half.identified_on);
+    return;
+  }
+  std::printf("  identified on the %s half, judged on the %s: %.4f -> %.4f%s\n", half.identified_on,
+              on_first ? "second" : "first", half.rms_before_dph, half.rms_after_dph,
+              half.rms_after_dph < half.rms_before_dph ? "" : ", does not hold there");
+}
+
 Json runs_json(const std::vector<Addition::RunError>& runs) {
   Json array = Json::array();
   for (const Addition::RunError& run : runs) {
@@ -51,6 +75,7 @@ void print_json(const Addition& addition, bool written, const std::string& outpu
       .set("out_of_sample_rms_after_dph", judged.rms_after_dph)
       .set("out_of_sample_gain", judged.gain)
       .set("runs", runs_json(addition.runs))
+      .set("halves", halves_json(addition.halves))
       .set("parameters", std::move(parameters))
       .set("coefficients", std::move(coefficients))
       .set("notes", std::move(notes))
@@ -81,6 +106,7 @@ void print_text(const Addition& addition, bool written, const std::string& outpu
   for (const std::string& warning : addition.fit.identified.warnings) {
     std::printf("  note: %s\n", warning.c_str());
   }
+  for (const HalfTest& half : addition.halves) print_half(half);
   std::printf("%s: %s\n", addition.accepted ? "accepted" : "refused", addition.reason.c_str());
   if (written) {
     std::printf("written%s: %s\n", addition.accepted ? "" : " by --force", output.c_str());

@@ -86,6 +86,10 @@ Addition add_effect(const Model& model, const std::string& effect, const Trainin
   result.fit = fit_model(result.model, series, fitting);
   result.out_of_sample = judge(before, result, series, holdouts, settings.run_offsets);
 
+  result.halves = judge_halves(
+      series, before.terms, result.model.terms, result.changed,
+      {result.fit.identified.noise, result.fit.identified.row_weights, settings.run_offsets});
+
   RiseTest on_holdouts;
   const auto compare = [&](const RunInBlocks& run, bool holdout) {
     const Comparison without = compare_with(before, run);

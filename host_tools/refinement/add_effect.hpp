@@ -26,11 +26,12 @@ struct Addition {
     /// how the board holds the drift, not the effect.
     double outside_temperature = 0;
   };
-  Model model;                 ///< as refitted, with its history
-  std::size_t changed = 0;     ///< the term that was added or changed
-  FitResult fit;               ///< of the new model
-  std::vector<RunError> runs;  ///< training runs, then holdouts
-  OutOfSample out_of_sample;   ///< the effects alone, before against after
+  Model model;                   ///< as refitted, with its history
+  std::size_t changed = 0;       ///< the term that was added or changed
+  FitResult fit;                 ///< of the new model
+  std::vector<RunError> runs;    ///< training runs, then holdouts
+  OutOfSample out_of_sample;     ///< the effects alone, before against after
+  std::vector<HalfTest> halves;  ///< the same on the halves of the training runs; for information
   bool accepted = false;
   std::string reason;  ///< one line: why it is accepted or not
 };

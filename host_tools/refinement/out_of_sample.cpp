@@ -80,7 +80,8 @@ std::vector<Part> parts_of(const Rows& rows, double memory_s) {
 // What one set of effects leaves in all rows when identified without those of `left_out`.
 struct Fold {
   Eigen::VectorXd residual_dph;
-  bool determined = false;  // the other rows determine every coefficient
+  bool determined = false;    // the other rows determine every coefficient
+  Eigen::VectorXd sigma_dph;  // of the coefficients, where they do
 };
 
 Fold leave_out(const SignalSeries& series, const std::vector<EffectTerm>& terms,
@@ -95,6 +96,7 @@ Fold leave_out(const SignalSeries& series, const std::vector<EffectTerm>& terms,
   const LinearFit fit = solve_linear(problem.matrix(), problem.measured());
   Fold fold;
   fold.determined = fit.rank == fit.coefficients.size();
+  if (fold.determined) fold.sigma_dph = fit.covariance.diagonal().cwiseSqrt();
   fold.residual_dph = rows.drift_dph;
   Eigen::Index column = 0;
   for (const EffectTerm& term : problem.terms()) {
@@ -104,6 +106,20 @@ Fold leave_out(const SignalSeries& series, const std::vector<EffectTerm>& terms,
   }
   fold.residual_dph -= offsets * fit.coefficients.tail(offsets.cols());
   return fold;
+}
+
+// Whether the rows of `fold` tell the coefficients of one term about as well as all rows do. A run
+// in which the effect was never excited cannot speak for the one in which it was.
+bool tells(const Fold& fold, const Fold& all, const SignalSeries& series,
+           const std::vector<EffectTerm>& terms, std::size_t term) {
+  constexpr double kMuchWorse = 4;
+  if (!fold.determined || !all.determined) return false;
+  Eigen::Index first = 0;
+  for (std::size_t i = 0; i < term; ++i) first += series.regressors(terms[i]).cols();
+  const Eigen::Index count = series.regressors(terms[term]).cols();
+  return (fold.sigma_dph.segment(first, count).array() <=
+          kMuchWorse * all.sigma_dph.segment(first, count).array())
+      .all();
 }
 
 // Every shape stays but those of one term.
@@ -119,12 +135,13 @@ constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 struct Residuals {
   Eigen::VectorXd before;
   Eigen::VectorXd after;
-  bool determined = true;
+  bool told = true;  // every fold tells the changed term
 };
 
 Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTerm>& before,
-                         const std::vector<EffectTerm>& after, const std::vector<Part>& parts,
-                         const JudgedWith& with) {
+                         const std::vector<EffectTerm>& after, std::size_t changed,
+                         const std::vector<Part>& parts, const JudgedWith& with) {
+  const Fold all = leave_out(series, after, {}, with);
   Residuals residuals{Eigen::VectorXd(series.rows().size()), Eigen::VectorXd(series.rows().size()),
                       true};
   for (const Part& part : parts) {
@@ -134,7 +151,7 @@ Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTer
       segment(residuals.before, range) = segment(without.residual_dph, range);
       segment(residuals.after, range) = segment(added.residual_dph, range);
     }
-    residuals.determined = residuals.determined && added.determined;
+    residuals.told = residuals.told && tells(added, all, series, after, changed);
   }
   return residuals;
 }
@@ -184,8 +201,8 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
   if (runs.size() >= kEnoughRuns && !with.run_offsets) {
     std::vector<Part> parts;
     for (const RowRange& run : runs) parts.push_back({run});
-    const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
-    if (left.determined) {
+    const Residuals left = leave_each_out(series, fixed_before, fixed_after, changed, parts, with);
+    if (left.told) {
       OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
       result.how = format("on %zu runs, each left out once", runs.size());
       return result;
@@ -193,11 +210,40 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
   }
   const double residual_s = rows.row_s * correlated_values(fitted_residual(series, after), runs);
   const std::vector<Part> parts = parts_of(rows, std::max(noise_memory_s(with.noise), residual_s));
-  const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
+  const Residuals left = leave_each_out(series, fixed_before, fixed_after, changed, parts, with);
   OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
   result.how = format("on stretches of %.2g h, a fifth of them left out in turn",
                       static_cast<double>(parts[0][0].size()) * rows.row_s / kSecondsPerHour);
   return result;
+}
+
+std::vector<HalfTest> judge_halves(const SignalSeries& series,
+                                   const std::vector<EffectTerm>& before,
+                                   const std::vector<EffectTerm>& after, std::size_t changed,
+                                   const JudgedWith& with) {
+  const Rows& rows = series.rows();
+  Part first;
+  Part second;
+  for (const RowRange& run : rows.runs()) {
+    const std::size_t middle = run.first + run.size() / 2;
+    first.push_back({run.first, middle});
+    second.push_back({middle, run.end});
+  }
+  std::vector<HalfTest> tests;
+  for (const bool on_first : {true, false}) {
+    const Part& judged = on_first ? second : first;
+    const Fold without = leave_out(series, shapes_kept(before, kNone), judged, with);
+    const Fold added = leave_out(series, shapes_kept(after, changed), judged, with);
+    HalfTest test;
+    test.identified_on = on_first ? "first" : "second";
+    test.determined = without.determined && added.determined;
+    Eigen::VectorXd weights = rows.weights;
+    for (const RowRange& range : on_first ? first : second) segment(weights, range).setZero();
+    test.rms_before_dph = weighted_rms(without.residual_dph, weights);
+    test.rms_after_dph = weighted_rms(added.residual_dph, weights);
+    tests.push_back(test);
+  }
+  return tests;
 }
 
 OutOfSample judge_on_holdouts(const Model& before, const Model& after,

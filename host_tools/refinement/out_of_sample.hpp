@@ -29,6 +29,15 @@ struct OutOfSample {
 /// noise, cross-validated), reached it 6 times in 600.
 constexpr double kLeastGain = 10;
 
+/// Both sets identified on one half in time of every run and judged on the other: the hardest
+/// question, because a half may lack what the other is full of.
+struct HalfTest {
+  const char* identified_on = "";  ///< "first" or "second"
+  bool determined = false;         ///< that half determines every coefficient of both sets
+  double rms_before_dph = 0;       ///< in the other half
+  double rms_after_dph = 0;
+};
+
 /// What both sets are cross-validated with: the noise and row weights of one fit.
 struct JudgedWith {
   const NoiseModel& noise;
@@ -36,14 +45,20 @@ struct JudgedWith {
   bool run_offsets = false;
 };
 
-/// Leaves every run out once where there are three or more that determine all effects without any
-/// one of them. Else stretches of time, three times as long as noise or residual go together (but
-/// 10 to 50 in all), every fifth of them at once. `before`, `after`: identified on all of `series`;
-/// shapes stay as they are but for those of after[changed], which are searched anew without the
-/// data left out, as are all coefficients.
+/// Leaves every run out once where there are three or more and the others determine all effects,
+/// the changed one not much worse than all runs do. Else stretches of time, three times as long as
+/// noise or residual go together (but 10 to 50 in all), every fifth of them at once. `before`,
+/// `after`: identified on all of `series`; shapes stay as they are but for those of after[changed],
+/// which are searched anew without the data left out, as are all coefficients.
 OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectTerm>& before,
                            const std::vector<EffectTerm>& after, std::size_t changed,
                            const JudgedWith& with);
+
+/// First and second half, as cross_validate() would leave them out.
+std::vector<HalfTest> judge_halves(const SignalSeries& series,
+                                   const std::vector<EffectTerm>& before,
+                                   const std::vector<EffectTerm>& after, std::size_t changed,
+                                   const JudgedWith& with);
 
 /// `holdouts`: runs that took no part in either fit; at least one. The effects alone, as the board
 /// has them: clamped to the trained range. With run_offsets every run has its mean removed.

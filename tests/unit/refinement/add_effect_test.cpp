@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "identification/effect_list.hpp"
 #include "refinement/effect_change.hpp"
@@ -11,16 +12,11 @@
 
 namespace {
 
+using fog::test::truth;
 using fogcomp::Addition;
 using fogcomp::Model;
 
 constexpr fog::test::RowNoise kNoise{0.024, 0.006, 300};
-
-Model truth() {
-  Model model = fog::test::paper_like_model();
-  model.network = {};
-  return model;
-}
 
 Model model_of(const std::string& effects) {
   Model model = truth();
@@ -36,7 +32,7 @@ fogcomp::RunInBlocks run_of(const Model& real, std::uint64_t seed) {
 fogcomp::TrainingRuns runs_of(const Model& real, const std::vector<std::uint64_t>& seeds) {
   fogcomp::TrainingRuns training;
   for (const std::uint64_t seed : seeds) training.runs.push_back(run_of(real, seed));
-  training.noise_floor_dph = training.runs[0].noise_floor_dph;
+  if (!training.runs.empty()) training.noise_floor_dph = training.runs[0].noise_floor_dph;
   training.noise_dph_rthz = 0.075;
   return training;
 }
@@ -125,6 +121,38 @@ TEST(AddEffect, LeavesEachOfThreeRunsOutOnce) {
       add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1, 2, 3});
   EXPECT_TRUE(result.accepted);
   EXPECT_EQ(result.out_of_sample.how, "on 3 runs, each left out once");
+}
+
+// Without the one run that was shaken, the others know nothing of vibration: leaving runs out would
+// judge an extrapolation.
+TEST(AddEffect, LeavesStretchesOutWhereOneRunAloneShowsTheEffect) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  fogcomp::TrainingRuns training = runs_of(truth(), {});
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    fogcomp::Recording recording = fog::test::recording_of(truth(), kNoise, seed);
+    for (std::size_t i = 0; i < recording.rows(); ++i) {
+      const double shaken = seed == 3 && i / 100 % 2 == 1 ? 2 : 0;
+      recording.vibration_grms.push_back(std::abs(shaken + 0.01 * normal(random)));
+      recording.rate_dph[i] += 0.05 * recording.vibration_grms[i] * recording.vibration_grms[i];
+    }
+    training.runs.push_back(fogcomp::run_in_blocks(recording, 10));
+  }
+  const Addition result = add_effect(model_of(kComplete), "vibration", training, {}, {});
+  EXPECT_TRUE(result.accepted) << result.reason;
+  EXPECT_NE(result.out_of_sample.how.find("stretches"), std::string::npos);
+}
+
+// Half of a run with the same phases as the other confirms a true effect.
+TEST(AddEffect, TellsWhatTheHalvesOfTheRunsSay) {
+  Model real = truth();
+  real.terms[2].coefficients_dph = {0.6};
+  const Addition result = add("bias,bias_temperature:order=3", "temperature_rate", real, {1});
+  ASSERT_EQ(result.halves.size(), 2U);
+  for (const fogcomp::HalfTest& half : result.halves) {
+    EXPECT_TRUE(half.determined);
+    EXPECT_LT(half.rms_after_dph, half.rms_before_dph) << half.identified_on;
+  }
 }
 
 TEST(AddEffect, RetrainsANetworkOfTheSameSize) {
