@@ -31,14 +31,14 @@ Json runs_json(const std::vector<Addition::RunError>& runs) {
 
 void print_json(const Addition& addition, bool written, const std::string& output) {
   const EffectTerm& term = addition.model.terms[addition.changed];
-  const CatalogueEntry& entry = find_effect(term.name);
+  const TermInfo info = info_of(term);
   Json parameters = Json::object();
   for (std::size_t i = 0; i < term.parameters.size(); ++i) {
-    parameters.set(entry.parameters[i].name, term.parameters[i]);
+    parameters.set(info.parameters[i].name, term.parameters[i]);
   }
   Json coefficients = Json::object();
   for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-    coefficients.set(entry.coefficients[i].symbol, natural_coefficient(term, i));
+    coefficients.set(info.coefficients[i].symbol, natural_coefficient(term, i));
   }
   const OutOfSample& judged = addition.out_of_sample;
   Json notes = Json::array();
@@ -96,6 +96,7 @@ int run_add(const Arguments& arguments) {
   settings.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
   const std::vector<std::string>& words = arguments.positionals();
   const Model model = load_model(words[0]);
+  const EffectChange change = change_effect(model.terms, words[1]);
   ReadOptions reading = read_options(arguments);
   reading.model_scale_factor = model.scale_factor;
   const TrainingRuns training =
@@ -104,7 +105,7 @@ int run_add(const Arguments& arguments) {
   for (const std::string& file : arguments.all("holdout")) {
     holdouts.push_back(run_in_blocks(read_recording(file, reading), model.average_s));
   }
-  const Addition addition = add_effect(model, words[1], training, holdouts, settings);
+  const Addition addition = add_effect(model, change, training, holdouts, settings);
   const bool written = addition.accepted || arguments.has("force");
   if (written) save_model(addition.model, output);
   if (arguments.has("json")) {

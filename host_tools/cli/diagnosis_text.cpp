@@ -27,13 +27,13 @@ std::string joined(const std::vector<std::string>& names, const char* last) {
 // "radius 5.2 degC"
 std::string shape(const EffectTerm& term) {
   std::string text;
-  const CatalogueEntry& entry = find_effect(term.name);
-  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-    if (term.parameters[i] == 0 && entry.parameters[i].default_milli == 0) continue;
-    const std::string unit = entry.parameters[i].unit;
-    text += (text.empty() ? "" : ", ") + format("%s %.3g%s", entry.parameters[i].name,
-                                                term.parameters[i],
-                                                unit == "1" ? "" : (" " + unit).c_str());
+  const TermInfo info = info_of(term);
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    const TermInfo::Parameter& parameter = info.parameters[i];
+    if (term.parameters[i] == 0 && parameter.bounds.least > 0) continue;
+    text += (text.empty() ? "" : ", ") +
+            format("%s %.3g", parameter.name.c_str(), term.parameters[i]) +
+            (parameter.unit.empty() ? "" : " " + parameter.unit);
   }
   return text;
 }
@@ -61,7 +61,7 @@ std::string verdict_line(const Diagnosis& diagnosis) {
       const CandidateFinding* finding = diagnosis.find(diagnosis.effect);
       const std::string described = shape(finding->term());
       return format("missing effect: %s (%s)\n", diagnosis.effect.c_str(),
-                    find_effect(diagnosis.effect).description.title) +
+                    info_of(finding->term()).title.c_str()) +
              format("  probability %.2f%s\n", finding->probability,
                     described.empty() ? "" : ("; " + described).c_str());
     }

@@ -47,7 +47,7 @@ EffectTerm with_settings(const EffectTerm& old, const std::string& effect) {
 }  // namespace
 
 EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect) {
-  EffectChange change{terms, 0};
+  EffectChange change{terms, 0, effect};
   const EffectTerm added = parse_one(effect);
   if (is_event(added)) {
     throw InputError("effect '" + effect + "'",

@@ -11,6 +11,7 @@ namespace fogcomp {
 struct EffectChange {
   std::vector<EffectTerm> terms;
   std::size_t changed = 0;  ///< which of them
+  std::string what;         ///< as it was asked for; the model's history keeps it
 };
 
 /// `effect`: one effect as `fit --effects` has it. A new one goes to the end. One that is there

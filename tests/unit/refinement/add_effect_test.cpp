@@ -44,7 +44,9 @@ fogcomp::TrainingRuns runs_of(const Model& real, const std::vector<std::uint64_t
 Addition add(const std::string& model, const std::string& effect, const Model& real,
              const std::vector<std::uint64_t>& seeds,
              const std::vector<fogcomp::RunInBlocks>& holdouts = {}) {
-  return add_effect(model_of(model), effect, runs_of(real, seeds), holdouts, {});
+  const Model given = model_of(model);
+  return add_effect(given, fogcomp::change_effect(given.terms, effect), runs_of(real, seeds),
+                    holdouts, {});
 }
 
 const std::string kComplete = "bias,bias_temperature:order=3,temperature_rate";
@@ -130,7 +132,8 @@ TEST(AddEffect, LeavesEachOfThreeRunsOutOnce) {
 TEST(AddEffect, RetrainsANetworkOfTheSameSize) {
   Model model = model_of("bias,bias_temperature:order=3");
   model.network = fog::test::paper_like_model().network;
-  const Addition result = add_effect(model, "temperature_rate", runs_of(truth(), {1}), {}, {});
+  const fogcomp::EffectChange change = fogcomp::change_effect(model.terms, "temperature_rate");
+  const Addition result = add_effect(model, change, runs_of(truth(), {1}), {}, {});
   EXPECT_TRUE(result.accepted);
   EXPECT_EQ(result.model.network.hidden.biases.size(), 3);
   EXPECT_NE(result.model.network.hidden.biases[0], model.network.hidden.biases[0]);
