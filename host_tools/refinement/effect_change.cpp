@@ -75,4 +75,11 @@ EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::stri
   return change;
 }
 
+EffectChange change_expression(const std::vector<EffectTerm>& terms,
+                               const std::string& definition) {
+  EffectChange change{terms, terms.size(), definition};
+  add_expression(change.terms, definition);
+  return change;
+}
+
 }  // namespace fogcomp

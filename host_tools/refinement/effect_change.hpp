@@ -21,4 +21,8 @@ struct EffectChange {
 /// change.
 EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect);
 
+/// `definition`: `NAME = EXPRESSION`, a new term at the end. Throws InputError as add_expression()
+/// does.
+EffectChange change_expression(const std::vector<EffectTerm>& terms, const std::string& definition);
+
 }  // namespace fogcomp

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identification/effect_list.hpp"
+#include "model/catalogue.hpp"
 #include "refinement/effect_change.hpp"
 #include "support/input_error.hpp"
 #include "unit/identification/simulated_gyro.hpp"
@@ -139,6 +140,32 @@ TEST(AddEffect, RetrainsANetworkOfTheSameSize) {
   EXPECT_NE(result.model.network.hidden.biases[0], model.network.hidden.biases[0]);
 }
 
+TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
+  Model real = truth();
+  fogcomp::EffectTerm late = fogcomp::expression_term("late = lag(dTdt^2, 900)");
+  late.coefficients_dph = {0.1};
+  real.terms.push_back(late);
+  const Model model = model_of(kComplete);
+  const std::string definition = "late = lag(dTdt^2, ?tau[60,6000])";
+  const auto add_to = [&](const Model& gyro, std::uint64_t seed) {
+    return add_effect(model, fogcomp::change_expression(model.terms, definition),
+                      runs_of(gyro, {seed}), {}, {});
+  };
+  const Addition right = add_to(real, 1);
+  EXPECT_TRUE(right.accepted) << right.reason;
+  EXPECT_EQ(right.model.history.back().action, "add " + definition);
+  const fogcomp::EffectTerm& term = right.model.terms[right.changed];
+  EXPECT_NEAR(term.parameters[0], 900, 4 * term.parameter_sigma[0]);
+  const double sigma =
+      fogcomp::in_natural_unit(term.sigma_dph[0], fogcomp::info_of(term).coefficients[0]);
+  EXPECT_LT(sigma, 0.01);
+  EXPECT_NEAR(natural_coefficient(term, 0), 0.1, 4 * sigma);
+  int useless = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    useless += add_to(truth(), seed).accepted ? 1 : 0;
+  EXPECT_LE(useless, 1);  // kLeastGain lets about one in 100 pass
+}
+
 TEST(EffectChange, RaisesWhatIsThere) {
   const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
   const auto order = fogcomp::change_effect(terms, "bias_temperature:order=4");
@@ -163,6 +190,15 @@ TEST(EffectChange, GrowsAnEffectThatIsThereAlready) {
   const auto second = fogcomp::change_effect(terms, "thermal_hysteresis");
   EXPECT_TRUE(second.terms[2].identified[1]);
   EXPECT_GT(second.terms[2].parameters[1], 0);
+}
+
+TEST(EffectChange, RefusesAnExpressionWhoseNameIsTaken) {
+  auto terms = fogcomp::parse_effects("bias");
+  terms = fogcomp::change_expression(terms, "own = T*dTdt").terms;
+  ASSERT_EQ(terms.size(), 2U);
+  for (const char* const definition : {"own = T", "bias = T", "thermal_lag = T", "own", ""}) {
+    EXPECT_THROW(fogcomp::change_expression(terms, definition), fogcomp::InputError) << definition;
+  }
 }
 
 TEST(EffectChange, RefusesWhatChangesNothing) {
