@@ -171,6 +171,17 @@ TEST(Diagnosis, NamesAnExpressionThatIsOffered) {
   EXPECT_NEAR(fogcomp::natural_coefficient(term, 0), 0.12, 0.03);
 }
 
+TEST(Diagnosis, SearchesTheParametersOfAnExpression) {
+  fogcomp::EffectTerm bump = fogcomp::expression_term("truth = exp(-((T - 5) / 8)^2)");
+  bump.coefficients_dph = {0.06};
+  const Diagnosis diagnosis = diagnosed(kBasic, recording_with({bump}, 6),
+                                        {"bump = exp(-((T - ?at[-30,50]) / ?width[2,30])^2)"});
+  ASSERT_EQ(diagnosis.effect, "bump");
+  const std::vector<double>& found = diagnosis.find("bump")->term().parameters;
+  EXPECT_NEAR(found[0], 5, 3);
+  EXPECT_NEAR(found[1], 8, 3);
+}
+
 TEST(Diagnosis, WeighsAnExpressionAgainstTheEffectThatItImitates) {
   const fogcomp::Recording recording = recording_with({}, 3);
   const Diagnosis diagnosis =
