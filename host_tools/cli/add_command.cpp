@@ -1,5 +1,6 @@
 // fogcomp add: one effect more, everything refitted, kept only if it helps out of sample.
 
+#include <algorithm>
 #include <cstdio>
 
 #include "cli/arguments.hpp"
@@ -8,11 +9,14 @@
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "refinement/add_effect.hpp"
+#include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
 namespace {
+
+constexpr const char* kExpression = "effect-expr";
 
 Json halves_json(const std::vector<HalfTest>& halves) {
   Json array = Json::array();
@@ -55,14 +59,14 @@ Json runs_json(const std::vector<Addition::RunError>& runs) {
 
 void print_json(const Addition& addition, bool written, const std::string& output) {
   const EffectTerm& term = addition.model.terms[addition.changed];
-  const CatalogueEntry& entry = find_effect(term.name);
+  const TermInfo info = info_of(term);
   Json parameters = Json::object();
   for (std::size_t i = 0; i < term.parameters.size(); ++i) {
-    parameters.set(entry.parameters[i].name, term.parameters[i]);
+    parameters.set(info.parameters[i].name, term.parameters[i]);
   }
   Json coefficients = Json::object();
   for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-    coefficients.set(entry.coefficients[i].symbol, natural_coefficient(term, i));
+    coefficients.set(info.coefficients[i].symbol, natural_coefficient(term, i));
   }
   const OutOfSample& judged = addition.out_of_sample;
   Json notes = Json::array();
@@ -115,22 +119,42 @@ void print_text(const Addition& addition, bool written, const std::string& outpu
   }
 }
 
+// What to add, and where the runs begin among the words.
+struct Wanted {
+  EffectChange change;
+  std::ptrdiff_t first_run = 0;
+};
+
+Wanted wanted(const Arguments& arguments, const Model& model) {
+  const std::string& word = arguments.positionals()[1];
+  if (!arguments.has(kExpression)) return {change_effect(model.terms, word), 2};
+  const std::vector<std::string> effects = effect_names();
+  const std::string name = word.substr(0, word.find(':'));
+  if (std::find(effects.begin(), effects.end(), name) != effects.end()) {
+    throw InputError("--effect-expr",
+                     "is one effect and '" + word + "' another; add them one after the other");
+  }
+  return {change_expression(model.terms, arguments.text(kExpression)), 1};
+}
+
 int run_add(const Arguments& arguments) {
+  if (!arguments.has(kExpression)) arguments.require_positionals(3);
   const std::string output = arguments.required("o");
   AddSettings settings;
   settings.run_offsets = arguments.has("run-offsets");
   settings.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
   const std::vector<std::string>& words = arguments.positionals();
   const Model model = load_model(words[0]);
+  const auto [change, first_run] = wanted(arguments, model);
   ReadOptions reading = read_options(arguments);
   reading.model_scale_factor = model.scale_factor;
   const TrainingRuns training =
-      read_training_runs({words.begin() + 2, words.end()}, reading, model.average_s);
+      read_training_runs({words.begin() + first_run, words.end()}, reading, model.average_s);
   std::vector<RunInBlocks> holdouts;
   for (const std::string& file : arguments.all("holdout")) {
     holdouts.push_back(run_in_blocks(read_recording(file, reading), model.average_s));
   }
-  const Addition addition = add_effect(model, words[1], training, holdouts, settings);
+  const Addition addition = add_effect(model, change, training, holdouts, settings);
   const bool written = addition.accepted || arguments.has("force");
   if (written) save_model(addition.model, output);
   if (arguments.has("json")) {
@@ -146,14 +170,17 @@ int run_add(const Arguments& arguments) {
 Command add_command() {
   Command command;
   command.name = "add";
-  command.positionals = "MODEL EFFECT[:k=v] RUN...";
-  command.least_positionals = 3;
+  command.positionals = "MODEL {EFFECT[:k=v] | --effect-expr ...} RUN...";
+  command.least_positionals = 2;
   command.most_positionals = kAnyNumber;
   command.summary = "adds an effect, refits everything, keeps it if it helps out of sample";
   command.example =
       "fogcomp add gyro.model thermal_lag run.csv --holdout reversed.csv -o better.model";
   command.options = {
       {"o", "MODEL", "model file to write", ""},
+      {kExpression, "NAME = EXPRESSION",
+       "a term of your own instead of EFFECT, e.g. 'burst = T*T*dTdt' or 'x = tanh(T/?w[2,30])'",
+       ""},
       {"holdout", "RUN", "a run to judge by instead of leaving parts out; may be repeated", "",
        true},
       {"force", "", "keep the effect even if it does not help", ""},

@@ -68,12 +68,16 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
     }
     values.push_back(value);
   }
-  if (positionals_.size() < command.least_positionals) {
-    throw usage_error(command, "expects " + command.positionals);
-  }
+  require_positionals(command.least_positionals);
   if (positionals_.size() > command.most_positionals) {
     throw usage_error(command,
                       "unexpected argument '" + positionals_[command.most_positionals] + "'");
+  }
+}
+
+void Arguments::require_positionals(std::size_t least) const {
+  if (positionals_.size() < least) {
+    throw usage_error(command_, "expects " + command_.positionals);
   }
 }
 

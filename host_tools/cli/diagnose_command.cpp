@@ -6,11 +6,21 @@
 #include "cli/diagnosis_json.hpp"
 #include "cli/diagnosis_text.hpp"
 #include "cli/recording_options.hpp"
+#include "identification/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
 namespace {
+
+// Expressions that are to compete with the catalogue.
+std::vector<EffectTerm> offered(const Arguments& arguments, const Model& model) {
+  std::vector<EffectTerm> terms = model.terms;
+  for (const std::string& definition : arguments.all("effect-expr")) {
+    add_expression(terms, definition);
+  }
+  return {terms.begin() + static_cast<std::ptrdiff_t>(model.terms.size()), terms.end()};
+}
 
 int run_diagnose(const Arguments& arguments) {
   const std::vector<std::string>& files = arguments.positionals();
@@ -21,7 +31,7 @@ int run_diagnose(const Arguments& arguments) {
   settings.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
   ReadOptions options = read_options(arguments);
   options.model_scale_factor = model.scale_factor;
-  DiagnosisData data(model);
+  DiagnosisData data(model, offered(arguments, model));
   std::string runs;
   for (std::size_t i = 1; i < files.size(); ++i) {
     data.add(read_recording(files[i], options));
@@ -53,6 +63,8 @@ Command diagnose_command() {
   command.summary = "where and why the model fails: which effect is missing";
   command.example = "fogcomp diagnose gyro.model run.csv --max-effects 4";
   command.options = {
+      {"effect-expr", "NAME = EXPRESSION",
+       "a candidate of your own beside the catalogue's, e.g. 'burst = T*T*dTdt'", "", true},
       {"static", "RUN", "recording at rest: the noise is taken from there", ""},
       {"max-effects", "N", "add what is found, refit, look again, up to N times", "0"},
       {"average", "S", "rows, seconds (default: as fitted)", ""},

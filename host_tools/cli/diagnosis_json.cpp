@@ -7,12 +7,12 @@ namespace {
 
 Json parameters_json(const EffectTerm& term) {
   Json parameters = Json::object();
-  const CatalogueEntry& entry = find_effect(term.name);
-  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-    parameters.set(entry.parameters[i].name, term.parameters[i]);
+  const TermInfo info = info_of(term);
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    parameters.set(info.parameters[i].name, term.parameters[i]);
   }
   for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-    parameters.set(entry.coefficients[i].symbol, natural_coefficient(term, i));
+    parameters.set(info.coefficients[i].symbol, natural_coefficient(term, i));
   }
   return parameters;
 }

@@ -27,15 +27,19 @@ std::string joined(const std::vector<std::string>& names, const char* last) {
 // "radius 5.2 degC"
 std::string shape(const EffectTerm& term) {
   std::string text;
-  const CatalogueEntry& entry = find_effect(term.name);
-  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-    if (term.parameters[i] == 0 && entry.parameters[i].default_milli == 0) continue;
-    const std::string unit = entry.parameters[i].unit;
-    text += (text.empty() ? "" : ", ") + format("%s %.3g%s", entry.parameters[i].name,
-                                                term.parameters[i],
-                                                unit == "1" ? "" : (" " + unit).c_str());
+  const TermInfo info = info_of(term);
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    const TermInfo::Parameter& parameter = info.parameters[i];
+    if (term.parameters[i] == 0 && parameter.bounds.least > 0) continue;
+    text += (text.empty() ? "" : ", ") +
+            format("%s %.3g", parameter.name.c_str(), term.parameters[i]) +
+            (parameter.unit.empty() ? "" : " " + parameter.unit);
   }
   return text;
+}
+
+bool is_expression(const CandidateFinding& finding) {
+  return finding.term().expression.has_value();
 }
 
 // How to name an effect to `add`, with what it takes to grow one that is there already.
@@ -53,6 +57,18 @@ std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
   return effect;
 }
 
+// The command that adds it. An expression has no quotes in it.
+std::string add_command_line(const Diagnosis& diagnosis, const std::string& effect,
+                             const std::string& model, const std::string& runs) {
+  const CandidateFinding* finding = diagnosis.find(effect);
+  if (finding == nullptr || !is_expression(*finding)) {
+    return "fogcomp add " + model + " " + to_add(diagnosis, effect) + " " + runs;
+  }
+  const Expression& expression = finding->term().expression->expression;
+  return "fogcomp add " + model + " " + runs + " --effect-expr '" + expression.name + " = " +
+         expression.text + "'";
+}
+
 std::string verdict_line(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case Verdict::none:
@@ -61,7 +77,7 @@ std::string verdict_line(const Diagnosis& diagnosis) {
       const CandidateFinding* finding = diagnosis.find(diagnosis.effect);
       const std::string described = shape(finding->term());
       return format("missing effect: %s (%s)\n", diagnosis.effect.c_str(),
-                    find_effect(diagnosis.effect).description.title) +
+                    info_of(finding->term()).title.c_str()) +
              format("  probability %.2f%s\n", finding->probability,
                     described.empty() ? "" : ("; " + described).c_str());
     }
@@ -71,7 +87,10 @@ std::string verdict_line(const Diagnosis& diagnosis) {
     case Verdict::unknown:
       break;
   }
-  return "something is missing that no effect of the catalogue explains (" +
+  const bool offered =
+      std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(), is_expression);
+  return "something is missing that no effect of the catalogue" +
+         std::string(offered ? " and no expression offered" : "") + " explains (" +
          percent(diagnosis.unexplained_fraction) + " of it is left unexplained)\n";
 }
 
@@ -111,8 +130,11 @@ std::string next_line(const Diagnosis& diagnosis, const std::string& model,
   if (effect == kBiasStep) {
     text += "  next: fit again with bias_step among the --effects: it finds steps and masks them\n";
   } else if (!effect.empty()) {
-    text += "  next: fogcomp add " + model + " " + to_add(diagnosis, effect) + " " + runs +
-            " -o NEW.model\n";
+    text += "  next: " + add_command_line(diagnosis, effect, model, runs) + " -o NEW.model\n";
+  } else if (diagnosis.verdict == Verdict::unknown) {
+    text +=
+        "  next: let a formula of your own compete: --effect-expr 'NAME = T*T*dTdt' "
+        "(host_tools/README.md, Expressions)\n";
   }
   return text;
 }
@@ -122,7 +144,8 @@ std::string candidate_table(const Diagnosis& diagnosis) {
       "\n  candidate                  explains  rms after   ln odds  probability  shape\n";
   std::size_t shown = 0;
   for (const CandidateFinding& finding : diagnosis.candidates) {
-    if (shown++ == kMostCandidates) break;
+    if (shown >= kMostCandidates && !is_expression(finding)) continue;
+    ++shown;
     text += format("  %-26s %7.0f%% %10.4g %9.1f %12.3f  %s\n", finding.effect.c_str(),
                    100 * finding.explained_fraction, finding.rms_after_dph, finding.evidence,
                    finding.probability, shape(finding.term()).c_str());

@@ -7,6 +7,7 @@
 
 #include "dataset/input_columns.hpp"
 #include "identification/effect_list.hpp"
+#include "identification/expression_survey.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/shape_search.hpp"
 #include "model/catalogue.hpp"
@@ -20,6 +21,7 @@ constexpr double kTheSame = 0.98;
 constexpr int kFirstPlaces = 7;
 constexpr std::size_t kMostPlaces = 72;  // of one parameter
 constexpr std::array<double, 3> kOtherPlaces{0.2, 0.5, 0.8};
+constexpr std::size_t kLaidOut = 3;  // parameters; an expression's others stay in the middle
 constexpr int kStepsPerRun = 48;
 
 // What the effect's columns are behind those that the model has already.
@@ -32,7 +34,9 @@ class ShapeMaker {
     const Eigen::MatrixXd all = series_.regressors(term);
     const Eigen::Index added = all.cols() - owned_;
     if (added <= 0) return std::nullopt;
+    if (!all.allFinite()) return std::nullopt;  // an expression at this shape
     VisiblePart part = to_visible_(all.rightCols(added));
+    if (!part.visible.allFinite()) return std::nullopt;
     if (part.visible.maxCoeff() < kLeastVisible) return std::nullopt;
     // One of two columns may be invisible (the static part of an effect beside a polynomial).
     Eigen::Index kept = 0;
@@ -106,7 +110,7 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const EffectTer
     return shapes;
   }
   std::vector<EffectTerm> starts{term};
-  for (std::size_t i = 1; i < parameters.size(); ++i) {
+  for (std::size_t i = 1; i < std::min(kLaidOut, parameters.size()); ++i) {
     std::vector<EffectTerm> more;
     for (const EffectTerm& start : starts) {
       for (const double place : kOtherPlaces) {
@@ -160,10 +164,11 @@ std::string what_would_show(const CatalogueEntry& entry) {
 }
 
 // A lag of five seconds is no lag: a shape that is what an effect without any shape parameter
-// is already belongs to that one.
+// is already belongs to that one. An expression takes nothing from the catalogue.
 void leave_to_simpler(std::vector<Candidate>& candidates) {
   std::vector<const Candidate*> simple;
   for (const Candidate& candidate : candidates) {
+    if (candidate.is_expression()) continue;
     if (shape_parameters({candidate.shapes[0].term}).empty()) simple.push_back(&candidate);
   }
   for (Candidate& candidate : candidates) {
@@ -181,10 +186,30 @@ void leave_to_simpler(std::vector<Candidate>& candidates) {
                    candidates.end());
 }
 
+// Those that the model has not got already.
+void add_expressions(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+                     std::vector<EffectTerm> offered, const ToVisible& to_visible,
+                     CandidateList& list) {
+  set_expression_ranges(offered, series);
+  for (const EffectTerm& expression : offered) {
+    const bool own = std::any_of(terms.begin(), terms.end(), [&](const EffectTerm& term) {
+      return term.name == expression.name;
+    });
+    if (own) continue;
+    Candidate candidate{expression.name, all_shapes({series, to_visible, 0}, expression)};
+    if (!candidate.shapes.empty()) {
+      list.testable.push_back(std::move(candidate));
+    } else {
+      list.untestable.push_back({expression.name, "to differ from what the model's terms can do"});
+    }
+  }
+}
+
 }  // namespace
 
 CandidateList find_candidates(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                              fog::InputMask inputs, const ToVisible& to_visible) {
+                              const std::vector<EffectTerm>& offered, fog::InputMask inputs,
+                              const ToVisible& to_visible) {
   CandidateList list;
   for (const CatalogueEntry& entry : catalogue()) {
     const std::string name = entry.description.name;
@@ -220,6 +245,7 @@ CandidateList find_candidates(const SignalSeries& series, const std::vector<Effe
       list.untestable.push_back({name, what_would_show(entry)});
     }
   }
+  add_expressions(series, terms, offered, to_visible, list);
   leave_to_simpler(list.testable);
   return list;
 }

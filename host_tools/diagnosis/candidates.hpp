@@ -8,14 +8,16 @@
 
 namespace fogcomp {
 
-/// An effect that the model may lack, at several places of its shape parameters.
+/// An effect or an expression that the model may lack, at several places of its shape parameters.
 struct Candidate {
-  std::string effect;
+  std::string effect;  ///< or the expression's name
   struct Shape {
     EffectTerm term;          ///< what would be added, or what the model's own would become
     Eigen::MatrixXd columns;  ///< whitened, rows x 1 or more: what that adds to the model
   };
-  std::vector<Shape> shapes;
+  std::vector<Shape> shapes;  ///< at least one
+
+  bool is_expression() const { return shapes[0].term.expression.has_value(); }
 };
 
 /// An effect about which these recordings say nothing.
@@ -37,12 +39,15 @@ struct VisiblePart {
 };
 using ToVisible = std::function<VisiblePart(const Eigen::MatrixXd& regressors)>;
 
-/// Every effect of the catalogue that `terms` lack, and what they have of it could grow by: a
-/// higher order, a second radius. Shape parameters are laid out so that neighbours look alike on
-/// these recordings: an interval is halved as long as its ends explain less than 85 % of each
-/// other. A shape of which the model leaves less than 3 % counts as invisible: to be seen at all it
-/// would have to be thirty times what it shows, hidden by the model's own terms.
+/// Every effect of the catalogue that `terms` lack, what they have of it could grow by (a higher
+/// order, a second radius), and those of the expressions `offered` that they lack. Shape parameters
+/// are laid out so that neighbours look alike on these recordings: an interval is halved as long as
+/// its ends explain less than 85 % of each other. A shape of which the model leaves less than 3 %
+/// counts as invisible: to be seen at all it would have to be thirty times what it shows, hidden by
+/// the model's own terms. The recordings have what the expressions need. Throws InputError for an
+/// expression that is not finite on them.
 CandidateList find_candidates(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                              fog::InputMask inputs, const ToVisible& to_visible);
+                              const std::vector<EffectTerm>& offered, fog::InputMask inputs,
+                              const ToVisible& to_visible);
 
 }  // namespace fogcomp

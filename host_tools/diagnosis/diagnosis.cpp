@@ -13,6 +13,7 @@
 #include "evaluation/noise_floor.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/quiet_rows.hpp"
+#include "identification/required_inputs.hpp"
 #include "model/catalogue.hpp"
 #include "support/chi_square.hpp"
 #include "support/input_error.hpp"
@@ -98,7 +99,7 @@ class Diagnoser {
 
     const ModelRemover remover(rows_, fit_);
     CandidateList list =
-        find_candidates(data_.series(), fit_.terms, data_.inputs(),
+        find_candidates(data_.series(), fit_.terms, data_.offered(), data_.inputs(),
                         [&](const Eigen::MatrixXd& columns) { return remover(columns); });
     result_.untestable = list.untestable;
     candidates_ = std::move(list.testable);
@@ -447,6 +448,7 @@ class Diagnoser {
 
 void DiagnosisData::add(const Recording& recording) {
   const BlockSeries blocks = make_blocks(recording);
+  require_inputs(offered_, blocks);
   const auto first_row = static_cast<std::size_t>(series_.rows().size());
   series_.add(blocks);
   inputs_ &= blocks.inputs;

@@ -15,12 +15,16 @@
 
 namespace fogcomp {
 
-/// Recordings as a diagnosis sees them: signals without delay, segments by name.
+/// Recordings as a diagnosis sees them: signals without delay, segments by name; and expressions to
+/// be tried on them beside the catalogue.
 class DiagnosisData {
  public:
-  /// `model` gives averaging and derivative; it must outlive this.
-  explicit DiagnosisData(const Model& model) : series_(model, Phase::zero) {}
+  /// `model` gives averaging and derivative; it must outlive this. `offered`: expressions without
+  /// coefficients, none of them in the model by name.
+  explicit DiagnosisData(const Model& model, std::vector<EffectTerm> offered = {})
+      : series_(model, Phase::zero), offered_(std::move(offered)) {}
 
+  /// Throws InputError where a recording lacks what the model or an expression offered needs.
   void add(const Recording& recording);
 
   struct Segment {
@@ -29,6 +33,7 @@ class DiagnosisData {
     Eigen::Index end = 0;
   };
   const SignalSeries& series() const { return series_; }
+  const std::vector<EffectTerm>& offered() const { return offered_; }
   const std::vector<Segment>& segments() const { return segments_; }
   fog::InputMask inputs() const { return inputs_; }
   /// Of a row, from the recordings alone; the rms of all; none where they are too short.
@@ -36,6 +41,7 @@ class DiagnosisData {
 
  private:
   SignalSeries series_;
+  std::vector<EffectTerm> offered_;
   std::vector<Segment> segments_;
   fog::InputMask inputs_ = ~fog::InputMask{0};
   double floor_square_rows_ = 0;
@@ -45,7 +51,7 @@ class DiagnosisData {
 enum class Verdict : std::uint8_t { none, missing_effect, ambiguous, unknown };
 const char* name_of(Verdict verdict);
 
-/// What a diagnosis says of one effect of the catalogue.
+/// What a diagnosis says of one effect of the catalogue, or of one expression offered.
 struct CandidateFinding {
   std::string effect;
   /// The model with it: refitted terms with coefficients, this effect the last of them.
@@ -117,8 +123,9 @@ NoiseModel noise_of_static(const Model& model, const Recording& recording,
                            const DiagnosisData& data);
 
 /// Finds out whether the effects of `model` leave more than noise, and which effect of the
-/// catalogue is missing if so. Its network, if any, is left out. The effects are solved for anew
-/// together with every candidate. Throws InputError for data too short for the model's effects.
+/// catalogue, or expression of data.offered(), is missing if so. Its network, if any, is left out.
+/// The effects are solved for anew together with every candidate. Throws InputError for data too
+/// short for the model's effects.
 Diagnosis diagnose(const Model& model, const DiagnosisData& data,
                    const DiagnosisSettings& settings = {});
 

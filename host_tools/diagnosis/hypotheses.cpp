@@ -58,9 +58,9 @@ class Search {
 
   // Where the effect itself has an optional second part of the same form.
   bool may_stand_twice(std::size_t candidate) const {
+    if (is_step(candidate) || candidates_[candidate].is_expression()) return false;
     const CatalogueEntry& entry = find_effect(candidates_[candidate].effect);
-    return !is_step(candidate) &&
-           std::any_of(entry.parameters.begin(), entry.parameters.end(),
+    return std::any_of(entry.parameters.begin(), entry.parameters.end(),
                        [](const auto& parameter) { return parameter.default_milli == 0; });
   }
 

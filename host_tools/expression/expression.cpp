@@ -354,6 +354,10 @@ fog::InputMask Expression::needs() const {
 }
 
 Expression parse_expression(const std::string& definition) {
+  // It is one line of the model file, and of an error message.
+  const bool one_line = std::none_of(definition.begin(), definition.end(),
+                                     [](char c) { return c == '\n' || c == '\r'; });
+  if (!one_line) throw InputError("expression", "has a line break in it; write it on one line");
   return Parser(definition).definition();
 }
 

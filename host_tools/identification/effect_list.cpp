@@ -118,11 +118,9 @@ std::vector<std::vector<std::string>> split_effects(const std::string& list) {
   return effects;
 }
 
-void add_once(std::vector<EffectTerm>& terms, const EffectTerm& term) {
-  const bool twice = std::any_of(terms.begin(), terms.end(),
-                                 [&](const EffectTerm& other) { return other.name == term.name; });
-  if (twice) throw InputError("effect '" + term.name + "'", "is listed twice; list it once");
-  terms.push_back(term);
+bool has_name(const std::vector<EffectTerm>& terms, const std::string& name) {
+  return std::any_of(terms.begin(), terms.end(),
+                     [&](const EffectTerm& term) { return term.name == name; });
 }
 
 }  // namespace
@@ -147,7 +145,12 @@ std::vector<EffectTerm> grown_terms(const EffectTerm& own) {
 }
 
 void add_expression(std::vector<EffectTerm>& terms, const std::string& definition) {
-  add_once(terms, expression_term(definition));
+  const EffectTerm term = expression_term(definition);
+  if (has_name(terms, term.name)) {
+    throw InputError("expression '" + definition + "'",
+                     "has the name of another term; choose another");
+  }
+  terms.push_back(term);
 }
 
 std::vector<EffectTerm> parse_effects(const std::string& list) {
@@ -163,7 +166,10 @@ std::vector<EffectTerm> parse_effects(const std::string& list) {
       term.parameter_sigma.push_back(0);
     }
     for (std::size_t i = 1; i < words.size(); ++i) set_parameter(term, entry, words[i]);
-    add_once(terms, term);
+    if (has_name(terms, term.name)) {
+      throw InputError("effect '" + term.name + "'", "is listed twice; list it once");
+    }
+    terms.push_back(term);
   }
   if (terms.empty()) throw InputError("--effects", "names no effect; try --effects bias");
   return terms;

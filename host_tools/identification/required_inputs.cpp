@@ -29,10 +29,14 @@ void require(const std::string& who, fog::InputMask needs, const BlockSeries& se
 
 }  // namespace
 
-void require_inputs(const Model& model, const BlockSeries& series) {
-  for (const EffectTerm& term : model.terms) {
+void require_inputs(const std::vector<EffectTerm>& terms, const BlockSeries& series) {
+  for (const EffectTerm& term : terms) {
     require(term.name, info_of(term).needs, series);
   }
+}
+
+void require_inputs(const Model& model, const BlockSeries& series) {
+  require_inputs(model.terms, series);
   require("the network", model.network.needs(), series);
 }
 

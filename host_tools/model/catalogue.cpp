@@ -70,6 +70,7 @@ const CatalogueEntry& find_effect(const std::string& name) {
 TermInfo info_of(const EffectTerm& term) {
   TermInfo info;
   if (term.expression) {
+    info.title = term.expression->expression.text;
     info.equation = "b = k (" + term.expression->expression.text + ")";
     for (const ExpressionParameter& parameter : term.expression->expression.parameters) {
       info.parameters.push_back({parameter.name, "", {parameter.least, parameter.most}});
@@ -79,9 +80,12 @@ TermInfo info_of(const EffectTerm& term) {
     return info;
   }
   const CatalogueEntry& entry = find_effect(term.name);
+  info.title = entry.description.title;
   info.equation = entry.description.equation;
   for (const auto& parameter : entry.parameters) {
-    info.parameters.push_back({parameter.name, parameter.unit, catalogue_bounds(parameter)});
+    const std::string unit = parameter.unit;
+    info.parameters.push_back(
+        {parameter.name, unit == "1" ? "" : unit, catalogue_bounds(parameter)});
   }
   info.coefficients = entry.coefficients;
   info.needs = entry.description.needs;

@@ -31,9 +31,10 @@ const CatalogueEntry& find_effect(const std::string& name);
 struct TermInfo {
   struct Parameter {
     std::string name;
-    std::string unit;
-    ShapeBounds bounds;  ///< of the search
+    std::string unit;    ///< "" where it has none
+    ShapeBounds bounds;  ///< of the search; a 0 below them leaves its part of the effect out
   };
+  std::string title;
   std::string equation;
   std::vector<Parameter> parameters;
   std::vector<fog::CoefficientDescription> coefficients;  ///< as many as it can have

@@ -4,7 +4,6 @@
 
 #include "evaluation/autocorrelation.hpp"
 #include "evaluation/comparison.hpp"
-#include "refinement/effect_change.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -69,9 +68,8 @@ OutOfSample judge(const Model& before, const Addition& after, const SignalSeries
 
 }  // namespace
 
-Addition add_effect(const Model& model, const std::string& effect, const TrainingRuns& training,
+Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
                     const std::vector<RunInBlocks>& holdouts, const AddSettings& settings) {
-  const EffectChange change = change_effect(model.terms, effect);
   Addition result;
   result.changed = change.changed;
   Model before = model;
@@ -101,7 +99,7 @@ Addition add_effect(const Model& model, const std::string& effect, const Trainin
   for (const RunInBlocks& run : training.runs) compare(run, false);
   for (const RunInBlocks& run : holdouts) compare(run, true);
 
-  HistoryEntry step{"add " + effect, training.data_hash, before.residual_rms_dph,
+  HistoryEntry step{"add " + change.what, training.data_hash, before.residual_rms_dph,
                     result.model.residual_rms_dph, training.noise_floor_dph};
   if (!holdouts.empty()) step.holdout = on_holdouts.rms_dph();
   const OutOfSample& judged = result.out_of_sample;

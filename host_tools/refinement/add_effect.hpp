@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "refinement/effect_change.hpp"
 #include "refinement/fit_model.hpp"
 #include "refinement/out_of_sample.hpp"
 #include "refinement/training_runs.hpp"
@@ -36,16 +37,16 @@ struct Addition {
   std::string reason;  ///< one line: why it is accepted or not
 };
 
-/// Adds `effect` (see change_effect) to `model` and refits everything on `training`: all effects
-/// together, then, if the model has a network, a new one of the same size on what they leave.
-/// "Before" is the model without the change, refitted on the same runs, so that refitting alone
-/// earns nothing.
+/// Makes `change` to the terms of `model`, from which it was made, and refits everything on
+/// `training`: all effects together, then, if the model has a network, a new one of the same size
+/// on what they leave. "Before" is the model without the change, refitted on the same runs, so that
+/// refitting alone earns nothing.
 ///
 /// Accepted if the effects alone gain out of sample (OutOfSample::helps): on the holdouts, or where
 /// there are none on stretches or runs left out; and if the whole model's rms on the holdouts has
-/// not risen beyond chance. Throws InputError for a bad effect, a run that lacks what it needs, and
+/// not risen beyond chance. Throws InputError for a run that lacks what the effect needs, and for
 /// data that cannot determine it.
-Addition add_effect(const Model& model, const std::string& effect, const TrainingRuns& training,
+Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
                     const std::vector<RunInBlocks>& holdouts, const AddSettings& settings);
 
 }  // namespace fogcomp

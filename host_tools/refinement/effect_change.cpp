@@ -47,7 +47,7 @@ EffectTerm with_settings(const EffectTerm& old, const std::string& effect) {
 }  // namespace
 
 EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect) {
-  EffectChange change{terms, 0};
+  EffectChange change{terms, 0, effect};
   const EffectTerm added = parse_one(effect);
   if (is_event(added)) {
     throw InputError("effect '" + effect + "'",
@@ -72,6 +72,13 @@ EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::stri
                      "is in the model already; name a parameter to change, or another effect");
   }
   change.terms[change.changed] = changed;
+  return change;
+}
+
+EffectChange change_expression(const std::vector<EffectTerm>& terms,
+                               const std::string& definition) {
+  EffectChange change{terms, terms.size(), definition};
+  add_expression(change.terms, definition);
   return change;
 }
 

@@ -11,6 +11,7 @@ namespace fogcomp {
 struct EffectChange {
   std::vector<EffectTerm> terms;
   std::size_t changed = 0;  ///< which of them
+  std::string what;         ///< as it was asked for; the model's history keeps it
 };
 
 /// `effect`: one effect as `fit --effects` has it. A new one goes to the end. One that is there
@@ -19,5 +20,9 @@ struct EffectChange {
 /// InputError for anything else than one effect, for an unknown one, and where nothing would
 /// change.
 EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect);
+
+/// `definition`: `NAME = EXPRESSION`, a new term at the end. Throws InputError as add_expression()
+/// does.
+EffectChange change_expression(const std::vector<EffectTerm>& terms, const std::string& definition);
 
 }  // namespace fogcomp

@@ -54,11 +54,21 @@ fogcomp::Recording recording_with(const std::vector<fogcomp::EffectTerm>& hidden
   return recording;
 }
 
-Diagnosis diagnosed(const std::string& effects, const fogcomp::Recording& recording) {
-  const Model model = model_of(fogcomp::parse_effects(effects));
-  fogcomp::DiagnosisData data(model);
+std::vector<fogcomp::EffectTerm> expressions(const std::vector<std::string>& definitions) {
+  std::vector<fogcomp::EffectTerm> terms;
+  for (const std::string& definition : definitions) fogcomp::add_expression(terms, definition);
+  return terms;
+}
+
+Diagnosis diagnosed(const Model& model, const fogcomp::Recording& recording,
+                    const std::vector<std::string>& offered = {}) {
+  fogcomp::DiagnosisData data(model, expressions(offered));
   data.add(recording);
   return fogcomp::diagnose(model, data);
+}
+Diagnosis diagnosed(const std::string& effects, const fogcomp::Recording& recording,
+                    const std::vector<std::string>& offered = {}) {
+  return diagnosed(model_of(fogcomp::parse_effects(effects)), recording, offered);
 }
 
 constexpr const char* kBasic = "bias,bias_temperature:order=2,temperature_rate";
@@ -134,6 +144,129 @@ TEST(Diagnosis, RefusesTooFewRows) {
   recording.temperature_degc.resize(50);
   recording.rate_dph.resize(50);
   EXPECT_THROW(diagnosed(kBasic, recording), fogcomp::InputError);
+}
+
+// What follows the square of a rate is no effect of the catalogue.
+fogcomp::EffectTerm late_square(double tau_s, double size_dph) {
+  fogcomp::EffectTerm term =
+      fogcomp::expression_term("truth = lag(dTdt^2, " + std::to_string(tau_s) + ")");
+  term.coefficients_dph = {size_dph};
+  return term;
+}
+constexpr const char* kLateSquare = "late = lag(dTdt^2, ?tau[60,6000])";
+
+TEST(Diagnosis, NamesAnExpressionThatIsOffered) {
+  const fogcomp::Recording recording = recording_with({late_square(1200, 0.12)}, 4);
+  EXPECT_EQ(diagnosed(kBasic, recording).verdict, Verdict::unknown);
+  const Diagnosis wrong = diagnosed(kBasic, recording, {"burst = T*T*dTdt"});
+  EXPECT_EQ(wrong.verdict, Verdict::unknown);
+  ASSERT_NE(wrong.find("burst"), nullptr);
+
+  const Diagnosis right = diagnosed(kBasic, recording, {"burst = T*T*dTdt", kLateSquare});
+  EXPECT_EQ(right.verdict, Verdict::missing_effect);
+  ASSERT_EQ(right.effect, "late");
+  const fogcomp::EffectTerm& term = right.find("late")->term();
+  ASSERT_TRUE(term.expression.has_value());
+  EXPECT_NEAR(term.parameters[0], 1200, 400);  // as finely as shapes are laid out
+  EXPECT_NEAR(fogcomp::natural_coefficient(term, 0), 0.12, 0.03);
+}
+
+TEST(Diagnosis, SearchesTheParametersOfAnExpression) {
+  fogcomp::EffectTerm bump = fogcomp::expression_term("truth = exp(-((T - 5) / 8)^2)");
+  bump.coefficients_dph = {0.06};
+  const Diagnosis diagnosis = diagnosed(kBasic, recording_with({bump}, 6),
+                                        {"bump = exp(-((T - ?at[-30,50]) / ?width[2,30])^2)"});
+  ASSERT_EQ(diagnosis.effect, "bump");
+  const std::vector<double>& found = diagnosis.find("bump")->term().parameters;
+  EXPECT_NEAR(found[0], 5, 3);
+  EXPECT_NEAR(found[1], 8, 3);
+}
+
+TEST(Diagnosis, WeighsAnExpressionAgainstTheEffectThatItImitates) {
+  const fogcomp::Recording recording = recording_with({}, 3);
+  const Diagnosis diagnosis =
+      diagnosed("bias,bias_temperature:order=2", recording, {"same = dTdt"});
+  ASSERT_EQ(diagnosis.verdict, Verdict::ambiguous);
+  EXPECT_EQ(diagnosis.confusable, (std::vector<std::string>{"temperature_rate", "same"}));
+  ASSERT_TRUE(diagnosis.experiment.has_value());
+  EXPECT_TRUE(diagnosis.experiment->profile.empty()) << diagnosis.experiment->sentence;
+}
+
+TEST(Diagnosis, ProposesATestThatTellsAnExpressionFromAnEffect) {
+  const fogcomp::Recording recording = recording_with({late_square(1200, 0.12)}, 4);
+  const Diagnosis diagnosis =
+      diagnosed(kBasic, recording, {kLateSquare, "near = lag(abs(dTdt), ?tau[60,6000])"});
+  ASSERT_EQ(diagnosis.verdict, Verdict::ambiguous);
+  ASSERT_TRUE(diagnosis.experiment.has_value());
+  EXPECT_FALSE(diagnosis.experiment->profile.empty()) << diagnosis.experiment->sentence;
+}
+
+TEST(Diagnosis, SaysOfAnExpressionThatTheModelHasItAlready) {
+  const Diagnosis diagnosis = diagnosed(kBasic, recording_with({}, 1), {"square = (T - 20)^2"});
+  EXPECT_EQ(diagnosis.find("square"), nullptr);
+  ASSERT_FALSE(diagnosis.untestable.empty());
+  EXPECT_EQ(diagnosis.untestable.back().effect, "square");
+}
+
+// Every expression is one more chance to be wrong, and every shape of it another.
+TEST(Diagnosis, NamesNoExpressionWhereNothingIsMissing) {
+  const std::vector<std::string> offered{
+      kLateSquare, "burst = T*T*dTdt", "kink = tanh((T - ?at[-30,50]) / ?w[2,30])",
+      "wave = dTdt*sin(T/?k[2,20])", "hot = max(T - ?from[-20,55], 0)"};
+  int named = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Diagnosis diagnosis = diagnosed(kBasic, recording_with({}, seed), offered);
+    EXPECT_NE(diagnosis.find("late"), nullptr);
+    named += diagnosis.verdict != Verdict::none ? 1 : 0;
+  }
+  EXPECT_LE(named, 1);
+}
+
+// The same weak effect is less of a surprise where more was asked for.
+TEST(Diagnosis, CountsEveryExpressionAsAChanceOfAFalseAlarm) {
+  std::vector<std::string> offered;
+  for (int i = 1; i <= 40; ++i) {
+    offered.push_back("beat" + std::to_string(i) + " = sin(t/" + std::to_string(40 + 3 * i) + ")");
+  }
+  for (const std::uint64_t seed : {1U, 3U, 5U}) {
+    const fogcomp::Recording recording =
+        recording_with({fog::test::natural_term("polarization_ripple", {13}, {0.004, 0})}, seed);
+    const double log_p = diagnosed(kBasic, recording).tests[0];
+    EXPECT_LT(log_p, -2);
+    EXPECT_GT(diagnosed(kBasic, recording, offered).tests[0], log_p + 0.5);
+  }
+}
+
+TEST(Diagnosis, DiagnosesAModelThatHoldsAnExpression) {
+  Model model = model_of(fogcomp::parse_effects(kBasic));
+  fogcomp::add_expression(model.terms, kLateSquare);
+  int named = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const auto diagnosis = diagnosed(model, recording_with({late_square(1200, 0.12)}, seed));
+    named += diagnosis.verdict != Verdict::none ? 1 : 0;
+  }
+  EXPECT_LE(named, 1);
+  const auto ripple = fog::test::natural_term("polarization_ripple", {13}, {0.012, 0.006});
+  EXPECT_EQ(diagnosed(model, recording_with({late_square(1200, 0.12), ripple}, 3)).effect,
+            "polarization_ripple");
+}
+
+TEST(Diagnosis, RefusesAnExpressionThatTheRecordingCannotHave) {
+  const fogcomp::Recording recording = recording_with({}, 1);
+  EXPECT_THROW(diagnosed(kBasic, recording, {"field = B*T"}), fogcomp::InputError);
+  EXPECT_THROW(diagnosed(kBasic, recording, {"root = T^0.5"}), fogcomp::InputError);
+}
+
+TEST(Ladder, AddsAnExpression) {
+  const Model model = model_of(fogcomp::parse_effects("bias,bias_temperature:order=2"));
+  fogcomp::DiagnosisData data(model, expressions({kLateSquare}));
+  data.add(recording_with({late_square(1200, 0.12)}, 2));
+  const fogcomp::Ladder ladder = fogcomp::walk_ladder(model, data, 4);
+  std::vector<std::string> added = ladder.added();
+  std::sort(added.begin(), added.end());
+  EXPECT_EQ(added, (std::vector<std::string>{"late", "temperature_rate"}));
+  EXPECT_LT(ladder.steps.back().rms_after_dph,
+            1.05 * std::hypot(kNoise.white_dph, kNoise.slow_dph));
 }
 
 TEST(Ladder, FindsTwoEffectsAndStops) {

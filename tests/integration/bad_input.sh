@@ -145,6 +145,29 @@ fit_expression 'column 6: an exponent must not depend on a signal' 'x = T^T'
 fit_expression 'has the name of an effect of the catalogue' 'bias = T'
 fit_expression "^expression 'x': is not finite over these recordings" 'x = T^0.5'
 fit_expression '^good\.csv: x needs the column magnetic_ut' 'x = B*T'
+fit_expression '^expression: has a line break in it; write it on one line' $'x = T\n'
+for command in "add good.model good.csv -o kept" "diagnose good.model good.csv"; do
+  read -ra words <<<"$command"
+  its_expression() { refuses "$1" "${words[@]}" --effect-expr "$2"; }
+  its_expression "^expression 'x = T \* ': column 9: it ends too early" 'x = T * '
+  its_expression "column 5: there is no signal 'Q'; there are T" 'x = Q'
+  its_expression 'has the name of an effect of the catalogue; choose another' 'bias = T'
+  its_expression "^expression 'x': is not finite over these recordings" 'x = T^0.5'
+  its_expression "^expression 'x': is 0 all the time on these recordings" 'x = T - T'
+  its_expression '^good\.csv: x needs the column magnetic_ut; add it, or leave the effect out' 'x = B*T'
+  its_expression "^expression '': column 1: a name and '=' come first" ''
+done
+"$fogcomp" fit good.csv -o own.model --effects bias --effect-expr 'own = T*dTdt' >/dev/null
+taken="^expression 'own = T': has the name of another term; choose another"
+refuses "$taken" add own.model good.csv -o kept --effect-expr 'own = T'
+refuses "$taken" diagnose own.model good.csv --effect-expr 'own = T'
+refuses "^expression 'x = T\^2': has the name of another term" \
+  diagnose good.model good.csv --effect-expr 'x = T' --effect-expr 'x = T^2'
+refuses "^--effect-expr: is one effect and 'thermal_lag:tau=9' another; add them one after the other" \
+  add good.model thermal_lag:tau=9 good.csv -o kept --effect-expr 'x = T'
+refuses '^fogcomp add: --effect-expr is given twice' add good.model good.csv -o kept --effect-expr 'x = T' --effect-expr 'y = T'
+refuses '^fogcomp add: expects MODEL .*--effect-expr' add good.model good.csv -o kept
+refuses '^fogcomp add: expects MODEL' add good.model -o kept --effect-expr 'x = T'
 "$fogcomp" fit good.csv -o divided.model --effects bias --effect-expr 'x = 1/(dTdt+5)' >/dev/null
 refuses "^expression 'x': cannot go to the board: a divisor goes from" export divided.model -o kept
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "identification/effect_list.hpp"
+#include "model/catalogue.hpp"
 #include "refinement/effect_change.hpp"
 #include "support/input_error.hpp"
 #include "unit/identification/simulated_gyro.hpp"
@@ -40,7 +41,9 @@ fogcomp::TrainingRuns runs_of(const Model& real, const std::vector<std::uint64_t
 Addition add(const std::string& model, const std::string& effect, const Model& real,
              const std::vector<std::uint64_t>& seeds,
              const std::vector<fogcomp::RunInBlocks>& holdouts = {}) {
-  return add_effect(model_of(model), effect, runs_of(real, seeds), holdouts, {});
+  const Model given = model_of(model);
+  return add_effect(given, fogcomp::change_effect(given.terms, effect), runs_of(real, seeds),
+                    holdouts, {});
 }
 
 const std::string kComplete = "bias,bias_temperature:order=3,temperature_rate";
@@ -138,7 +141,9 @@ TEST(AddEffect, LeavesStretchesOutWhereOneRunAloneShowsTheEffect) {
     }
     training.runs.push_back(fogcomp::run_in_blocks(recording, 10));
   }
-  const Addition result = add_effect(model_of(kComplete), "vibration", training, {}, {});
+  const Model model = model_of(kComplete);
+  const Addition result =
+      add_effect(model, change_effect(model.terms, "vibration"), training, {}, {});
   EXPECT_TRUE(result.accepted) << result.reason;
   EXPECT_NE(result.out_of_sample.how.find("stretches"), std::string::npos);
 }
@@ -158,10 +163,37 @@ TEST(AddEffect, TellsWhatTheHalvesOfTheRunsSay) {
 TEST(AddEffect, RetrainsANetworkOfTheSameSize) {
   Model model = model_of("bias,bias_temperature:order=3");
   model.network = fog::test::paper_like_model().network;
-  const Addition result = add_effect(model, "temperature_rate", runs_of(truth(), {1}), {}, {});
+  const fogcomp::EffectChange change = fogcomp::change_effect(model.terms, "temperature_rate");
+  const Addition result = add_effect(model, change, runs_of(truth(), {1}), {}, {});
   EXPECT_TRUE(result.accepted);
   EXPECT_EQ(result.model.network.hidden.biases.size(), 3);
   EXPECT_NE(result.model.network.hidden.biases[0], model.network.hidden.biases[0]);
+}
+
+TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
+  Model real = truth();
+  fogcomp::EffectTerm late = fogcomp::expression_term("late = lag(dTdt^2, 900)");
+  late.coefficients_dph = {0.1};
+  real.terms.push_back(late);
+  const Model model = model_of(kComplete);
+  const std::string definition = "late = lag(dTdt^2, ?tau[60,6000])";
+  const auto add_to = [&](const Model& gyro, std::uint64_t seed) {
+    return add_effect(model, fogcomp::change_expression(model.terms, definition),
+                      runs_of(gyro, {seed}), {}, {});
+  };
+  const Addition right = add_to(real, 1);
+  EXPECT_TRUE(right.accepted) << right.reason;
+  EXPECT_EQ(right.model.history.back().action, "add " + definition);
+  const fogcomp::EffectTerm& term = right.model.terms[right.changed];
+  EXPECT_NEAR(term.parameters[0], 900, 4 * term.parameter_sigma[0]);
+  const double sigma =
+      fogcomp::in_natural_unit(term.sigma_dph[0], fogcomp::info_of(term).coefficients[0]);
+  EXPECT_LT(sigma, 0.01);
+  EXPECT_NEAR(natural_coefficient(term, 0), 0.1, 4 * sigma);
+  int useless = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    useless += add_to(truth(), seed).accepted ? 1 : 0;
+  EXPECT_LE(useless, 1);  // kLeastGain lets about one in 100 pass
 }
 
 TEST(EffectChange, RaisesWhatIsThere) {
@@ -188,6 +220,15 @@ TEST(EffectChange, GrowsAnEffectThatIsThereAlready) {
   const auto second = fogcomp::change_effect(terms, "thermal_hysteresis");
   EXPECT_TRUE(second.terms[2].identified[1]);
   EXPECT_GT(second.terms[2].parameters[1], 0);
+}
+
+TEST(EffectChange, RefusesAnExpressionWhoseNameIsTaken) {
+  auto terms = fogcomp::parse_effects("bias");
+  terms = fogcomp::change_expression(terms, "own = T*dTdt").terms;
+  ASSERT_EQ(terms.size(), 2U);
+  for (const char* const definition : {"own = T", "bias = T", "thermal_lag = T", "own", ""}) {
+    EXPECT_THROW(fogcomp::change_expression(terms, definition), fogcomp::InputError) << definition;
+  }
 }
 
 TEST(EffectChange, RefusesWhatChangesNothing) {

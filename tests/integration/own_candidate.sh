@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# own_candidate.sh FOGCOMP: something is hidden that the catalogue does not have. diagnose calls it unknown, and names
+# an expression that is offered and describes it; the command that it proposes adds that, the error falls on a run that
+# was held out, and nothing of it is left to be found.
+set -euo pipefail
+fogcomp=$(realpath "${1:?usage: own_candidate.sh FOGCOMP}")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+fail() {
+  echo "FAILED: $1" >&2
+  exit 1
+}
+
+# value FILE KEY...: a member of a JSON file.
+value() {
+  local file=$1
+  shift
+  printf 'file(READ "%s" text)\nstring(JSON value GET "${text}" %s)\nmessage("${value}")\n' \
+    "$file" "$*" >value.cmake
+  cmake -P value.cmake 2>&1
+}
+
+# Strain that follows the square of the temperature rate, late: in the simulator alone.
+hidden=squared_lag:scale=3
+"$fogcomp" simulate -o run.csv --seed 4 --effect $hidden >/dev/null
+"$fogcomp" simulate -o second.csv --seed 5 --profile reversed --effect $hidden >/dev/null
+known=bias,bias_temperature,temperature_rate,temperature_rate_product,polarization_ripple,warm_up
+"$fogcomp" fit run.csv -o gyro.model --effects $known >/dev/null
+
+"$fogcomp" diagnose gyro.model run.csv >alone.txt
+grep -q '^something is missing that no effect of the catalogue explains' alone.txt || fail "$(cat alone.txt)"
+grep -q '^  next: .*--effect-expr' alone.txt || fail "no word of expressions: $(cat alone.txt)"
+
+# What does not describe it is not named.
+"$fogcomp" diagnose gyro.model run.csv --effect-expr 'burst = T*T*dTdt' >wrong.txt
+grep -q '^something is missing that no effect .* and no expression offered explains' wrong.txt || fail "$(cat wrong.txt)"
+
+stress='stress = lag(dTdt^2, ?tau[60,3000])'
+"$fogcomp" diagnose gyro.model run.csv --effect-expr 'burst = T*T*dTdt' --effect-expr "$stress" >named.txt
+head -n 6 named.txt
+grep -qF 'missing effect: stress (lag(dTdt^2, ?tau[60,3000]))' named.txt || fail "$(cat named.txt)"
+"$fogcomp" diagnose gyro.model run.csv --effect-expr "$stress" --json >named.json
+[[ $(value named.json verdict) == missing_effect && $(value named.json effect) == stress ]] || fail 'verdict'
+[[ $(value named.json candidates 0 effect) == stress ]] || fail 'candidates'
+awk -v tau="$(value named.json candidates 0 parameters tau)" -v k="$(value named.json candidates 0 parameters k)" \
+  'BEGIN { exit !(tau > 1000 && tau < 2200 && k > 0.2 && k < 0.5) }' || fail "parameters: $(cat named.json)"
+
+# The command that it says, as it says it.
+next=$(sed -n 's/^  next: fogcomp //p' named.txt)
+[[ $next == "add gyro.model run.csv --effect-expr '$stress' -o NEW.model" ]] || fail "next: $next"
+eval "\"\$fogcomp\" $next --holdout second.csv --json" >add.json
+[[ $(value add.json accepted) == ON && $(value add.json effect) == stress ]] || fail "$(cat add.json)"
+awk -v before="$(value add.json runs 1 rms_before_dph)" -v after="$(value add.json runs 1 rms_after_dph)" \
+  'BEGIN { print "held out: " before " -> " after " deg/h rms"; exit !(after < 0.8 * before) }' || fail "$(cat add.json)"
+awk -v tau="$(value add.json parameters tau)" 'BEGIN { exit !(tau > 1300 && tau < 1700) }' || fail "$(cat add.json)"
+"$fogcomp" history NEW.model --json >history.json
+[[ $(value history.json steps 1 action) == "add $stress" ]] || fail "$(cat history.json)"
+grep -q '^expression stress ' NEW.model || fail 'not in the model'
+
+# A model with an expression in it is diagnosed like any other.
+"$fogcomp" diagnose NEW.model second.csv --json >again.json
+[[ $(value again.json verdict) == none ]] || fail "$(cat again.json)"
+
+# Two things missing: the ladder takes the catalogue's and the expression.
+"$fogcomp" fit run.csv -o less.model --effects ${known/,temperature_rate,/,} >/dev/null
+"$fogcomp" diagnose less.model run.csv --max-effects 4 --effect-expr "$stress" >ladder.txt
+sed -n '/^error ladder/,$p' ladder.txt
+grep -q '^  + temperature_rate' ladder.txt && grep -q '^  + stress' ladder.txt || fail "$(cat ladder.txt)"
+
+# What this gyro does not have is refused, exit code 1, unless forced.
+status=0
+"$fogcomp" add NEW.model run.csv --effect-expr 'wave = sin(T / 3)' -o wave.model >refused.txt || status=$?
+[[ $status == 1 && ! -e wave.model ]] || fail "$(cat refused.txt)"
+grep -q '^refused: does not help out of sample' refused.txt || fail "$(cat refused.txt)"
+"$fogcomp" add NEW.model run.csv --effect-expr 'wave = sin(T / 3)' -o wave.model --force >forced.txt
+grep -q '^written by --force: wave.model' forced.txt || fail "$(cat forced.txt)"
