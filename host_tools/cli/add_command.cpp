@@ -188,7 +188,7 @@ Command add_command() {
       {"seed", "N", "of the network's first weights", "1"},
       {"json", "", "one JSON object on stdout", ""},
   };
-  for (Option& option : recording_options()) command.options.push_back(std::move(option));
+  add_recording_options(command);
   command.run = run_add;
   return command;
 }

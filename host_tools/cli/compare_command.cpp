@@ -70,7 +70,7 @@ Command compare_command() {
       {"network", "on|off", "off shows the physical effects alone", "on"},
       {"json", "", "one JSON object on stdout", ""},
   };
-  for (Option& option : recording_options()) command.options.push_back(std::move(option));
+  add_recording_options(command);
   command.run = run_compare;
   return command;
 }

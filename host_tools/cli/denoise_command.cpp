@@ -138,7 +138,7 @@ Command denoise_command() {
   command.options = {{"o", "OUT", "recording to write", ""},
                      {"json", "", "one JSON object on stdout", ""}};
   for (Option& option : denoise_options()) command.options.push_back(std::move(option));
-  for (Option& option : recording_options()) command.options.push_back(std::move(option));
+  add_recording_options(command);
   command.run = run_denoise;
   return command;
 }

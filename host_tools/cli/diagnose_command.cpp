@@ -71,7 +71,7 @@ Command diagnose_command() {
       {"seed", "N", "of the draws that calibrate the test", "1"},
       {"json", "", "one JSON object on stdout", ""},
   };
-  for (Option& option : recording_options()) command.options.push_back(std::move(option));
+  add_recording_options(command);
   command.run = run_diagnose;
   return command;
 }

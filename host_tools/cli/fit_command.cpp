@@ -282,7 +282,7 @@ Command fit_command() {
       {"json", "", "one JSON object on stdout", ""},
   };
   for (Option& option : training_options()) command.options.push_back(std::move(option));
-  for (Option& option : recording_options()) command.options.push_back(std::move(option));
+  add_recording_options(command);
   command.run = run_fit;
   return command;
 }

@@ -123,7 +123,7 @@ Command info_command() {
   command.summary = "segments, noise floor, Allan deviation and sensitivities of a recording";
   command.example = "fogcomp info run.csv --latitude 40 --axis up";
   command.options = {average_option(), {"json", "", "print one JSON object", ""}};
-  for (Option& option : recording_options()) command.options.push_back(std::move(option));
+  add_recording_options(command);
   command.run = run;
   return command;
 }

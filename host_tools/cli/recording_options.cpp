@@ -4,12 +4,13 @@
 
 #include "cli/arguments.hpp"
 #include "support/input_error.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::cli {
 namespace {
 
 constexpr double kEarthRateDph = 15.041067;  // sidereal
-constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
+constexpr double kRadiansPerDegree = kPi / 180;
 
 double earth_rate_dph(const Arguments& arguments) {
   if (!arguments.has("latitude")) {
@@ -25,14 +26,15 @@ double earth_rate_dph(const Arguments& arguments) {
 
 }  // namespace
 
-std::vector<Option> recording_options() {
-  return {
+void add_recording_options(Command& command) {
+  const std::vector<Option> options{
       {"scale-factor", "C", "counts per deg/s of a `counts` column or a sensor stream", ""},
       {"skip-bad-rows", "", "leave bad rows out and count them instead of stopping", ""},
       {"latitude", "DEG", "subtract the Earth rate there, for a file without input_rate_dph", ""},
       {"axis", "up|down", "where the input axis points, with --latitude", "up"},
       {"rate", "HZ", "sample rate of a captured sensor stream", "200"},
   };
+  command.options.insert(command.options.end(), options.begin(), options.end());
 }
 
 ReadOptions read_options(const Arguments& arguments) {

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <vector>
-
 #include "cli/command.hpp"
 #include "dataset/recording.hpp"
 
 namespace fogcomp::cli {
 
-/// The options of every command that reads recordings: --scale-factor, --skip-bad-rows, --latitude,
-/// --axis, --rate.
-std::vector<Option> recording_options();
+/// Gives a command the options of all that read recordings: --scale-factor, --skip-bad-rows,
+/// --latitude, --axis, --rate.
+void add_recording_options(Command& command);
 
 /// Their values. Throws InputError for a value out of range, or --axis without --latitude.
 ReadOptions read_options(const Arguments& arguments);

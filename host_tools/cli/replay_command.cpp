@@ -109,7 +109,7 @@ Command replay_command() {
   command.options = {{"o", "OUT", "output stream to write", ""},
                      {"json", "", "one JSON object on stdout", ""}};
   for (Option& option : board_options()) command.options.push_back(std::move(option));
-  for (Option& option : recording_options()) command.options.push_back(std::move(option));
+  add_recording_options(command);
   command.run = run_replay;
   return command;
 }
@@ -122,7 +122,7 @@ Command stream_command() {
   command.summary = "the sensor stream in which a board would see a recording";
   command.example = "fogcomp stream fog_model.h run.csv -o in.bin";
   command.options = {{"o", "OUT", "sensor stream to write", ""}};
-  for (Option& option : recording_options()) command.options.push_back(std::move(option));
+  add_recording_options(command);
   command.run = run_stream;
   return command;
 }

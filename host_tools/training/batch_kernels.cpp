@@ -2,43 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 
-// Functions on packs are all inlined: how a register would be passed between them is nobody's ABI.
-#pragma GCC diagnostic ignored "-Wpsabi"
+#include "support/packs.hpp"
 
 namespace fogcomp {
 namespace {
 
-// The registers of a processor: doubles, 64-bit integers of the same width, and doubles in memory
-// at any address.
-struct Sse2 {
-  using Pack = double __attribute__((vector_size(16)));
-  using Bits = std::int64_t __attribute__((vector_size(16)));
-  using InMemory = double __attribute__((vector_size(16), aligned(8), may_alias));
-};
-struct Avx2 {
-  using Pack = double __attribute__((vector_size(32)));
-  using Bits = std::int64_t __attribute__((vector_size(32)));
-  using InMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
-};
-
 template <class R>
-constexpr std::size_t kLanes = sizeof(typename R::Pack) / sizeof(double);
-template <class R>
-constexpr std::size_t kPacks = kBatchStep / kLanes<R>;
-
-// The loops exist once; forced inlining compiles them for the target of whoever calls them.
-#define FOGCOMP_INLINE [[gnu::always_inline]] inline
-
-template <class R>
-FOGCOMP_INLINE typename R::Pack load(const double* from) {
-  return *reinterpret_cast<const typename R::InMemory*>(from);
-}
-template <class R>
-FOGCOMP_INLINE void store(double* to, typename R::Pack pack) {
-  *reinterpret_cast<typename R::InMemory*>(to) = pack;
-}
+constexpr std::size_t kBatchPacks = kBatchStep / kLanes<R>;
 
 // 1 / (1 + exp(-x)). With -x = n ln 2 + r and Cody and Waite's rational form
 // exp(r) = (q + p) / (q - p) (coefficients: Cephes, exp.c), one division makes it:
@@ -111,10 +82,10 @@ double total(const Lanes& lanes) {
 
 template <class R>
 struct Sum {
-  typename R::Pack packs[kPacks<R>] = {};
+  typename R::Pack packs[kBatchPacks<R>] = {};
 
   FOGCOMP_INLINE void add_to(Lanes& lanes) const {
-    for (std::size_t p = 0; p < kPacks<R>; ++p) {
+    for (std::size_t p = 0; p < kBatchPacks<R>; ++p) {
       double* at = lanes.data() + p * kLanes<R>;
       store<R>(at, load<R>(at) + packs[p]);
     }
@@ -161,7 +132,7 @@ FOGCOMP_INLINE void judge(const Perceptron& shape, const BatchColumns& batch, st
                           std::size_t count, double* output, Lanes& cost) {
   for (std::size_t i = 0; i < count; i += kBatchStep) {
     Sum<R> square;
-    for (std::size_t p = 0; p < kPacks<R>; ++p) {
+    for (std::size_t p = 0; p < kBatchPacks<R>; ++p) {
       const std::size_t at = i + p * kLanes<R>;
       const typename R::Pack y = load<R>(output + at);
       const typename R::Pack error = load<R>(batch.target + first + at) - y;
@@ -179,7 +150,7 @@ FOGCOMP_INLINE void add_products(const double* a, const double* b, std::size_t c
                                  Lanes& lanes) {
   Sum<R> sum;
   for (std::size_t i = 0; i < count; i += kBatchStep) {
-    for (std::size_t p = 0; p < kPacks<R>; ++p) {
+    for (std::size_t p = 0; p < kBatchPacks<R>; ++p) {
       const std::size_t at = i + p * kLanes<R>;
       sum.packs[p] += load<R>(a + at) * load<R>(b + at);
     }
@@ -191,7 +162,7 @@ template <class R>
 FOGCOMP_INLINE void add_values(const double* a, std::size_t count, Lanes& lanes) {
   Sum<R> sum;
   for (std::size_t i = 0; i < count; i += kBatchStep) {
-    for (std::size_t p = 0; p < kPacks<R>; ++p) sum.packs[p] += load<R>(a + i + p * kLanes<R>);
+    for (std::size_t p = 0; p < kBatchPacks<R>; ++p) sum.packs[p] += load<R>(a + i + p * kLanes<R>);
   }
   sum.add_to(lanes);
 }
@@ -291,16 +262,8 @@ void outputs_portable(const Perceptron& shape, const double* w, const BatchColum
   all_outputs<Avx2>(shape, w, batch, hidden, output);
 }
 constexpr BatchKernels kAvx2BatchKernels{cost_avx2, cost_and_gradient_avx2, outputs_avx2};
-
-bool has_avx2() {
-  return __builtin_cpu_supports("avx2");
-}
 #else
 constexpr BatchKernels kAvx2BatchKernels{};
-
-bool has_avx2() {
-  return false;
-}
 #endif
 
 }  // namespace
