@@ -5,15 +5,12 @@
 #include <array>
 #include <cmath>
 
-#include "dataset/segments.hpp"
 #include "diagnosis/explained_space.hpp"
 #include "diagnosis/hypotheses.hpp"
 #include "diagnosis/null_test.hpp"
 #include "diagnosis/visible_part.hpp"
-#include "evaluation/noise_floor.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/quiet_rows.hpp"
-#include "identification/required_inputs.hpp"
 #include "model/catalogue.hpp"
 #include "support/chi_square.hpp"
 #include "support/input_error.hpp"
@@ -446,37 +443,6 @@ class Diagnoser {
 
 }  // namespace
 
-void DiagnosisData::add(const Recording& recording) {
-  const BlockSeries blocks = make_blocks(recording);
-  require_inputs(offered_, blocks);
-  const auto first_row = static_cast<std::size_t>(series_.rows().size());
-  series_.add(blocks);
-  inputs_ &= blocks.inputs;
-  const Rows& rows = series_.rows();
-  std::size_t first = first_row;
-  for (const fogcomp::Segment& segment : find_segments(recording)) {
-    const double end_s =
-        segment.end_row < recording.rows() ? recording.time_s[segment.end_row] : HUGE_VAL;
-    std::size_t end = first;
-    while (end < rows.time_s.size() && rows.time_s[end] < end_s) ++end;
-    if (end > first) {
-      segments_.push_back(
-          {segment.name, static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(end)});
-    }
-    first = end;
-  }
-  if (const auto floor = fogcomp::noise_floor_dph(recording, rows.row_s)) {
-    const auto count = static_cast<double>(rows.time_s.size() - first_row);
-    floor_square_rows_ += *floor * *floor * count;
-    floor_rows_ += count;
-  }
-}
-
-std::optional<double> DiagnosisData::noise_floor_dph() const {
-  if (floor_rows_ == 0) return std::nullopt;
-  return std::sqrt(floor_square_rows_ / floor_rows_);
-}
-
 const char* name_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::none:
@@ -518,30 +484,6 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
     if (main) return most->effect;
   }
   return "";
-}
-
-NoiseModel noise_of_static(const Model& model, const Recording& recording,
-                           const DiagnosisData& data) {
-  constexpr Eigen::Index kLeastStaticRows = 128;
-  const double row_s = data.series().rows().row_s;
-  Model averaging = model;
-  averaging.terms.clear();
-  averaging.average_s = row_s;
-  SignalSeries series(averaging, Phase::zero);
-  series.add(make_blocks(recording));
-  const Rows& rows = series.rows();
-  if (std::abs(rows.row_s - row_s) > 1e-6 * row_s) {
-    throw InputError(recording.file, format("has rows of %g s, the others of %g s; choose an "
-                                            "--average that suits both",
-                                            rows.row_s, row_s));
-  }
-  if (rows.size() < kLeastStaticRows) {
-    throw InputError(recording.file,
-                     format("%td rows of %g s at rest are too few for --static; at least %td",
-                            rows.size(), row_s, kLeastStaticRows));
-  }
-  return fit_noise({{rows.drift_dph}}, row_s,
-                   std::max(longest_run_s(rows), longest_run_s(data.series().rows())));
 }
 
 Diagnosis diagnose(const Model& model, const DiagnosisData& data,

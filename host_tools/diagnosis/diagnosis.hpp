@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "dataset/recording.hpp"
 #include "diagnosis/candidates.hpp"
+#include "diagnosis/diagnosis_data.hpp"
 #include "diagnosis/experiment.hpp"
 #include "diagnosis/structure.hpp"
 #include "identification/noise_model.hpp"
@@ -14,39 +14,6 @@
 #include "model/model.hpp"
 
 namespace fogcomp {
-
-/// Recordings as a diagnosis sees them: signals without delay, segments by name; and expressions to
-/// be tried on them beside the catalogue.
-class DiagnosisData {
- public:
-  /// `model` gives averaging and derivative; it must outlive this. `offered`: expressions without
-  /// coefficients, none of them in the model by name.
-  explicit DiagnosisData(const Model& model, std::vector<EffectTerm> offered = {})
-      : series_(model, Phase::zero), offered_(std::move(offered)) {}
-
-  /// Throws InputError where a recording lacks what the model or an expression offered needs.
-  void add(const Recording& recording);
-
-  struct Segment {
-    std::string name;
-    Eigen::Index first = 0;  ///< row
-    Eigen::Index end = 0;
-  };
-  const SignalSeries& series() const { return series_; }
-  const std::vector<EffectTerm>& offered() const { return offered_; }
-  const std::vector<Segment>& segments() const { return segments_; }
-  fog::InputMask inputs() const { return inputs_; }
-  /// Of a row, from the recordings alone; the rms of all; none where they are too short.
-  std::optional<double> noise_floor_dph() const;
-
- private:
-  SignalSeries series_;
-  std::vector<EffectTerm> offered_;
-  std::vector<Segment> segments_;
-  fog::InputMask inputs_ = ~fog::InputMask{0};
-  double floor_square_rows_ = 0;
-  double floor_rows_ = 0;
-};
 
 enum class Verdict : std::uint8_t { none, missing_effect, ambiguous, unknown };
 const char* name_of(Verdict verdict);
@@ -101,10 +68,10 @@ struct Diagnosis {
   NoiseModel noise;
   Eigen::Index rows = 0;
   double row_s = 0;
+  std::vector<std::string> notes;  ///< whole sentences: what limits the answer
+
   /// What is said of an effect; nullptr where it cannot be tested.
   const CandidateFinding* find(const std::string& name) const;
-
-  std::vector<std::string> notes;  ///< whole sentences: what limits the answer
 };
 
 /// What to add: the effect that is named; of those that cannot be told apart the likeliest, unless
@@ -116,11 +83,6 @@ struct DiagnosisSettings {
   std::optional<NoiseModel> noise;  ///< from a static record; otherwise from the runs' quiet parts
   std::uint64_t seed = 1;           ///< of the draws that calibrate the test
 };
-
-/// The noise of a recording at rest, for `data`'s row length. Throws InputError where that differs
-/// or the recording is too short.
-NoiseModel noise_of_static(const Model& model, const Recording& recording,
-                           const DiagnosisData& data);
 
 /// Finds out whether the effects of `model` leave more than noise, and which effect of the
 /// catalogue, or expression of data.offered(), is missing if so. Its network, if any, is left out.

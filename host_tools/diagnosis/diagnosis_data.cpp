@@ -1,0 +1,66 @@
+#include "diagnosis/diagnosis_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evaluation/run_in_blocks.hpp"
+#include "identification/required_inputs.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+
+void DiagnosisData::add(const Recording& recording) {
+  const RunInBlocks run = run_in_blocks(recording, average_s_);
+  require_inputs(offered_, run.blocks);
+  const std::size_t first_row = series_.rows().time_s.size();
+  series_.add(run.blocks);
+  inputs_ &= run.blocks.inputs;
+  const Rows& rows = series_.rows();
+  std::size_t first = first_row;
+  for (const RunInBlocks::TimedSegment& segment : run.segments) {
+    std::size_t end = first;
+    while (end < rows.time_s.size() && rows.time_s[end] < segment.end_s) ++end;
+    if (end > first) {
+      segments_.push_back(
+          {segment.name, static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(end)});
+    }
+    first = end;
+  }
+  if (run.noise_floor_dph) {
+    const auto count = static_cast<double>(rows.time_s.size() - first_row);
+    floor_square_rows_ += *run.noise_floor_dph * *run.noise_floor_dph * count;
+    floor_rows_ += count;
+  }
+}
+
+std::optional<double> DiagnosisData::noise_floor_dph() const {
+  if (floor_rows_ == 0) return std::nullopt;
+  return std::sqrt(floor_square_rows_ / floor_rows_);
+}
+
+NoiseModel noise_of_static(const Model& model, const Recording& recording,
+                           const DiagnosisData& data) {
+  constexpr Eigen::Index kLeastStaticRows = 128;
+  const double row_s = data.series().rows().row_s;
+  Model averaging = model;
+  averaging.terms.clear();
+  averaging.average_s = row_s;
+  SignalSeries series(averaging, Phase::zero);
+  series.add(make_blocks(recording));
+  const Rows& rows = series.rows();
+  if (std::abs(rows.row_s - row_s) > 1e-6 * row_s) {
+    throw InputError(recording.file, format("has rows of %g s, the others of %g s; choose an "
+                                            "--average that suits both",
+                                            rows.row_s, row_s));
+  }
+  if (rows.size() < kLeastStaticRows) {
+    throw InputError(recording.file,
+                     format("%td rows of %g s at rest are too few for --static; at least %td",
+                            rows.size(), row_s, kLeastStaticRows));
+  }
+  return fit_noise({{rows.drift_dph}}, row_s,
+                   std::max(longest_run_s(rows), longest_run_s(data.series().rows())));
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dataset/recording.hpp"
+#include "identification/noise_model.hpp"
+#include "identification/signal_series.hpp"
+#include "model/model.hpp"
+
+namespace fogcomp {
+
+/// Recordings as a diagnosis sees them: signals without delay, segments by name; and expressions to
+/// be tried on them beside the catalogue.
+class DiagnosisData {
+ public:
+  /// `model` gives averaging and derivative; it must outlive this. `offered`: expressions without
+  /// coefficients, none of them in the model by name.
+  explicit DiagnosisData(const Model& model, std::vector<EffectTerm> offered = {})
+      : average_s_(model.average_s), series_(model, Phase::zero), offered_(std::move(offered)) {}
+
+  /// Throws InputError where a recording lacks what the model or an expression offered needs.
+  void add(const Recording& recording);
+
+  struct Segment {
+    std::string name;
+    Eigen::Index first = 0;  ///< row
+    Eigen::Index end = 0;
+  };
+  const SignalSeries& series() const { return series_; }
+  const std::vector<EffectTerm>& offered() const { return offered_; }
+  const std::vector<Segment>& segments() const { return segments_; }
+  fog::InputMask inputs() const { return inputs_; }
+  /// Of a row, from the recordings alone; the rms of all; none where they are too short.
+  std::optional<double> noise_floor_dph() const;
+
+ private:
+  double average_s_;
+  SignalSeries series_;
+  std::vector<EffectTerm> offered_;
+  std::vector<Segment> segments_;
+  fog::InputMask inputs_ = ~fog::InputMask{0};
+  double floor_square_rows_ = 0;
+  double floor_rows_ = 0;
+};
+
+/// The noise of a recording at rest, for `data`'s row length. Throws InputError where that differs
+/// or the recording is too short.
+NoiseModel noise_of_static(const Model& model, const Recording& recording,
+                           const DiagnosisData& data);
+
+}  // namespace fogcomp
