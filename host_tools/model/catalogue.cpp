@@ -80,8 +80,9 @@ TermInfo info_of(const EffectTerm& term) {
   }
   const CatalogueEntry& entry = find_effect(term.name);
   info.equation = entry.description.equation;
-  for (const auto& parameter : entry.parameters) {
-    info.parameters.push_back({parameter.name, parameter.unit, catalogue_bounds(parameter)});
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    const fog::ParameterDescription& parameter = entry.parameters[i];
+    info.parameters.push_back({parameter.name, parameter.unit, catalogue_bounds(entry, i)});
   }
   info.coefficients = entry.coefficients;
   info.needs = entry.description.needs;
@@ -123,10 +124,10 @@ fog::InputMask needs_of(const Model& model) {
   return needs;
 }
 
-ShapeBounds catalogue_bounds(const fog::ParameterDescription& parameter) {
-  const double least = parameter.least_milli / 1000.0;
-  const double most = parameter.most_milli / 1000.0;
-  return {least == 0 ? most / 80 : least, most};
+ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index) {
+  const bool second = index > 0 && entry.parameters[index].least_milli == 0;
+  const fog::ParameterDescription& parameter = entry.parameters[second ? index - 1 : index];
+  return {parameter.least_milli / 1000.0, parameter.most_milli / 1000.0};
 }
 
 std::vector<std::string> effect_names() {

@@ -76,7 +76,7 @@ TEST(Diagnosis, NamesTheEffectThatIsMissing) {
     fogcomp::EffectTerm term;
     const char* declared;
   } kCases[] = {
-      {fog::test::natural_term("polarization_ripple", {13}, {0.012, 0.006}), kBasic},
+      {fog::test::natural_term("polarization_ripple", {13, 0}, {0.012, 0.006}), kBasic},
       {fog::test::natural_term("thermal_hysteresis", {6, 0}, {0.02}), kBasic},
       {fog::test::natural_term("temperature_rate_product", {}, {9e-4}), kBasic},
       {basic()[2], "bias,bias_temperature:order=2"},
@@ -139,7 +139,7 @@ TEST(Diagnosis, RefusesTooFewRows) {
 TEST(Ladder, FindsTwoEffectsAndStops) {
   const Model model = model_of(fogcomp::parse_effects("bias,bias_temperature:order=2"));
   fogcomp::DiagnosisData data(model);
-  data.add(recording_with({fog::test::natural_term("polarization_ripple", {13}, {0.02, 0})}, 2));
+  data.add(recording_with({fog::test::natural_term("polarization_ripple", {13, 0}, {0.02, 0})}, 2));
   const fogcomp::Ladder ladder = fogcomp::walk_ladder(model, data, 4);
   std::vector<std::string> added = ladder.added();
   std::sort(added.begin(), added.end());
