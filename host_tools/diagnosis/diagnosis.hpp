@@ -8,6 +8,7 @@
 #include "dataset/recording.hpp"
 #include "diagnosis/candidates.hpp"
 #include "diagnosis/experiment.hpp"
+#include "diagnosis/network_learnt.hpp"
 #include "diagnosis/structure.hpp"
 #include "identification/noise_model.hpp"
 #include "identification/signal_series.hpp"
@@ -98,7 +99,8 @@ struct Diagnosis {
   /// What is said of an effect; nullptr where it cannot be tested.
   const CandidateFinding* find(const std::string& name) const;
 
-  std::vector<std::string> notes;  ///< whole sentences: what limits the answer
+  std::optional<NetworkLearnt> network;  ///< of the model, if it has one
+  std::vector<std::string> notes;        ///< whole sentences: what limits the answer
 };
 
 /// What to add: the effect that is named; of those that cannot be told apart the likeliest, unless
@@ -117,7 +119,8 @@ NoiseModel noise_of_static(const Model& model, const Recording& recording,
                            const DiagnosisData& data);
 
 /// Finds out whether the effects of `model` leave more than noise, and which effect of the
-/// catalogue is missing if so. Its network, if any, is left out. The effects are solved for anew
+/// catalogue is missing if so. Its network, if any, is left out, and asked afterwards what it had
+/// learnt. The effects are solved for anew
 /// together with every candidate. Throws InputError for data too short for the model's effects.
 Diagnosis diagnose(const Model& model, const DiagnosisData& data,
                    const DiagnosisSettings& settings = {});
