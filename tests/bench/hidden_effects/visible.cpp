@@ -44,7 +44,7 @@ double fraction_explained(const Eigen::MatrixXd& regressors, const Eigen::Matrix
 
 // What may be moved of a term. A fit looks for a step's time in its own way, here it is a shape.
 std::vector<ShapeParameter> shapes_of(const EffectTerm& term, double longest_s) {
-  if (is_event(term)) return {{0, 0, 0, longest_s, false}};
+  if (is_event(term)) return {{0, 0, 0, longest_s}};
   std::vector<ShapeParameter> shapes = shape_parameters({term});
   for (ShapeParameter& shape : shapes) {
     shape.most = std::min(shape.most, std::max(shape.least * 2, longest_s));
