@@ -61,8 +61,7 @@ template <int kBits>
   if ((static_cast<std::uint32_t>(upper) + (std::uint32_t{1} << (kBits - 1))) >> kBits == 0) {
     return static_cast<std::int32_t>(value >> kBits);
   }
-  return upper < 0 ? std::numeric_limits<std::int32_t>::min()
-                   : std::numeric_limits<std::int32_t>::max();
+  return std::numeric_limits<std::int32_t>::max() ^ (upper >> 31);  // min where negative
 }
 
 /// numerator / denominator rounded to nearest, halves upwards, as round_shift does.
