@@ -6,19 +6,19 @@
 
 #include <stdint.h>
 
-#define FOG_MODEL_LAYOUT 2
+#define FOG_MODEL_LAYOUT 3
 #define FOG_MODEL_EFFECTS 0x7u /* bit = effect id */
 #define FOG_MODEL_EXPRESSIONS 0x0u /* operations and signals; 0: none */
 #define FOG_MODEL_NETWORK_INPUTS 0x3u /* bit = input; 0: no network */
 #define FOG_MODEL_TAPS 16
 #define FOG_MODEL_LEVELS 5
-#define FOG_MODEL_WORDS 136
+#define FOG_MODEL_WORDS 147
 
 static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* magic number, layout version */
-  1179600717, 2,
+  1179600717, 3,
   /* words in this table */
-  136,
+  147,
   /* CRC-32 of the model file */
   1161094726,
   /* sample period, us (200 Hz) */
@@ -65,25 +65,21 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   0,
   /* network: inputs, hidden neurons */
   2, 6,
-  /* input temperature: (x - 11.6) / 50.00625 degC; signal, decay, centre, multiplier, shift */
-  0, 0, 760218, 1374217758, 22,
-  /* input temperature_rate: (x - 0.00327592356) / 0.509213905 degC/min; signal, decay, centre, multiplier, shift */
-  1, 0, 109922, 2108626285, 25,
-  /* hidden layer: activation (logsig), fractional bits */
-  0, 26,
-  /* hidden layer: weights, a row per neuron */
-  -1029775801, -779423759, 91056328, -386036148, -196926637, 237861045, 79134582, -34602672,
-  243671544, 11103939, -463237690, -13046945,
-  /* hidden layer: biases */
-  134503950, -274225588, -141590504, 26022341, -47189608, 101067735,
-  /* output layer: activation (tansig), fractional bits */
-  1, 26,
-  /* output layer: weights, a row per neuron */
-  -20062381, -72554477, 145287410, 712416225, -675608956, -355501502,
-  /* output layer: biases */
-  62325180,
+  /* input temperature: (x - 11.6) / 50.00625 degC; signal, decay, centre, reach, shift */
+  0, 0, 760218, 3277210, 9,
+  /* input temperature_rate: (x - 0.00327592356) / 0.509213905 degC/min; signal, decay, centre, reach, shift */
+  1, 0, 109922, 17086383, 6,
+  /* fractional bits that large weights cost: hidden neurons, output */
+  2, 2,
+  /* hidden neurons (logsig): bias, 4 weights, weight in the output */
+  67251975, -1317948282, -1530641155, 0, 0, -40124762, -137112794, 116537533, -758102134, 0, 0,
+  -145108954, -70795252, -252034591, 467114199, 0, 0, 290574820, 13011171, 101279605, -67953117, 0,
+  0, 1424832450, -23594804, 311860594, 21806040, 0, 0, -1351217912, 50533868, -592870135, -25621738,
+  0, 0, -711003004,
+  /* output (tansig): bias, 1 if linear */
+  -70686661, 0,
   /* drift = 0 + 0.138871485 y deg/h */
-  0, 298224243,
+  0, 9101,
   /* denoiser (sym8): levels, taps, rule (heursure), mode (soft) */
   5, 16, 2, 0,
   /* low-pass taps / sqrt 2, times 2^31 */
@@ -100,7 +96,7 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* output: 0 KVH format A, 1 compact, 2 both */
   0,
   /* CRC-32 of the words above */
-  824479433,
+  -1564102847,
 };
 
 #endif

@@ -6,8 +6,8 @@ namespace fog {
 
 // One instruction (QSUB) where the processor has it, which no compiler finds by itself.
 
-/// The nearest value to a - b that 32 bits hold.
 #if defined(__ARM_FEATURE_DSP)
+/// The nearest value to a - b that 32 bits hold.
 inline std::int32_t saturating_difference(std::int32_t a, std::int32_t b) {
   return __builtin_arm_qsub(a, b);
 }

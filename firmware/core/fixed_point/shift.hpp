@@ -9,9 +9,10 @@
 namespace fog {
 
 /// value / 2^bits, rounded to the nearest integer, halves upwards (towards +infinity): add half,
-/// then shift arithmetically. The only lossy step of the whole core; the Cortex-M4 instruction
-/// SMMULR rounds the same way. 0 <= bits < width of Int; no overflow for any value. Right shifts of
-/// negative numbers are arithmetic on every compiler that C++20 allows, and on GCC.
+/// then shift arithmetically. The only lossy step of the core, but for the upper words inside the
+/// logistic function; the Cortex-M4 instruction SMMULR rounds the same way. 0 <= bits < width of
+/// Int; no overflow for any value. Right shifts of negative numbers are arithmetic on every
+/// compiler that C++20 allows, and on GCC.
 template <typename Int>
 constexpr Int round_shift(Int value, int bits) {
   static_assert(std::is_signed_v<Int>);
