@@ -120,8 +120,11 @@ int run_denoise(const Arguments& arguments) {
     recording.rate_dph[i] = after[i] + input_dph;
   }
   write_recording(recording, output);
-  const auto print = arguments.has("json") ? print_json : print_text;
-  print(output, recording, report, before, after);
+  if (arguments.has("json")) {
+    print_json(output, recording, report, before, after);
+  } else {
+    print_text(output, recording, report, before, after);
+  }
   return 0;
 }
 

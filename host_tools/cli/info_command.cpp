@@ -99,7 +99,7 @@ Json info_json(const Recording& recording, const RunSummary& summary) {
   return object;
 }
 
-int run(const Arguments& arguments) {
+int run_info(const Arguments& arguments) {
   const double block_s = average_s(arguments);
   const Recording recording =
       read_recording(arguments.positionals().front(), read_options(arguments));
@@ -124,7 +124,7 @@ Command info_command() {
   command.example = "fogcomp info run.csv --latitude 40 --axis up";
   command.options = {average_option(), {"json", "", "print one JSON object", ""}};
   add_recording_options(command);
-  command.run = run;
+  command.run = run_info;
   return command;
 }
 

@@ -117,7 +117,7 @@ std::size_t write_run(Simulation& simulation, RecordingWriter& recording, TruthW
   return rows;
 }
 
-int run(const Arguments& arguments) {
+int run_simulate(const Arguments& arguments) {
   if (arguments.has("list")) {
     print_simulation_list();
     return 0;
@@ -212,7 +212,7 @@ Command simulate_command() {
       {"list", "", "lists profiles, presets, effects and parameters", ""},
       {"json", "", "prints one JSON object", ""},
   };
-  command.run = run;
+  command.run = run_simulate;
   return command;
 }
 

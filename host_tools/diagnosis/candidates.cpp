@@ -1,6 +1,5 @@
 #include "diagnosis/candidates.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,6 +7,7 @@
 #include "dataset/input_columns.hpp"
 #include "identification/effect_list.hpp"
 #include "identification/expression_survey.hpp"
+#include "identification/least_squares.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/shape_search.hpp"
 #include "model/catalogue.hpp"
@@ -18,6 +18,7 @@ namespace {
 constexpr double kLeastVisible = 0.03;
 constexpr double kAlike = 0.85;
 constexpr double kTheSame = 0.98;
+constexpr double kRank = 1e-8;
 constexpr int kFirstPlaces = 7;
 constexpr std::size_t kMostPlaces = 72;  // of one parameter
 constexpr std::array<double, 3> kOtherPlaces{0.2, 0.5, 0.8};
@@ -55,11 +56,33 @@ class ShapeMaker {
 
 // Mean share of a's directions that b explains; 1 for the same subspace.
 double likeness(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  const Eigen::MatrixXd qa = Eigen::HouseholderQR<Eigen::MatrixXd>(a).householderQ() *
-                             Eigen::MatrixXd::Identity(a.rows(), a.cols());
-  const Eigen::MatrixXd qb = Eigen::HouseholderQR<Eigen::MatrixXd>(b).householderQ() *
-                             Eigen::MatrixXd::Identity(b.rows(), b.cols());
-  return (qa.transpose() * qb).squaredNorm() / static_cast<double>(std::max(a.cols(), b.cols()));
+  return (orthonormal(a, kRank).transpose() * orthonormal(b, kRank)).squaredNorm() /
+         static_cast<double>(std::max(a.cols(), b.cols()));
+}
+
+// chi^2 that a shape by itself takes out of the whitened residual.
+double gain_of(const Candidate::Shape& shape, const Eigen::VectorXd& residual) {
+  return (orthonormal(shape.columns, kRank).transpose() * residual).squaredNorm();
+}
+
+std::size_t best_of(const std::vector<Candidate::Shape>& shapes, const Eigen::VectorXd& residual) {
+  const auto less = [&](const Candidate::Shape& a, const Candidate::Shape& b) {
+    return gain_of(a, residual) < gain_of(b, residual);
+  };
+  return static_cast<std::size_t>(std::max_element(shapes.begin(), shapes.end(), less) -
+                                  shapes.begin());
+}
+
+// Half way to the nearest other place of a parameter, down (-1) or up (+1), in units of its range.
+double half_gap(const std::vector<Candidate::Shape>& shapes, const ShapeParameter& parameter,
+                double unit, int direction) {
+  double gap = direction < 0 ? unit : 1 - unit;
+  for (const Candidate::Shape& shape : shapes) {
+    const double other = parameter.to_unit(shape.term.parameters[parameter.index]);
+    const double away = direction * (other - unit);
+    if (away > 1e-6) gap = std::min(gap, away / 2);
+  }
+  return gap;
 }
 
 // Lays one parameter out; the others stay as they are in `term`.
@@ -205,7 +228,55 @@ void add_expressions(const SignalSeries& series, const std::vector<EffectTerm>& 
   }
 }
 
+// Moves one shape to where it explains most, no further than half way to its neighbours.
+void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes, std::size_t index,
+                  const Eigen::VectorXd& residual) {
+  Candidate::Shape& shape = shapes[index];
+  double gain = gain_of(shape, residual);
+  for (const ShapeParameter& parameter : shape_parameters({shape.term})) {
+    double& value = shape.term.parameters[parameter.index];
+    const double start = parameter.to_unit(value);
+    const double down = half_gap(shapes, parameter, start, -1);
+    const double up = half_gap(shapes, parameter, start, +1);
+    for (double share = 0.5; share > 0.05; share /= 2) {
+      const double middle = parameter.to_unit(value);
+      for (const double unit : {middle - share * down, middle + share * up}) {
+        EffectTerm moved = shape.term;
+        moved.parameters[parameter.index] = parameter.from_unit(unit);
+        auto tried = make(moved);
+        if (!tried || gain_of(*tried, residual) <= gain) continue;
+        gain = gain_of(*tried, residual);
+        shape = std::move(*tried);
+        break;
+      }
+    }
+  }
+}
+
 }  // namespace
+
+void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
+             const std::vector<EffectTerm>& terms, const ToVisible& to_visible,
+             const Eigen::VectorXd& residual) {
+  constexpr double kLeastGain = 100;
+  constexpr double kLeading = 0.5;
+  std::vector<std::size_t> best;
+  std::vector<double> gain;
+  for (const Candidate& candidate : candidates) {
+    best.push_back(best_of(candidate.shapes, residual));
+    gain.push_back(gain_of(candidate.shapes[best.back()], residual));
+  }
+  if (gain.empty()) return;
+  const double needed =
+      std::max(kLeastGain, kLeading * *std::max_element(gain.begin(), gain.end()));
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const bool grown = std::any_of(terms.begin(), terms.end(), [&](const EffectTerm& term) {
+      return term.name == candidates[i].effect;
+    });
+    if (gain[i] < needed || grown) continue;
+    move_to_best({series, to_visible, 0}, candidates[i].shapes, best[i], residual);
+  }
+}
 
 CandidateList find_candidates(const SignalSeries& series, const std::vector<EffectTerm>& terms,
                               const std::vector<EffectTerm>& offered, fog::InputMask inputs,

@@ -95,11 +95,12 @@ class Diagnoser {
     result_.noise_floor_dph = data_.noise_floor_dph().value_or(fit_.noise.white_dph());
 
     const ModelRemover remover(rows_, fit_);
+    const ToVisible to_visible = [&](const Eigen::MatrixXd& columns) { return remover(columns); };
     CandidateList list =
-        find_candidates(data_.series(), fit_.terms, data_.offered(), data_.inputs(),
-                        [&](const Eigen::MatrixXd& columns) { return remover(columns); });
+        find_candidates(data_.series(), fit_.terms, data_.offered(), data_.inputs(), to_visible);
     result_.untestable = list.untestable;
     candidates_ = std::move(list.testable);
+    sharpen(candidates_, data_.series(), fit_.terms, to_visible, remover.residual());
     const Structure structure = find_structure(rows_, remover);
 
     ExplainedSpace space(remover.residual());
@@ -115,9 +116,7 @@ class Diagnoser {
     describe_where(structure, remover.residual());
     judge(space, structure, remover.residual());
     if (model_.network.present()) {
-      result_.network =
-          ask_network(model_.network, data_.series(), candidates_,
-                      [&](const Eigen::MatrixXd& columns) { return remover(columns); });
+      result_.network = ask_network(model_.network, data_.series(), candidates_, to_visible);
     }
     if (!fit_.noise.from_quiet_parts && !settings_.noise) {
       result_.notes.emplace_back(

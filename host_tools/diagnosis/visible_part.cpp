@@ -1,11 +1,11 @@
 #include "diagnosis/visible_part.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "diagnosis/hypotheses.hpp"
+#include "identification/least_squares.hpp"
 #include "identification/row_filters.hpp"
 
 namespace fogcomp {
@@ -58,15 +58,6 @@ Eigen::MatrixXd with_priors(const Eigen::MatrixXd& columns) {
   return longer;
 }
 
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
-  Eigen::VectorXd scale = columns.colwise().norm().transpose();
-  scale = scale.unaryExpr([](double norm) { return norm > 0 ? 1 / norm : 1.0; });
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  qr.setThreshold(kRankThreshold);
-  qr.compute(columns * scale.asDiagonal());
-  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
-}
-
 }  // namespace
 
 ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
@@ -89,7 +80,7 @@ ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
   columns.bottomRightCorner(kPriors, kPriors)
       .diagonal()
       .setConstant(std::sqrt(1 + kModelFormTolerance * excess));
-  basis_ = orthonormal(columns);
+  basis_ = orthonormal(columns, kRankThreshold);
   residual_ = without_model(with_priors(fit.whitened_measured));
 }
 

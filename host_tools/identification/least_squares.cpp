@@ -34,6 +34,15 @@ LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& val
   return fit;
 }
 
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshold) {
+  Eigen::VectorXd scale = columns.colwise().norm().transpose();
+  scale = scale.unaryExpr([](double norm) { return norm > 0 ? 1 / norm : 1.0; });
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+  qr.setThreshold(rank_threshold);
+  qr.compute(columns * scale.asDiagonal());
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
 Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows) {
   Eigen::Index width = 0;
   for (const Eigen::MatrixXd& part : parts) width += part.cols();

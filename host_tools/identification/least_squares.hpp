@@ -16,6 +16,10 @@ struct LinearFit {
 /// rows x columns matrix, a value per row.
 LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values);
 
+/// An orthonormal basis of what the columns span, each of them first made one long; directions
+/// below `rank_threshold` of the largest pivot, and columns of zeros, add nothing.
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshold);
+
 /// Matrices of `rows` rows as one; any number of columns each.
 Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows);
 

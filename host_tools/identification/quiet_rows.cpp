@@ -10,7 +10,7 @@ namespace {
 constexpr double kLeastLimit = 0.02;  // degC/min
 constexpr double kShareOfRamps = 0.05;
 constexpr double kRampQuantile = 0.95;
-constexpr std::size_t kLeastRows = 32;
+constexpr std::size_t kLeastQuietRows = 32;
 constexpr double kGap = 1.5;  // rows
 
 double rate_limit(const Rows& rows) {
@@ -66,12 +66,12 @@ class InputJumps {
 std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::VectorXd& residual) {
   std::vector<Eigen::VectorXd> stretches;
   const auto size = static_cast<std::size_t>(rows.size());
-  if (size < kLeastRows) return stretches;
+  if (size < kLeastQuietRows) return stretches;
   const double limit = rate_limit(rows);
   const InputJumps jumps(rows);
   std::size_t begin = 0;
   const auto finish = [&](std::size_t end) {
-    if (end - begin < kLeastRows) return;
+    if (end - begin < kLeastQuietRows) return;
     stretches.push_back(
         residual.segment(static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end - begin)));
   };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identification/effect_list.hpp"
+#include "identification/least_squares.hpp"
 #include "identification/shape_search.hpp"
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
@@ -92,19 +93,6 @@ int declared_order(const Model& model) {
   return term == nullptr ? 0 : static_cast<int>(term->parameters[0]);
 }
 
-// An orthonormal basis of the columns, each of them first made one long; a column of zeros adds
-// nothing.
-Eigen::MatrixXd orthonormal(Eigen::MatrixXd columns) {
-  for (Eigen::Index i = 0; i < columns.cols(); ++i) {
-    const double length = columns.col(i).norm();
-    if (length > 0) columns.col(i) /= length;
-  }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  qr.setThreshold(kRank);
-  qr.compute(columns);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
-}
-
 // Central differences within each recording; 0 at its ends.
 Eigen::MatrixXd derivatives(const Rows& rows, const Eigen::MatrixXd& columns) {
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(columns.rows(), columns.cols());
@@ -174,10 +162,10 @@ BesideDeclared::BesideDeclared(Sight& sight, const std::vector<Eigen::VectorXd>&
     all.middleCols(at, part.cols()) = part;
     at += part.cols();
   }
-  basis_ = orthonormal(all);
+  basis_ = orthonormal(all, kRank);
   Eigen::MatrixXd with_delays(all.rows(), 2 * width);
   with_delays << all, derivatives(sight.series.rows(), all);
-  delays_ = orthonormal(with_delays);
+  delays_ = orthonormal(with_delays, kRank);
 }
 
 Eigen::MatrixXd BesideDeclared::left_of(const Eigen::MatrixXd& columns) const {

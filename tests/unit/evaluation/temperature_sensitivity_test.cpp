@@ -12,7 +12,7 @@ constexpr double kHeating = 0.10;  // deg/h per degC/min
 constexpr double kCooling = 0.08;
 
 /// The paper's programme in blocks of 10 s with a parabola in T and a rate term for each direction.
-Recording record(const std::vector<double>& levels_degc, double soak_min) {
+Recording chamber_record(const std::vector<double>& levels_degc, double soak_min) {
   constexpr double kRampDegcPerMin = 0.5;
   constexpr double kPeriodMin = 1.0 / 6;
   Recording blocks;
@@ -39,7 +39,7 @@ Recording record(const std::vector<double>& levels_degc, double soak_min) {
 }
 
 TEST(TemperatureSensitivity, IsRecoveredFromThePapersProgramme) {
-  const Recording blocks = record({20, -40, 60, 20}, 120);
+  const Recording blocks = chamber_record({20, -40, 60, 20}, 120);
   const TemperatureSensitivity found = temperature_sensitivity(blocks, find_segments(blocks));
   ASSERT_TRUE(found.bias_dph_per_degc.has_value());
   EXPECT_NEAR(*found.bias_dph_per_degc, 3.15e-5 * 60 - 1.76e-4, 1e-5);  // worst at -40
@@ -50,13 +50,13 @@ TEST(TemperatureSensitivity, IsRecoveredFromThePapersProgramme) {
 }
 
 TEST(TemperatureSensitivity, IsAbsentWhereTheRecordingCannotShowIt) {
-  const Recording still = record({20}, 60);
+  const Recording still = chamber_record({20}, 60);
   const TemperatureSensitivity at_rest = temperature_sensitivity(still, find_segments(still));
   EXPECT_FALSE(at_rest.bias_dph_per_degc.has_value());
   EXPECT_FALSE(at_rest.heating_dph_per_degc_per_min.has_value());
   EXPECT_FALSE(at_rest.hysteresis_dph.has_value());
 
-  const Recording ramp = record({-40, 60}, 0);  // offset and rate term look the same
+  const Recording ramp = chamber_record({-40, 60}, 0);  // offset and rate term look the same
   const TemperatureSensitivity one_way = temperature_sensitivity(ramp, find_segments(ramp));
   EXPECT_FALSE(one_way.heating_dph_per_degc_per_min.has_value());
   EXPECT_FALSE(one_way.cooling_dph_per_degc_per_min.has_value());
