@@ -8,7 +8,8 @@
 #include "platform/text_line.hpp"
 
 // What the drift model costs: ticks of the timer (in QEMU: instructions) for one block, over a
-// ramp through the trained range while every input changes. Ends by semihosting.
+// ramp through the trained range while every input changes; then, of that, what the network alone
+// costs from its scaled inputs to its drift. Ends by semihosting.
 namespace fog::app {
 namespace {
 
@@ -28,15 +29,40 @@ Means block_at(std::uint32_t index, const ThermalParameters<BoardNumbers>& therm
   return means;
 }
 
-std::uint32_t ticks_of(Drift& drift, const Means& means) {
+template <class Work>
+std::uint32_t ticks_of(Work work) {
   const std::uint32_t start = platform::instruction_count();
-  drift.step(means);
+  work();
   return platform::instruction_count() - start;
 }
 
-std::uint32_t ticks_of_nothing() {
-  const std::uint32_t start = platform::instruction_count();
-  return platform::instruction_count() - start;
+class Ticks {
+ public:
+  void add(std::uint32_t ticks) {
+    sum_ += ticks;
+    ++count_;
+    if (ticks > most_) most_ = ticks;
+  }
+  void print(const char* name) const {
+    platform::TextLine line;
+    line.text(name).text(": mean ").decimal(sum_ / count_).text(" most ").decimal(most_);
+    hal::write_console(line.text(" ticks\r\n").c_str());
+  }
+
+ private:
+  std::uint32_t sum_ = 0;
+  std::uint32_t count_ = 0;
+  std::uint32_t most_ = 0;
+};
+
+ScaledInputs inputs_at(std::uint32_t index) {
+  ScaledInputs inputs{};
+  std::uint32_t bits = index;
+  for (std::int32_t& input : inputs) {
+    bits = bits * 1664525U + 1013904223U;
+    input = static_cast<std::int32_t>(bits) / 2;
+  }
+  return inputs;
 }
 
 }  // namespace
@@ -49,17 +75,21 @@ void run() {
   static Drift drift(parameters.thermal, parameters.effects, parameters.expressions,
                      parameters.network, parameters.policy);
   drift.start(block_at(0, parameters.thermal));
-  const std::uint32_t overhead = ticks_of_nothing();
-  std::uint32_t sum = 0;
-  std::uint32_t most = 0;
+  const std::uint32_t overhead = ticks_of([] {});
+  Ticks block;
   for (std::uint32_t i = 1; i <= kBlocks; ++i) {
-    const std::uint32_t ticks = ticks_of(drift, block_at(i, parameters.thermal)) - overhead;
-    sum += ticks;
-    if (ticks > most) most = ticks;
+    const Means means = block_at(i, parameters.thermal);
+    block.add(ticks_of([&] { drift.step(means); }) - overhead);
   }
-  platform::TextLine line;
-  line.text("block: mean ").decimal(sum / kBlocks).text(" most ").decimal(most);
-  hal::write_console(line.text(" ticks\r\n").c_str());
+  block.print("block");
+  if constexpr (FOG_MODEL_NETWORK_INPUTS != 0) {
+    Ticks network;
+    for (std::uint32_t i = 1; i <= kBlocks; ++i) {
+      const ScaledInputs inputs = inputs_at(i);
+      network.add(ticks_of([&] { network_drift(parameters.network, inputs); }) - overhead);
+    }
+    network.print("network");
+  }
   platform::semihosting::exit(0);
 }
 

@@ -1,11 +1,16 @@
 #include "core/fixed_point/logistic.hpp"
 
+#include "core/fixed_point/logistic_table.hpp"
+
 namespace fog {
+
+const std::int32_t* const kLogisticNodes = kLogisticTable + 128;
+
 namespace {
 
 ActivationOutput symmetric(ActivationInput x) {
-  const auto sign = static_cast<std::uint32_t>(floor_shift(x.raw(), 31));
-  return symmetric_logistic((static_cast<std::uint32_t>(x.raw()) ^ sign) - sign, sign);
+  const auto place = round_to<NodePlace>(x);
+  return detail::symmetric_logistic_near<4>(nearest_node(place), place);
 }
 
 }  // namespace

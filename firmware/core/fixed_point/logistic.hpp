@@ -3,45 +3,64 @@
 #include <cstdint>
 
 #include "core/fixed_point/fixed.hpp"
-#include "core/fixed_point/logistic_table.hpp"
 
 namespace fog {
 
 using ActivationInput = Fixed<std::int32_t, 27>;   ///< +-16
 using ActivationOutput = Fixed<std::int32_t, 30>;  ///< +-2, used within +-1
 
-/// tanh(x / 2) = 2 logistic(x) - 1, within 1.6e-8 (test: a sweep); beyond |x| = 16 what it is
-/// there, within 2.3e-7. `magnitude` is |x|, with the fraction of ActivationInput; `sign` all bits
-/// if x is negative, else none. Always the same number of instructions, some 20.
-///
-/// With h = logistic - 1/2 at the nearest node of a table, all derivatives follow from the slope
-/// s = 1/4 - h^2, and Taylor's series is h + d (s + d (d s (1/6 - s) - s h)). The distance d to a
-/// node is at most 1/32; the first neglected term is max|fourth derivative| / 24 * 2^-20 = 5e-9.
-[[gnu::always_inline]] inline ActivationOutput symmetric_logistic(std::uint32_t magnitude,
-                                                                  std::uint32_t sign) {
-  constexpr int kNodeFraction = 4;  // nodes every 1/16
-  constexpr int kDropped = ActivationInput::fractional_bits - kNodeFraction;
+/// logistic(node / 8) - 1/2 with 31 fractional bits, -128 <= node <= 128. A pointer that the
+/// compiler does not see through: it makes an addition of 128 for each read of an array's middle.
+extern const std::int32_t* const kLogisticNodes;
+
+/// An argument of which the upper word counts nodes and the lower one says where between two.
+using NodePlace = Fixed<std::int64_t, 35>;
+
+constexpr std::int32_t nearest_node(NodePlace x) {
+  return static_cast<std::int32_t>(round_shift(x.raw(), 32));
+}
+
+namespace detail {
+
+// tanh(x / 2) = 2 logistic(x) - 1 near a node: of x only the lower word counts, which is the
+// distance d to the nearest node, signed, at most 1/16.
+//
+// With h = logistic - 1/2 there, all derivatives follow from h^2 and the slope s = 1/4 - h^2:
+// h + d s (1 + d (d (h^2 - 1/12 + d h (1/6 - h^2)) - h)) is Taylor's series up to d^4. The first
+// neglected term of logistic is at most 2e-9, of the cubic, without d h (1/6 - h^2), 8.1e-8.
+template <int kOrder>
+[[gnu::always_inline]] inline ActivationOutput symmetric_logistic_near(std::int32_t node,
+                                                                       NodePlace x) {
+  static_assert(kOrder == 3 || kOrder == 4);
   using Half = Fixed<std::int32_t, 31>;
-  using Slope = Fixed<std::int32_t, 30>;
-  using Distance = Fixed<std::int32_t, 32 + kNodeFraction>;
-  constexpr auto kQuarter = Slope::from_raw(1 << 28);
-  // Less 1.6e-4, by which the result is off by 1.3e-9: kQuarter - kSixth fits into an instruction.
-  constexpr auto kSixth = Slope::from_raw(0x0AA80000);
+  using Square = Fixed<std::int32_t, 30>;
+  constexpr auto kQuarter = Square::from_raw(1 << 28);
+  constexpr auto kSixth = Square::from_raw(0x0AAAAAAB);
+  // The cubic's is 1.6e-4 more, by which its result is off by 2e-8: one instruction takes it off.
+  constexpr auto kTwelfth = Square::from_raw(kOrder == 3 ? 0x05580000 : 0x05555555);
 
-  const std::uint32_t node = (magnitude + (1U << (kDropped - 1))) >> kDropped;
-  // The node's bits leave at the top; what stays is signed, as the node is the nearest.
-  const auto d = Distance::from_raw(static_cast<std::int32_t>(magnitude << (32 - kDropped)));
+  const auto d =
+      Fixed<std::int32_t, NodePlace::fractional_bits>::from_raw(static_cast<std::int32_t>(x.raw()));
+  const auto h = Half::from_raw(kLogisticNodes[node]);
+  const Square square = high_product(h, h);
+  const Square slope = kQuarter - square;
+  Square third = square - kTwelfth;
+  if constexpr (kOrder == 4) {
+    third += floor_to<Square>(high_product(high_product(h, kSixth - square), d));
+  }
+  const Half second = floor_to<Half>(high_product(third, d)) - h;
+  const Square first = slope + floor_to<Square>(high_product(high_product(slope, second), d));
+  const Half half = h + floor_to<Half>(high_product(first, d));
+  return ActivationOutput::from_raw(half.raw());  // twice that, with one fractional bit less
+}
 
-  const auto h = Half::from_raw(kLogisticTable[node]);
-  const Slope slope = kQuarter - high_product(h, h);
-  const auto third = high_product(slope, kSixth - slope);
-  const auto bend = high_product(slope, h);
-  const auto second = floor_to<decltype(bend)>(high_product(third, d)) - bend;
-  const auto first = slope + floor_to<Slope>(high_product(second, d));
-  const auto half = h + floor_to<Half>(high_product(first, d));
-  // Twice that has the same raw number, with one fractional bit less.
-  return ActivationOutput::from_raw(
-      static_cast<std::int32_t>(static_cast<std::uint32_t>(half.raw()) ^ sign));
+}  // namespace detail
+
+/// tanh(x / 2) for networks: within 2e-7, beyond |x| = 16 within 3e-7 (test: a sweep). Always the
+/// same number of instructions, 14.
+[[gnu::always_inline]] inline ActivationOutput symmetric_logistic(NodePlace x) {
+  // Beyond the last node it is taken, whatever the distance.
+  return detail::symmetric_logistic_near<3>(clamp<std::int32_t>(nearest_node(x), -128, 127), x);
 }
 
 /// 1 / (1 + exp(-x)), MATLAB's logsig. Error at most 1e-8 (test: a sweep of its range); monotonic

@@ -25,7 +25,8 @@ class InputLags {
   void reset(Temperature temperature) {
     for (Lag& lag : lags_) lag.reset(round_to<Lag::State>(temperature));
   }
-  Temperature step(std::size_t input, Temperature temperature) {
+  // Without calls: 12 instructions less of 50, 64 bytes more.
+  [[gnu::flatten]] Temperature step(std::size_t input, Temperature temperature) {
     return round_to<Temperature>(lags_[input].step(round_to<Lag::State>(temperature)));
   }
 
@@ -39,7 +40,6 @@ class InputLags<false> {
  public:
   explicit InputLags(const NetworkParameters& /*network*/) {}
   void reset(Temperature /*temperature*/) {}
-  Temperature step(std::size_t /*input*/, Temperature temperature) { return temperature; }
 };
 
 }  // namespace detail
@@ -61,12 +61,10 @@ class DriftNetwork {
   /// Advances all states by one block and returns the network's drift, 0 without a network.
   DriftSum step(const BoardSignals& signals) {
     if (!parameters_.present()) return {};
-    ScaledInputs inputs;
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-      const InputScaling& scaling = parameters_.inputs[i];
-      inputs[i] = scaling.reach == 0 ? 0 : scaled_input(value(i, signals), scaling);
+    for (std::size_t i = 0; i < parameters_.input_count; ++i) {
+      inputs_[i] = scaled_input(value(i, signals), parameters_.inputs[i]);
     }
-    return network_drift(parameters_, inputs);
+    return network_drift(parameters_, inputs_);
   }
 
  private:
@@ -74,22 +72,24 @@ class DriftNetwork {
 
   // The raw number, in the format of its signal.
   std::int32_t value(std::size_t input, const BoardSignals& signals) {
-    switch (parameters_.inputs[input].signal) {
-      case NetworkInput::temperature:
-        break;
-      case NetworkInput::temperature_rate:
-        return signals.temperature_rate.raw();
-      case NetworkInput::lagged_temperature:
+    const NetworkInput signal = parameters_.inputs[input].signal;
+    if constexpr (compiled(NetworkInput::lagged_temperature)) {
+      if (signal == NetworkInput::lagged_temperature) {
         return lags_.step(input, signals.temperature).raw();
-      case NetworkInput::elapsed:
-        return signals.block.elapsed.raw();
-      case NetworkInput::input_rate:
-        return signals.block.input_rate.raw();
+      }
     }
-    return signals.temperature.raw();
+    std::int32_t raw = signals.temperature.raw();
+    const auto take = [&](NetworkInput other, std::int32_t its) {
+      if (compiled(other) && signal == other) raw = its;
+    };
+    take(NetworkInput::temperature_rate, signals.temperature_rate.raw());
+    take(NetworkInput::elapsed, signals.block.elapsed.raw());
+    take(NetworkInput::input_rate, signals.block.input_rate.raw());
+    return raw;
   }
 
   NetworkParameters parameters_;
+  ScaledInputs inputs_{};  // what the network does not have stays 0
   detail::InputLags<compiled(NetworkInput::lagged_temperature)> lags_;
 };
 

@@ -1,7 +1,5 @@
 #include "core/network/network.hpp"
 
-#include "core/fixed_point/saturating_difference.hpp"
-
 namespace fog {
 namespace {
 
@@ -16,33 +14,27 @@ std::int64_t product(std::int32_t weight, std::int32_t input) {
   return std::int64_t{weight} * input;
 }
 
+// Shifted unsigned: from a signed shift GCC would take the result to have 64 bits, and multiply so.
 std::int32_t upper_half(std::int64_t sum) {
-  return static_cast<std::int32_t>(floor_shift(sum, 32));
+  return static_cast<std::int32_t>(static_cast<std::uint64_t>(sum) >> 32U);
 }
 
-// By what a layer's sums come to the format of ActivationInput, and where they are clipped for
-// that.
-struct Scale {
-  explicit Scale(int layer_shift)
-      : shift(static_cast<unsigned>(layer_shift)), most(std::uint32_t{INT32_MAX} >> shift) {}
+// What makes a NodePlace of the upper half of a layer's sums. A product instead of a shift: count
+// of nodes and distance come out in two registers.
+std::int32_t places_per_sum(int layer_shift) {
+  return std::int32_t{1} << (NodePlace::fractional_bits - ActivationInput::fractional_bits +
+                             layer_shift);
+}
 
-  unsigned shift;
-  std::uint32_t most;
-};
-
-[[gnu::always_inline]] inline ActivationOutput activate(std::int64_t sum, Scale scale) {
-  const std::int32_t upper = upper_half(sum);
-  const auto sign = static_cast<std::uint32_t>(floor_shift(upper, 31));  // all bits or none
-  std::uint32_t magnitude = (static_cast<std::uint32_t>(upper) ^ sign) - sign;
-  magnitude = magnitude < scale.most ? magnitude : scale.most;
-  return symmetric_logistic(magnitude << scale.shift, sign);
+[[gnu::always_inline]] inline ActivationOutput activate(std::int64_t sum, std::int32_t places) {
+  return symmetric_logistic(NodePlace::from_raw(product(upper_half(sum), places)));
 }
 
 ActivationOutput linear(std::int64_t sum, int layer_shift) {
   const int shift =
       layer_shift + ActivationOutput::fractional_bits - ActivationInput::fractional_bits;
   const std::int32_t most = floor_shift(INT32_MAX, shift);
-  return ActivationOutput::from_raw(shift_left(clamp(upper_half(sum), -most, most), shift));
+  return ActivationOutput::from_raw(shift_left(clip(upper_half(sum), most), shift));
 }
 
 // In raw.
@@ -56,28 +48,40 @@ std::uint32_t magnitude(std::int32_t weight) {
   return weight < 0 ? 0U - bits : bits;
 }
 
-}  // namespace
-
-std::int32_t scaled_input(std::int32_t raw, const InputScaling& scaling) {
-  std::int32_t difference = saturating_difference(raw, scaling.centre);
-  difference = difference < scaling.reach ? difference : scaling.reach;
-  difference = difference > -scaling.reach ? difference : -scaling.reach;
-  return shift_left(difference, scaling.shift);
+// The output's sum. Weights are read two at a time and in this order, which the compiler keeps
+// (firmware/CMakeLists.txt has its options): one instruction for both. A fourth input would cost
+// those that do not have it a tenth of the time, mostly because there are no registers for it.
+template <std::size_t kInputs>
+std::int64_t output_sum(const NetworkParameters& network, const ScaledInputs& inputs) {
+  static_assert(kMostNetworkInputs == 4 && kNeuronWords == 6);
+  const std::int32_t in[] = {inputs[0], inputs[1], inputs[2], inputs[3]};
+  std::int64_t output = sum_from(network.output_bias);
+  const std::int32_t hidden = places_per_sum(network.hidden_shift);
+  const std::int32_t* const end = network.neurons.end();
+  for (const std::int32_t* word = network.neurons.begin(); word != end; word += kNeuronWords) {
+    const std::int32_t bias = word[0];
+    const std::int32_t weight0 = word[1];
+    std::int64_t sum = sum_from(bias) + product(weight0, in[0]);
+    const std::int32_t weight1 = word[2];
+    const std::int32_t weight2 = word[3];
+    sum += product(weight1, in[1]);
+    sum += product(weight2, in[2]);
+    if constexpr (kInputs == 4) sum += product(word[4], in[3]);
+    const std::int32_t neuron = activate(sum, hidden).raw();
+    output += product(word[5], neuron);
+  }
+  return output;
 }
 
+}  // namespace
+
 DriftSum network_drift(const NetworkParameters& network, const ScaledInputs& inputs) {
-  std::int64_t output = sum_from(network.output_bias);
-  const std::int32_t* const in = inputs.data();
-  const std::int32_t* const end = network.neurons.end();
-  const Scale hidden(network.hidden_shift);
-  for (const std::int32_t* word = network.neurons.begin(); word != end; word += kNeuronWords) {
-    std::int64_t sum = sum_from(word[0]);
-#pragma GCC unroll 4
-    for (std::size_t i = 0; i < kMostNetworkInputs; ++i) sum += product(word[1 + i], in[i]);
-    output += product(word[1 + kMostNetworkInputs], activate(sum, hidden).raw());
-  }
-  const ActivationOutput y = network.linear_output ? linear(output, network.output_shift)
-                                                   : activate(output, Scale(network.output_shift));
+  const std::int64_t output = network.input_count == kMostNetworkInputs
+                                  ? output_sum<4>(network, inputs)
+                                  : output_sum<3>(network, inputs);
+  const ActivationOutput y = network.linear_output
+                                 ? linear(output, network.output_shift)
+                                 : activate(output, places_per_sum(network.output_shift));
   return round_to<DriftSum>(network.amplitude * y) + round_to<DriftSum>(network.centre);
 }
 

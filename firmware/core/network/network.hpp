@@ -6,6 +6,7 @@
 
 #include "core/effects/effect_bank.hpp"
 #include "core/fixed_point/logistic.hpp"
+#include "core/fixed_point/saturating_difference.hpp"
 #include "core/network/network_input.hpp"
 #include "core/signal/quantities.hpp"
 #include "core/signal/span.hpp"
@@ -61,11 +62,20 @@ struct NetworkParameters {
 
 using ScaledInputs = std::array<std::int32_t, kMostNetworkInputs>;  ///< 0 where there is none
 
+/// The nearest value within +-reach; no branch, on the board neither.
+inline std::int32_t clip(std::int32_t value, std::int32_t reach) {
+  value = value < reach ? value : reach;
+  return value > -reach ? value : -reach;
+}
+
 /// The raw value of a signal as the network takes it.
-std::int32_t scaled_input(std::int32_t raw, const InputScaling& scaling);
+inline std::int32_t scaled_input(std::int32_t raw, const InputScaling& scaling) {
+  const std::int32_t difference = saturating_difference(raw, scaling.centre);
+  return shift_left(clip(difference, scaling.reach), scaling.shift);
+}
 
 /// The drift of a network that is present. Stateless; always the same number of instructions for a
-/// number of neurons.
+/// number of neurons, with four inputs some more than with fewer.
 DriftSum network_drift(const NetworkParameters& network, const ScaledInputs& inputs);
 
 /// Whether no sum can leave 64 bits, whatever the inputs: in raw, sum |weight| + 2 |bias| < 2^32 -

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/fixed_point/logistic_table.hpp"
 #include "support/overflow_guard.hpp"
 
 namespace {
@@ -17,9 +16,9 @@ double real(fog::ActivationOutput value) {
 }
 
 TEST(LogisticTable, HoldsTheRoundedFunction) {
-  for (int i = 0; i <= 256; ++i) {
-    const long double exact = std::ldexp(1 / (1 + std::exp(-i / 16.0L)) - 0.5L, 31);
-    EXPECT_EQ(fog::kLogisticTable[i], std::llround(exact)) << i;
+  for (int i = -128; i <= 128; ++i) {
+    const long double exact = std::ldexp(1 / (1 + std::exp(-i / 8.0L)) - 0.5L, 31);
+    EXPECT_EQ(fog::kLogisticNodes[i], std::llround(exact)) << i;
   }
 }
 
@@ -54,6 +53,27 @@ TEST(HyperbolicTangent, IsWithin2e8UpTo8And23e8BeyondOverItsWholeRange) {
   });
   EXPECT_LE(worst, 2e-8);
   EXPECT_LE(worst_beyond, 2.3e-7);
+  EXPECT_EQ(fog::test::overflows(), 0U);
+}
+
+// What a network's logsig and tansig are made of: errors of these are half of it, and it.
+TEST(SymmetricLogistic, IsWithin2e7UpTo16And3e7BeyondOverItsWholeRange) {
+  double worst = 0;
+  double worst_beyond = 0;
+  // Within +-16, then up to +-2^24, where the upper word is of any size.
+  for (const int fraction : {35, 15}) {
+    sweep([&](std::int32_t raw) {
+      const auto place = fog::NodePlace::from_raw(256 * std::int64_t{raw} + (raw & 255));
+      const double x = std::ldexp(static_cast<double>(place.raw()), -fraction);
+      const auto shifted =
+          fog::NodePlace::from_raw(place.raw() * (std::int64_t{1} << (35 - fraction)));
+      const double error = std::abs(real(fog::symmetric_logistic(shifted)) - std::tanh(x / 2));
+      double& kept = std::abs(x) <= 16 ? worst : worst_beyond;
+      kept = std::max(kept, error);
+    });
+  }
+  EXPECT_LE(worst, 2e-7);
+  EXPECT_LE(worst_beyond, 3e-7);
   EXPECT_EQ(fog::test::overflows(), 0U);
 }
 
