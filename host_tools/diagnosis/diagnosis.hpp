@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -59,7 +60,8 @@ struct Diagnosis {
   std::vector<Share> segments;   ///< where in the runs it sits; sums to 1
   FastStructure fast;
 
-  double residual_rms_dph = 0;  ///< of a row, the model refitted to these runs
+  double residual_rms_dph = 0;   ///< of a row, the model refitted to these runs
+  Eigen::VectorXd residual_dph;  ///< row by row
   double noise_floor_dph = 0;
   double unexplained_fraction = 0;  ///< of the excess, by the best of the catalogue
   double chance = 1;                ///< that noise alone would look like this
