@@ -1,0 +1,22 @@
+#include "report/figures.hpp"
+
+#include "support/text.hpp"
+
+namespace fogcomp::report {
+
+std::string dph(const std::optional<double>& value) {
+  return value ? format("%.4f", *value) : "-";
+}
+
+std::string percent(double share) {
+  return format("%.0f %%", 100 * share);
+}
+
+std::string capitalised(std::string words) {
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') {
+    words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  }
+  return words;
+}
+
+}  // namespace fogcomp::report
