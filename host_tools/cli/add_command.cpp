@@ -34,7 +34,7 @@ Json halves_json(const std::vector<HalfTest>& halves) {
 void print_half(const HalfTest& half) {
   const bool on_first = std::string(half.identified_on) == "first";
   if (!half.determined) {
-    std::printf("  the %s half alone cannot identify it\n", half.identified_on);
+    std::printf("  the %s half alone cannot identify this model\n", half.identified_on);
     return;
   }
   std::printf("  identified on the %s half, judged on the %s: %.4f -> %.4f%s\n", half.identified_on,

@@ -23,6 +23,21 @@ Json names_json(const std::vector<std::string>& names) {
   return array;
 }
 
+Json network_json(const std::optional<NetworkLearnt>& network) {
+  if (!network) return Json();
+  Json learnt = Json::array();
+  for (const NetworkLearnt::Share& share : network->effects) {
+    learnt.push(std::move(Json::object()
+                              .set("effect", share.term.name)
+                              .set("share", share.share)
+                              .set("parameters", parameters_json(share.term))));
+  }
+  Json result = Json::object();
+  result.set("rms_dph", network->rms_dph).set("beyond_effects", network->beyond_effects);
+  result.set("learnt", std::move(learnt));
+  return result;
+}
+
 Json shares_json(const std::vector<Diagnosis::Share>& shares) {
   Json all = Json::array();
   for (const Diagnosis::Share& share : shares) {
@@ -82,6 +97,7 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
                                     .set("slow_dph", diagnosis.noise.wander_dph())
                                     .set("freedom", diagnosis.noise.freedom)
                                     .set("from_quiet_parts", diagnosis.noise.from_quiet_parts)));
+  result.set("network", network_json(diagnosis.network));
   result.set("chance", diagnosis.chance).set("notes", names_json(diagnosis.notes));
   return result;
 }

@@ -139,6 +139,39 @@ std::string next_line(const Diagnosis& diagnosis, const std::string& model,
   return text;
 }
 
+// What the network, which the diagnosis leaves out, had learnt.
+std::string network_lines(const Diagnosis& diagnosis) {
+  constexpr double kAlike = 0.05;         // difference of shares that says nothing
+  constexpr double kNextToNothing = 0.1;  // of the noise floor
+  if (!diagnosis.network) return "";
+  const NetworkLearnt& network = *diagnosis.network;
+  std::string text = format("  the network, left out here, adds %.4g deg/h rms", network.rms_dph);
+  if (network.rms_dph < kNextToNothing * diagnosis.noise_floor_dph) {
+    return text + ": next to nothing\n";
+  }
+  text += ", " + percent(network.beyond_effects) + " of it beyond the model's own effects: ";
+  if (network.effects.empty() || network.effects[0].share < kLearntShare) {
+    text += "nothing of the catalogue explains what it had learnt";
+    if (network.effects.empty()) return text + "\n";
+    return text + " (at most " + percent(network.effects[0].share) + ", " +
+           network.effects[0].term.name + ")\n";
+  }
+  // Of those that explain it alike, the one that the verdict names.
+  NetworkLearnt::Share best = network.effects[0];
+  for (const NetworkLearnt::Share& share : network.effects) {
+    const bool as_well = share.share > network.effects[0].share - kAlike;
+    if (as_well && share.term.name == diagnosis.effect) best = share;
+  }
+  text += "it had learnt " + best.term.name + " (explains " + percent(best.share);
+  std::vector<std::string> alike;
+  for (const NetworkLearnt::Share& share : network.effects) {
+    const bool as_well = share.share > best.share - kAlike && share.term.name != best.term.name;
+    if (as_well) alike.push_back(share.term.name);
+  }
+  if (!alike.empty()) text += "; so would " + joined(alike, "or");
+  return text + "): add the effect and train a smaller network\n";
+}
+
 std::string candidate_table(const Diagnosis& diagnosis) {
   std::string text =
       "\n  candidate                  explains  rms after   ln odds  probability  shape\n";
@@ -172,6 +205,7 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& model,
     text += where_line(diagnosis) + next_line(diagnosis, model, runs);
   }
   text += format("  chance that noise alone looks like this: %.2g\n", diagnosis.chance);
+  text += network_lines(diagnosis);
   for (const std::string& note : diagnosis.notes) text += "  note: " + note + "\n";
   if (!diagnosis.candidates.empty()) text += candidate_table(diagnosis);
   return text + untestable_lines(diagnosis);

@@ -101,7 +101,13 @@ void print_medians(const std::vector<Study>& studies) {
     }
     std::puts("");
   }
-  std::puts("");
+  const FloorMedians floors = floors_of(studies);
+  std::printf("%-16s | %7s %7s %8.4f", "noise alone", "", "", floors.own_dph);
+  for (const double floor_dph : floors.held_out_dph) std::printf(" | %7s %7.4f", "", floor_dph);
+  std::puts(
+      "\n(noise alone: the error to be expected of a fit to the paper's run that knew the exact "
+      "course of\nevery effect and had but their sizes to find, rows weighted with their true "
+      "noise)\n");
   for (const ModelMedians& model : medians_of(studies)) {
     if (model.name != "bp" && model.name != "pso-bp") continue;
     std::printf(
@@ -178,6 +184,16 @@ Json paper_json(const std::vector<Study>& studies) {
   result.set("std_cut_printed_bp", kPrintedBpCut).set("std_cut_printed_pso_bp", kPrintedPsoBpCut);
   result.set("tables", std::move(segments)).set("denoisers", std::move(denoisers));
   result.set("medians", std::move(models));
+  const FloorMedians floors = floors_of(studies);
+  Json floors_held_out = Json::array();
+  for (std::size_t i = 0; i < kHeldOutProfiles.size(); ++i) {
+    floors_held_out.push(std::move(Json::object()
+                                       .set("profile", kHeldOutProfiles[i])
+                                       .set("truth_error_rms_dph", floors.held_out_dph[i])));
+  }
+  result.set("noise_alone", std::move(Json::object()
+                                          .set("truth_error_rms_dph", floors.own_dph)
+                                          .set("held_out", std::move(floors_held_out))));
   return result;
 }
 

@@ -115,6 +115,11 @@ class Diagnoser {
 
     describe_where(structure, remover.residual());
     judge(space, structure, remover.residual());
+    if (model_.network.present()) {
+      result_.network =
+          ask_network(model_.network, data_.series(), candidates_,
+                      [&](const Eigen::MatrixXd& columns) { return remover(columns); });
+    }
     if (!fit_.noise.from_quiet_parts && !settings_.noise) {
       result_.notes.emplace_back(
           "no part of these recordings is quiet (settled temperature), so that slow noise is not "

@@ -9,6 +9,7 @@
 #include "diagnosis/candidates.hpp"
 #include "diagnosis/diagnosis_data.hpp"
 #include "diagnosis/experiment.hpp"
+#include "diagnosis/network_learnt.hpp"
 #include "diagnosis/structure.hpp"
 #include "identification/noise_model.hpp"
 #include "identification/signal_series.hpp"
@@ -70,7 +71,8 @@ struct Diagnosis {
   NoiseModel noise;
   Eigen::Index rows = 0;
   double row_s = 0;
-  std::vector<std::string> notes;  ///< whole sentences: what limits the answer
+  std::optional<NetworkLearnt> network;  ///< of the model, if it has one
+  std::vector<std::string> notes;        ///< whole sentences: what limits the answer
 
   /// What is said of an effect; nullptr where it cannot be tested.
   const CandidateFinding* find(const std::string& name) const;
@@ -87,9 +89,9 @@ struct DiagnosisSettings {
 };
 
 /// Finds out whether the effects of `model` leave more than noise, and which effect of the
-/// catalogue, or expression of data.offered(), is missing if so. Its network, if any, is left out.
-/// The effects are solved for anew together with every candidate. Throws InputError for data too
-/// short for the model's effects.
+/// catalogue, or expression of data.offered(), is missing if so. Its network, if any, is left out,
+/// and asked afterwards what it had learnt. The effects are solved for anew together with every
+/// candidate. Throws InputError for data too short for the model's effects.
 Diagnosis diagnose(const Model& model, const DiagnosisData& data,
                    const DiagnosisSettings& settings = {});
 

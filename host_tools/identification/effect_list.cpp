@@ -40,7 +40,7 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
                      "is searched for in the whole recording; leave the bounds out, or give "
                      "its time");
   }
-  ShapeBounds bounds = catalogue_bounds(description);
+  ShapeBounds bounds = catalogue_bounds(entry, index);
   if (!range.empty()) {
     const std::size_t comma = range.find(',');
     const bool bracketed = range.front() == '[' && range.back() == ']' && range.size() > 2 &&
@@ -137,7 +137,7 @@ std::vector<EffectTerm> grown_terms(const EffectTerm& own) {
       more.push_back(term);
     } else if (parameter.default_milli == 0 && own.parameters[i] == 0 && !is_event(own)) {
       term.identified[i] = true;
-      term.parameters[i] = catalogue_bounds(parameter).least;
+      term.parameters[i] = catalogue_bounds(entry, i).least;
       more.push_back(term);
     }
   }

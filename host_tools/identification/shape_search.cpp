@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kRatioForLogarithm = 20;
 constexpr int kGridPoints = 24;
+// From 2 to 60 degC: half a turn over 100 degC from each point to the next, as a cosine that is
+// half a turn off at the end of the data explains nothing of them.
+constexpr int kPeriodGridPoints = 96;
 constexpr int kGridRounds = 2;
 constexpr int kGaussNewtonSteps = 12;
 constexpr double kConverged = 1e-9;       // relative fall of the cost
@@ -19,8 +22,10 @@ constexpr double kDifferenceStep = 1e-4;  // of a parameter's range, for derivat
 void search_grid(WhitenedProblem& problem, const ShapeParameter& parameter) {
   double best = problem.value(parameter);
   double least_cost = problem.cost();
-  for (int i = 0; i < kGridPoints; ++i) {
-    const double value = parameter.from_unit((i + 0.5) / kGridPoints);
+  const int points =
+      parameter.scale == ShapeParameter::Scale::frequency ? kPeriodGridPoints : kGridPoints;
+  for (int i = 0; i < points; ++i) {
+    const double value = parameter.from_unit((i + 0.5) / points);
     problem.set(parameter, value);
     const double cost = problem.cost();
     if (cost < least_cost) {
@@ -51,37 +56,70 @@ bool gauss_newton_step(WhitenedProblem& problem, const std::vector<ShapeParamete
   return false;
 }
 
-// Two play operators are the same in either order; the narrower one is the first. Only where both
-// were searched in the same range, so that no bound is left.
-void order_radii(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters) {
+ShapeParameter::Scale scale_of(const std::string& name, const ShapeBounds& bounds) {
+  if (name.rfind("period", 0) == 0 && bounds.least > 0) return ShapeParameter::Scale::frequency;
+  const bool far = bounds.least > 0 && bounds.most / bounds.least >= kRatioForLogarithm;
+  return far ? ShapeParameter::Scale::ratio : ShapeParameter::Scale::linear;
+}
+
+// The two parts of an effect that may have a second one (radii, periods) are the same in either
+// order; the smaller is the first. Only where both were searched in the same range, so that no
+// bound is left.
+bool is_second_part(const EffectTerm& term, std::size_t parameter) {
+  return !term.expression && find_effect(term.name).parameters[parameter].default_milli == 0;
+}
+void order_parts(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters) {
   for (std::size_t i = 1; i < parameters.size(); ++i) {
     const ShapeParameter& first = parameters[i - 1];
     const ShapeParameter& second = parameters[i];
-    if (problem.terms()[second.term].name != "thermal_hysteresis" || first.term != second.term ||
+    if (first.term != second.term || !is_second_part(problem.terms()[second.term], second.index) ||
         first.least != second.least || first.most != second.most) {
       continue;
     }
-    const double narrower = std::min(problem.value(first), problem.value(second));
-    const double wider = std::max(problem.value(first), problem.value(second));
-    problem.set(first, narrower);
-    problem.set(second, wider);
+    const double smaller = std::min(problem.value(first), problem.value(second));
+    const double larger = std::max(problem.value(first), problem.value(second));
+    problem.set(first, smaller);
+    problem.set(second, larger);
   }
 }
 
 }  // namespace
 
 double ShapeParameter::to_unit(double value) const {
-  return logarithmic ? std::log(value / least) / std::log(most / least)
-                     : (value - least) / (most - least);
+  switch (scale) {
+    case Scale::ratio:
+      return std::log(value / least) / std::log(most / least);
+    case Scale::frequency:
+      return (1 / least - 1 / value) / (1 / least - 1 / most);
+    case Scale::linear:
+      break;
+  }
+  return (value - least) / (most - least);
 }
 
 double ShapeParameter::from_unit(double unit) const {
   const double u = std::clamp(unit, 0.0, 1.0);
-  return logarithmic ? least * std::pow(most / least, u) : least + u * (most - least);
+  switch (scale) {
+    case Scale::ratio:
+      return least * std::pow(most / least, u);
+    case Scale::frequency:
+      return 1 / (1 / least - u * (1 / least - 1 / most));
+    case Scale::linear:
+      break;
+  }
+  return least + u * (most - least);
 }
 
 double ShapeParameter::slope(double value) const {
-  return logarithmic ? value * std::log(most / least) : most - least;
+  switch (scale) {
+    case Scale::ratio:
+      return value * std::log(most / least);
+    case Scale::frequency:
+      return value * value * (1 / least - 1 / most);
+    case Scale::linear:
+      break;
+  }
+  return most - least;
 }
 
 std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& terms) {
@@ -94,8 +132,8 @@ std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& term
       const auto& own = terms[term].bounds;
       const bool bounded = i < own.size() && own[i].most > own[i].least;
       const ShapeBounds bounds = bounded ? own[i] : entry.parameters[i].bounds;
-      const bool logarithmic = bounds.least > 0 && bounds.most / bounds.least >= kRatioForLogarithm;
-      parameters.push_back({term, i, bounds.least, bounds.most, logarithmic});
+      parameters.push_back(
+          {term, i, bounds.least, bounds.most, scale_of(entry.parameters[i].name, bounds)});
     }
   }
   return parameters;
@@ -171,7 +209,7 @@ void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& 
   for (int step = 0; step < kGaussNewtonSteps; ++step) {
     if (!gauss_newton_step(problem, parameters)) break;
   }
-  order_radii(problem, parameters);
+  order_parts(problem, parameters);
 }
 
 }  // namespace fogcomp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "identification/signal_series.hpp"
@@ -15,9 +16,14 @@ struct ShapeParameter {
   std::size_t index = 0;
   double least = 0;
   double most = 0;
-  bool logarithmic = false;  ///< searched by ratio: bounds are positive and far apart
+  enum class Scale : std::uint8_t {
+    linear,
+    ratio,      ///< bounds are positive and far apart
+    frequency,  ///< a period: what counts is how many turns more the data hold
+  };
+  Scale scale = Scale::linear;
 
-  /// Place in the range, 0..1, by ratio where it is logarithmic; and back, clipped to the range.
+  /// Place in the range, 0..1, on that scale; and back, clipped to the range.
   double to_unit(double value) const;
   double from_unit(double unit) const;
   /// d value / d unit.

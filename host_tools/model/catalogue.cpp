@@ -82,10 +82,10 @@ TermInfo info_of(const EffectTerm& term) {
   const CatalogueEntry& entry = find_effect(term.name);
   info.title = entry.description.title;
   info.equation = entry.description.equation;
-  for (const auto& parameter : entry.parameters) {
-    const std::string unit = parameter.unit;
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    const std::string unit = entry.parameters[i].unit;
     info.parameters.push_back(
-        {parameter.name, unit == "1" ? "" : unit, catalogue_bounds(parameter)});
+        {entry.parameters[i].name, unit == "1" ? "" : unit, catalogue_bounds(entry, i)});
   }
   info.coefficients = entry.coefficients;
   info.needs = entry.description.needs;
@@ -127,10 +127,10 @@ fog::InputMask needs_of(const Model& model) {
   return needs;
 }
 
-ShapeBounds catalogue_bounds(const fog::ParameterDescription& parameter) {
-  const double least = parameter.least_milli / 1000.0;
-  const double most = parameter.most_milli / 1000.0;
-  return {least == 0 ? most / 80 : least, most};
+ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index) {
+  const bool second = index > 0 && entry.parameters[index].least_milli == 0;
+  const fog::ParameterDescription& parameter = entry.parameters[second ? index - 1 : index];
+  return {parameter.least_milli / 1000.0, parameter.most_milli / 1000.0};
 }
 
 std::vector<std::string> effect_names() {

@@ -88,4 +88,14 @@ std::vector<ModelMedians> medians_of(const std::vector<Study>& studies) {
   return all;
 }
 
+FloorMedians floors_of(const std::vector<Study>& studies) {
+  FloorMedians floors;
+  floors.own_dph = median_of(studies, [](const Study& study) { return study.estimate_floor_dph; });
+  for (std::size_t run = 0; run < kHeldOutProfiles.size(); ++run) {
+    floors.held_out_dph.push_back(median_of(
+        studies, [run](const Study& study) { return study.held_out_estimate_floor_dph[run]; }));
+  }
+  return floors;
+}
+
 }  // namespace fogcomp

@@ -18,7 +18,7 @@ constexpr double kSampleRateHz = 1;
 
 struct Samples {
   Recording recording;
-  std::vector<double> truth_dph;
+  std::vector<std::vector<double>> effects_dph;  // one series each
 };
 
 Samples simulate(const GyroDescription& gyro, const Programme& programme, std::uint64_t seed) {
@@ -27,6 +27,7 @@ Samples simulate(const GyroDescription& gyro, const Programme& programme, std::u
   options.seed = seed;
   Simulation run(gyro, programme, options);
   Samples samples;
+  samples.effects_dph.resize(run.effect_names().size());
   Recording& recording = samples.recording;
   recording.period_s = 1 / kSampleRateHz;
   recording.stretch_starts = {0};
@@ -38,13 +39,23 @@ Samples simulate(const GyroDescription& gyro, const Programme& programme, std::u
     append(recording.time_s, chunk.time_s);
     append(recording.temperature_degc, chunk.temperature_degc);
     append(recording.rate_dph, chunk.rate_dph);
-    for (std::size_t i = 0; i < chunk.rows(); ++i) {
-      double sum = 0;
-      for (const std::vector<double>& effect : chunk.effects_dph) sum += effect[i];
-      samples.truth_dph.push_back(sum);
+    for (std::size_t i = 0; i < samples.effects_dph.size(); ++i) {
+      append(samples.effects_dph[i], chunk.effects_dph[i]);
     }
   }
   return samples;
+}
+
+Eigen::VectorXd row_means(const std::vector<double>& samples, std::size_t per_row,
+                          Eigen::Index rows) {
+  const Eigen::Map<const Eigen::VectorXd> all(samples.data(),
+                                              static_cast<Eigen::Index>(samples.size()));
+  const auto full = static_cast<Eigen::Index>(per_row);
+  Eigen::VectorXd means(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    means[i] = all.segment(i * full, std::min(full, all.size() - i * full)).mean();
+  }
+  return means;
 }
 
 std::vector<std::string> segments_of(const Programme& programme, const Rows& rows) {
@@ -67,21 +78,18 @@ SimulatedRun simulate_run(const std::string& profile, std::uint64_t seed, const 
   Samples samples = simulate(gyro, programme, seed);
   samples.recording.file = profile;
 
-  SimulatedRun run{SignalSeries(settings), {}, 0, {}};
+  SimulatedRun run{SignalSeries(settings), {}, {}, 0, {}};
   run.series.add(make_blocks(samples.recording));
   const Rows& rows = run.series.rows();
   run.noise_floor_dph = noise_floor_dph(samples.recording, settings.average_s).value_or(0);
   run.segments = segments_of(programme, rows);
   const auto per_row = static_cast<std::size_t>(std::lround(settings.average_s * kSampleRateHz));
-  const Eigen::Map<const Eigen::VectorXd> truth(
-      samples.truth_dph.data(), static_cast<Eigen::Index>(samples.truth_dph.size()));
-  run.truth_dph.resize(rows.size());
-  for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    const Eigen::Index first = i * static_cast<Eigen::Index>(per_row);
-    const Eigen::Index count =
-        std::min<Eigen::Index>(static_cast<Eigen::Index>(per_row), truth.size() - first);
-    run.truth_dph[i] = truth.segment(first, count).mean();
+  run.effects_dph.resize(rows.size(), static_cast<Eigen::Index>(samples.effects_dph.size()));
+  for (std::size_t i = 0; i < samples.effects_dph.size(); ++i) {
+    run.effects_dph.col(static_cast<Eigen::Index>(i)) =
+        row_means(samples.effects_dph[i], per_row, rows.size());
   }
+  run.truth_dph = run.effects_dph.rowwise().sum();
   return run;
 }
 

@@ -14,6 +14,7 @@ namespace fogcomp {
 struct SimulatedRun {
   SignalSeries series;
   Eigen::VectorXd truth_dph;          ///< per row: the drift without any noise
+  Eigen::MatrixXd effects_dph;        ///< rows x effects of the simulator; their sum is the truth
   double noise_floor_dph = 0;         ///< of a row, from the recording alone
   std::vector<std::string> segments;  ///< per row: the programme's name for it
 };

@@ -4,6 +4,7 @@
 
 #include "comparators/comparator.hpp"
 #include "evaluation/comparison.hpp"
+#include "paper/estimate_floor.hpp"
 #include "support/input_error.hpp"
 #include "wavelet/denoise.hpp"
 
@@ -62,7 +63,7 @@ Score score(const SimulatedRun& run, const Eigen::VectorXd& predicted) {
 
 const char* const kStudyEffects =
     "bias,bias_temperature:order=2,temperature_rate,temperature_rate_product,"
-    "polarization_ripple,warm_up";
+    "polarization_ripple:period2=?,warm_up";
 
 MeanStd mean_and_std(const Eigen::VectorXd& values) {
   const auto count = static_cast<double>(values.size());
@@ -99,7 +100,7 @@ const Model& study_model() {
 
 Study run_study(const StudySettings& settings) {
   const Model& model = study_model();
-  Study study{simulate_run("paper", settings.seed, model), {}, {}, {}, {}, {}, {}, {}};
+  Study study{simulate_run("paper", settings.seed, model), {}, {}, {}, {}, {}, {}, 0, {}, {}};
   const Eigen::VectorXd& measured = study.run.series.rows().drift_dph;
   study.raw = mean_and_std(measured);
   DenoiseMethod method;
@@ -113,7 +114,9 @@ Study run_study(const StudySettings& settings) {
     study.held_out_raw_std_dph.push_back(
         mean_and_std(held_out.back().series.rows().drift_dph).std_dph);
     study.held_out_floor_dph.push_back(held_out.back().noise_floor_dph);
+    study.held_out_estimate_floor_dph.push_back(estimate_floor_dph(study.run, held_out.back()));
   }
+  study.estimate_floor_dph = estimate_floor_dph(study.run, study.run);
   ComparatorSettings comparing;
   comparing.seed = settings.seed;
   comparing.epochs = settings.epochs;

@@ -50,6 +50,8 @@ struct Study {
   MeanStd raw;
   std::vector<double> held_out_raw_std_dph;
   std::vector<double> held_out_floor_dph;
+  double estimate_floor_dph = 0;  ///< of error, on its own run; see paper/estimate_floor.hpp
+  std::vector<double> held_out_estimate_floor_dph;
   std::vector<ModelResult> models;
 
   const ModelResult& model(const std::string& name) const;

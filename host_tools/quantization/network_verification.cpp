@@ -33,7 +33,7 @@ NetworkError verify_network(const Model& model, const fog::ModelParameters& para
   const std::size_t per_input =
       std::min(kMostPerInput, static_cast<std::size_t>(even_share)) / 2 * 2 - 1;
   std::vector<std::size_t> place(inputs.size(), 0);
-  std::array<std::int32_t, fog::kMostNetworkInputs> on_board_inputs{};
+  fog::ScaledInputs on_board_inputs{};
   Eigen::VectorXd values(static_cast<Eigen::Index>(inputs.size()));
   for (bool more = true; more;) {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -42,11 +42,10 @@ NetworkError verify_network(const Model& model, const fog::ModelParameters& para
       const NetworkInputFormat format = network_input_format(inputs[i].signal, block_s);
       const std::int32_t raw =
           board_value(inputs[i].centre + kBeyond * share * inputs[i].half_range, format);
-      on_board_inputs[i] = fog::normalised(raw, parameters.network.inputs[i]).raw();
+      on_board_inputs[i] = fog::scaled_input(raw, parameters.network.inputs[i]);
       values[static_cast<Eigen::Index>(i)] = std::ldexp(raw, -format.fraction) * format.per_unit;
     }
-    const fog::DriftSum drift = fog::network_drift(
-        parameters.network, parameters.effects.coefficient_fraction, on_board_inputs.data());
+    const fog::DriftSum drift = fog::network_drift(parameters.network, on_board_inputs);
     const double on_board =
         std::ldexp(static_cast<double>(drift.raw()), -fog::DriftSum::fractional_bits);
     error.worst_dph =

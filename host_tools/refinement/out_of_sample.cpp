@@ -108,18 +108,25 @@ Fold leave_out(const SignalSeries& series, const std::vector<EffectTerm>& terms,
   return fold;
 }
 
-// Whether the rows of `fold` tell the coefficients of one term about as well as all rows do. A run
-// in which the effect was never excited cannot speak for the one in which it was.
-bool tells(const Fold& fold, const Fold& all, const SignalSeries& series,
-           const std::vector<EffectTerm>& terms, std::size_t term) {
-  constexpr double kMuchWorse = 4;
+// Whether the rows of `fold` tell some coefficients about as well as all rows do. A run in which an
+// effect was never excited cannot speak for the one in which it was.
+bool tells(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::Index count,
+           double much_worse) {
   if (!fold.determined || !all.determined) return false;
+  return (fold.sigma_dph.segment(first, count).array() <=
+          much_worse * all.sigma_dph.segment(first, count).array())
+      .all();
+}
+bool tells_term(const Fold& fold, const Fold& all, const SignalSeries& series,
+                const std::vector<EffectTerm>& terms, std::size_t term) {
+  constexpr double kMuchWorse = 4;
   Eigen::Index first = 0;
   for (std::size_t i = 0; i < term; ++i) first += series.regressors(terms[i]).cols();
-  const Eigen::Index count = series.regressors(terms[term]).cols();
-  return (fold.sigma_dph.segment(first, count).array() <=
-          kMuchWorse * all.sigma_dph.segment(first, count).array())
-      .all();
+  return tells(fold, all, first, series.regressors(terms[term]).cols(), kMuchWorse);
+}
+bool tells_all(const Fold& fold, const Fold& all) {
+  constexpr double kFarWorse = 20;
+  return tells(fold, all, 0, all.sigma_dph.size(), kFarWorse);
 }
 
 // Every shape stays but those of one term.
@@ -151,7 +158,7 @@ Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTer
       segment(residuals.before, range) = segment(without.residual_dph, range);
       segment(residuals.after, range) = segment(added.residual_dph, range);
     }
-    residuals.told = residuals.told && tells(added, all, series, after, changed);
+    residuals.told = residuals.told && tells_term(added, all, series, after, changed);
   }
   return residuals;
 }
@@ -229,6 +236,7 @@ std::vector<HalfTest> judge_halves(const SignalSeries& series,
     first.push_back({run.first, middle});
     second.push_back({middle, run.end});
   }
+  const Fold all = leave_out(series, shapes_kept(after, kNone), {}, with);
   std::vector<HalfTest> tests;
   for (const bool on_first : {true, false}) {
     const Part& judged = on_first ? second : first;
@@ -236,7 +244,7 @@ std::vector<HalfTest> judge_halves(const SignalSeries& series,
     const Fold added = leave_out(series, shapes_kept(after, changed), judged, with);
     HalfTest test;
     test.identified_on = on_first ? "first" : "second";
-    test.determined = without.determined && added.determined;
+    test.determined = without.determined && tells_all(added, all);
     Eigen::VectorXd weights = rows.weights;
     for (const RowRange& range : on_first ? first : second) segment(weights, range).setZero();
     test.rms_before_dph = weighted_rms(without.residual_dph, weights);

@@ -33,7 +33,7 @@ constexpr double kLeastGain = 10;
 /// question, because a half may lack what the other is full of.
 struct HalfTest {
   const char* identified_on = "";  ///< "first" or "second"
-  bool determined = false;         ///< that half determines every coefficient of both sets
+  bool determined = false;         ///< that half tells every coefficient, not far worse than all
   double rms_before_dph = 0;       ///< in the other half
   double rms_after_dph = 0;
 };

@@ -55,8 +55,8 @@ echo "hidden_effects: ${#ids[@]} cases of the $seeds seeds, $jobs jobs, in $out"
 simulator=$(cksum <"$build/host_tools/libfogcomp_simulation.a" | tr ' ' -)
 tool=$(cksum <"$fogcomp" | tr ' ' -)
 if wants make; then
-  # What recordings depend on: the simulator and the drawing of the cases.
-  made_by=$simulator-$(cat "$here"/{case_plan,gyro_draw,hidden_draw,programmes,trial,visible,case_facts}.cpp | cksum | tr ' ' -)
+  # What recordings depend on: the simulator and the programmes that draw the cases.
+  made_by=$simulator-$(cat "$programmes"/{plan_case,case_facts} | cksum | tr ' ' -)
   printf '%s\n' "${ids[@]}" | each make "$here/make_case.sh" "$fogcomp" "$programmes" "$out" "$made_by"
 fi
 if wants answer; then

@@ -13,23 +13,15 @@
 
 namespace {
 
+using fog::test::model_of;
 using fogcomp::Diagnosis;
 using fogcomp::Model;
 using fogcomp::Verdict;
-
-constexpr fog::test::RowNoise kNoise{0.024, 0.004, 600};
 
 std::vector<fogcomp::EffectTerm> basic() {
   return {fog::test::natural_term("bias", {}, {0.7}),
           fog::test::natural_term("bias_temperature", {2}, {-4e-4, -3e-5}),
           fog::test::natural_term("temperature_rate", {}, {0.12})};
-}
-
-Model model_of(const std::vector<fogcomp::EffectTerm>& terms) {
-  Model model = fog::test::paper_like_model();
-  model.network = {};
-  model.terms = terms;
-  return model;
 }
 
 // What the coil does without the board's delays, and noise.
@@ -38,7 +30,8 @@ fogcomp::Recording recording_with(const std::vector<fogcomp::EffectTerm>& hidden
   std::vector<fogcomp::EffectTerm> terms = basic();
   terms.insert(terms.end(), hidden.begin(), hidden.end());
   const Model model = model_of(terms);
-  fogcomp::Recording recording = fog::test::recording_of(model_of({}), kNoise, seed);
+  fogcomp::Recording recording =
+      fog::test::recording_of(model_of({}), fog::test::kQuietNoise, seed);
   fogcomp::SignalSeries series(model, fogcomp::Phase::zero);
   series.add(fogcomp::make_blocks(recording));
   for (const fogcomp::EffectTerm& term : terms) {
@@ -86,7 +79,7 @@ TEST(Diagnosis, NamesTheEffectThatIsMissing) {
     fogcomp::EffectTerm term;
     const char* declared;
   } kCases[] = {
-      {fog::test::natural_term("polarization_ripple", {13}, {0.012, 0.006}), kBasic},
+      {fog::test::natural_term("polarization_ripple", {13, 0}, {0.012, 0.006}), kBasic},
       {fog::test::natural_term("thermal_hysteresis", {6, 0}, {0.02}), kBasic},
       {fog::test::natural_term("temperature_rate_product", {}, {9e-4}), kBasic},
       {basic()[2], "bias,bias_temperature:order=2"},
@@ -266,19 +259,19 @@ TEST(Ladder, AddsAnExpression) {
   std::sort(added.begin(), added.end());
   EXPECT_EQ(added, (std::vector<std::string>{"late", "temperature_rate"}));
   EXPECT_LT(ladder.steps.back().rms_after_dph,
-            1.05 * std::hypot(kNoise.white_dph, kNoise.slow_dph));
+            1.05 * std::hypot(fog::test::kQuietNoise.white_dph, fog::test::kQuietNoise.slow_dph));
 }
 
 TEST(Ladder, FindsTwoEffectsAndStops) {
   const Model model = model_of(fogcomp::parse_effects("bias,bias_temperature:order=2"));
   fogcomp::DiagnosisData data(model);
-  data.add(recording_with({fog::test::natural_term("polarization_ripple", {13}, {0.02, 0})}, 2));
+  data.add(recording_with({fog::test::natural_term("polarization_ripple", {13, 0}, {0.02, 0})}, 2));
   const fogcomp::Ladder ladder = fogcomp::walk_ladder(model, data, 4);
   std::vector<std::string> added = ladder.added();
   std::sort(added.begin(), added.end());
   EXPECT_EQ(added, (std::vector<std::string>{"polarization_ripple", "temperature_rate"}));
   EXPECT_LT(ladder.steps.back().rms_after_dph,
-            1.05 * std::hypot(kNoise.white_dph, kNoise.slow_dph));
+            1.05 * std::hypot(fog::test::kQuietNoise.white_dph, fog::test::kQuietNoise.slow_dph));
 }
 
 }  // namespace

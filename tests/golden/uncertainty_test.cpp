@@ -58,7 +58,7 @@ void expect_true_intervals(const std::vector<EffectTerm>& terms, const std::stri
 TEST(Uncertainty, OfARipplesPeriodIsTrue) {
   expect_true_intervals({fog::test::natural_term("bias", {}, {0.72}),
                          fog::test::natural_term("temperature_rate", {}, {0.136}),
-                         fog::test::natural_term("polarization_ripple", {13}, {0.02, -0.03})},
+                         fog::test::natural_term("polarization_ripple", {13, 0}, {0.02, -0.03})},
                         "bias,temperature_rate,polarization_ripple");
 }
 

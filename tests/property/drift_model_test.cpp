@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
                     EffectCase{"thermal_lag", {{10}, {960}, {20000}}},
                     EffectCase{"temperature_rate_product", {{}}},
                     EffectCase{"axial_gradient", {{5}, {30}, {600}}},
-                    EffectCase{"polarization_ripple", {{2}, {13}, {60}}},
+                    EffectCase{"polarization_ripple", {{2, 60}, {13, 4.8}, {60, 2}}},
                     EffectCase{"thermal_hysteresis", {{0.5, 40}, {3, 10}, {40, 7.3}}},
                     EffectCase{"glass_transition", {{-60, 0.5}, {-20, 4}, {80, 20}}},
                     EffectCase{"scale_factor_temperature", {{}}},

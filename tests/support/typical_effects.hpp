@@ -57,7 +57,7 @@ inline std::vector<fogcomp::EffectTerm> typical_terms() {
           natural_term("thermal_lag", {960}, {0.14}),
           natural_term("temperature_rate_product", {}, {1e-3}),
           natural_term("axial_gradient", {30}, {0.9, 0.1}),
-          natural_term("polarization_ripple", {13}, {0.02, -0.03}),
+          natural_term("polarization_ripple", {13, 4.8}, {0.02, -0.03, 0.005, 0.004}),
           natural_term("thermal_hysteresis", {3, 10}, {0.03, 0.02}),
           natural_term("glass_transition", {-20, 4}, {0.1, 0.14}),
           natural_term("scale_factor_temperature", {}, {300}),

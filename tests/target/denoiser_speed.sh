@@ -27,7 +27,7 @@ within() {
     { echo "above $most_mean mean, $most_worst worst or $most_ram bytes: $line" >&2; exit 1; }
 }
 within fixed 200 940 3072
-within sqtwolog 240 1080 3072
-within heursure 270 1240 3072
-most_flash=2400
+within sqtwolog 230 1050 3072
+within heursure 265 1215 3072
+most_flash=2048
 ((0 < flash && flash <= most_flash)) || { echo "flash is not within $most_flash bytes" >&2; exit 1; }

@@ -29,7 +29,7 @@ class DriftModel {
         limits_(thermal),
         effects_(effects),
         expressions_(expressions, effects.coefficient_fraction),
-        network_(network, effects.coefficient_fraction),
+        network_(network),
         policy_(policy) {}
 
   /// Starts from the values of one sample, so that there is a drift before the first block is full.

@@ -28,18 +28,21 @@ class NoiseGain {
   /// `expected_universal` is the finest level's universal threshold for a gain of 1.
   [[gnu::always_inline]] void follow(std::uint32_t magnitude, std::uint32_t expected_universal) {
     const std::uint32_t step = gain_ >> 9U;
-    const bool above = (std::uint64_t{magnitude} << kShareFraction) >
-                       std::uint64_t{of(expected_universal)} * kMedianShare;
-    gain_ = above ? gain_ + step : gain_ - step;
-    if (gain_ > kMost) gain_ = kMost;
-    if (gain_ < kLeast) gain_ = kLeast;
+    const std::uint64_t median =
+        std::uint64_t{of(expected_universal)} * kMedianShare >> kShareFraction;
+    if (magnitude > median) {
+      gain_ += step;
+      if (gain_ > kMost) gain_ = kMost;
+    } else if (gain_ > kLeast) {
+      gain_ -= step;
+    }
   }
 
  private:
   static constexpr std::uint32_t kLeast = 1U << 9U;  // 1/128: below, a step would be 0
   // Median of white noise's magnitude / its universal threshold: 0.6745 / sqrt(2 ln 128).
-  static constexpr int kShareFraction = 12;
-  static constexpr std::uint32_t kMedianShare = 887;
+  static constexpr int kShareFraction = 32;
+  static constexpr std::uint32_t kMedianShare = 887U << 20U;
 
   std::uint32_t gain_ = 1U << kFraction;
 };
@@ -64,9 +67,9 @@ class RiskHistogram {
   }
   bool full() const { return details_ >= kThresholdBlock; }
 
-  /// Ends a full block: sets the threshold and begins anew. The whole universal threshold where the
-  /// signal is weak, else the candidate of least risk.
-  void choose();
+  /// Ends a block if it is full, and says so: sets the threshold and begins anew. The whole
+  /// universal threshold where the signal is weak, else the candidate of least risk.
+  bool choose();
 
   /// The level's threshold in sixteenths of the universal one, 1 to kWhole.
   std::uint32_t sixteenths() const { return kWhole - left_off_; }
@@ -87,11 +90,6 @@ class RiskHistogram {
 
 /// The threshold of one level.
 struct LevelThreshold {
-  void set(std::int32_t table) {
-    expected = static_cast<std::uint32_t>(table);
-    now = expected;
-  }
-
   std::uint32_t expected = 0;  ///< the table's, LSB 2^-16 deg/h
   std::uint32_t now = 0;       ///< at most kMostThresholdGain times as much
   RiskHistogram risk;          ///< heursure only

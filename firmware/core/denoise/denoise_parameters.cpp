@@ -11,11 +11,14 @@ std::uint32_t magnitude_of(std::int32_t half) {
 // input (times 2^15 / 2) comes out of it. The same for both filters, of which one is the other
 // backwards.
 std::uint32_t largest_gain(Span<const std::int32_t> synthesis) {
-  std::uint32_t sums[2] = {0, 0};
-  for (std::size_t i = 0; i < synthesis.size; ++i) {
-    sums[i % 2] += magnitude_of(static_cast<std::int16_t>(synthesis[i]));
+  std::uint32_t sum = 0;
+  std::uint32_t other_sum = 0;
+  for (const std::int32_t word : synthesis) {  // even and odd take turns
+    const std::uint32_t next = other_sum + magnitude_of(static_cast<std::int16_t>(word));
+    other_sum = sum;
+    sum = next;
   }
-  return sums[0] > sums[1] ? sums[0] : sums[1];
+  return sum > other_sum ? sum : other_sum;
 }
 
 // From the coarsest level up: noise <= gain * (coarser noise + threshold). Each rounding adds half

@@ -46,7 +46,7 @@ struct DenoiseParameters {
 
 /// Delay of a filter bank of so many levels, in samples at the input of its finest level.
 constexpr std::size_t denoise_delay(std::size_t taps, std::size_t levels) {
-  return levels == 0 ? 0 : (taps - 1) * ((std::size_t{1} << levels) - 1);
+  return (taps - 1) * ((std::size_t{1} << levels) - 1);
 }
 
 /// Adaptive thresholds go up to this times the table's.

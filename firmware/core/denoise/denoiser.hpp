@@ -38,8 +38,10 @@ class Denoiser {
   /// Needs levels <= kLevels and exactly kTaps taps (read_model checks). Without levels, as a model
   /// that is refused leaves them, no sample may be valid.
   explicit Denoiser(const DenoiseParameters& parameters)
-      : bank_(parameters, {memory_.line.data(), memory_.coarser.data(), memory_.waiting.data()}),
-        filling_(bank_.line().length()) {}
+      : filling_(denoise_line_length(kTaps, parameters.levels())),
+        bank_(parameters, {memory_.line.data(), memory_.coarser.data(), memory_.waiting.data()}) {
+    memory_.validity.unsettle(filling_ - 1);  // all but the first
+  }
   // The parts point into this.
   Denoiser(const Denoiser&) = delete;
   Denoiser& operator=(const Denoiser&) = delete;
@@ -48,7 +50,7 @@ class Denoiser {
   /// ever, and it is what comes out until the line is full. In place of a sample that is not valid
   /// the last valid one is taken, so that a fault spoils no other sample.
   DenoiserOutput step(Rate rate, bool valid) {
-    if (!valid || !settled_) return unsettled_step(rate, valid);
+    if (!valid || !memory_.validity.settled()) return unsettled_step(rate, valid);
     return {Rate::from_raw(bank_.step(rate.raw())), true};
   }
 
@@ -69,8 +71,8 @@ class Denoiser {
 
   // At start-up and around samples that are not valid.
   [[gnu::noinline]] DenoiserOutput unsettled_step(Rate rate, bool valid) {
-    const SampleLine& line = bank_.line();
-    if (filling_ == line.length()) {  // nothing valid yet
+    const std::size_t length = bank_.line().length();
+    if (filling_ == length) {  // nothing valid yet
       if (!valid) return {};
       bank_.prime(rate.raw());
       --filling_;
@@ -83,16 +85,13 @@ class Denoiser {
     if (!valid) rate = Rate::from_raw(bank_.last());
     bank_.follow_noise(false);
     rate = Rate::from_raw(bank_.step(rate.raw()));
-    valid = memory_.validity.exchange(valid, line.newest_slot(), line.oldest_slot(), line.length());
-    settled_ = filling_ == 0 && memory_.validity.settled();
-    bank_.follow_noise(settled_);
-    return {rate, valid};
+    bank_.follow_noise(true);
+    return {rate, memory_.validity.exchange(valid, length)};
   }
 
+  std::size_t filling_;  // samples until the line is full
   Memory memory_{};
   FilterBank<kTaps> bank_;
-  std::size_t filling_;   // samples until the line is full
-  bool settled_ = false;  // the line is full of valid samples
 };
 
 /// No levels: no delay. In place of a sample that is not valid, the last valid one.

@@ -1,6 +1,7 @@
 #include "core/denoise/filter_bank.hpp"
 
 #include "core/denoise/filter_kernels.hpp"
+#include "core/fixed_point/saturating_difference.hpp"
 #include "core/fixed_point/shift.hpp"
 #include "core/signal/quantities.hpp"
 
@@ -10,13 +11,6 @@ namespace {
 std::uint32_t magnitude_of(std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);
   return value < 0 ? 0U - bits : bits;
-}
-
-// saturate(a - b)
-std::int32_t saturating_difference(std::int32_t a, std::int32_t b) {
-  std::int32_t difference = 0;
-  if (!__builtin_sub_overflow(a, b, &difference)) return difference;
-  return b < 0 ? INT32_MAX : INT32_MIN;
 }
 
 std::uint32_t pack(std::uint32_t coarser_noise, std::int32_t removed) {
@@ -41,37 +35,37 @@ FilterBank<kTaps>::FilterBank(const DenoiseParameters& parameters, const BankMem
       filters_(parameters.filters.data),
       rule_(parameters.rule),
       mode_(parameters.mode),
+      shift_(noise_shift(parameters)),
+      rounding_half_(static_cast<std::int32_t>((std::uint32_t{1} << shift_) / 2)),
       coarser_(memory.coarser),
       coarser_end_(memory.coarser) {
   if (parameters.levels() == 0) return;
-  shift_ = noise_shift(parameters);
-  if (shift_ > 0) rounding_half_ = rounding_half<std::int32_t>(shift_);
-  coarser_end_ += parameters.levels() - 1;
-  const std::int32_t* threshold = parameters.thresholds.end();
+  // What step() would find: sample 0 completes a pair on every level, and its details are 0.
+  const std::int32_t* expected = parameters.thresholds.begin();
+  finest_.threshold.expected = static_cast<std::uint32_t>(*expected);
+  adapt_finest(0);
   std::int16_t* slots = memory.waiting;
-  std::size_t pairs = 0;  // that a level waits for those below it: their delay
-  for (CoarserLevel<kTaps>* level = coarser_end_; level != coarser_;) {
-    --level;
-    level->threshold.set(*--threshold);
+  std::size_t pairs = (line_.length() - kTaps) / 2;  // that a level waits: the delay of those below
+  CoarserLevel<kTaps>* level = memory.coarser;
+  for (; ++expected != parameters.thresholds.end(); ++level) {
+    level->threshold.expected = static_cast<std::uint32_t>(*expected);
+    adapt_threshold(level->threshold, 0);
+    pairs = (pairs - (kTaps - 1)) / 2;
     level->removed_first = slots;
     level->removed_next = slots;
     slots += pairs + 1;
     level->removed_end = slots;
-    pairs = 2 * pairs + kTaps - 1;
   }
-  finest_.threshold.set(*--threshold);
-  gate_.set_limit(outlier_limit(finest_.threshold.now));
+  coarser_end_ = level;
 }
 
 template <std::size_t kTaps>
 void FilterBank<kTaps>::prime(std::int32_t sample) {
   line_.fill(sample, kTaps);
-  for (auto* level = coarser_; level != coarser_end_; ++level) level->inputs.fill(sample);
-  // What step() would find: sample 0 completes a pair on every level, and its details are 0.
-  samples_ = 1;
-  if (rule_ == ThresholdRule::fixed) return;
-  adapt_finest(0);
-  for (auto* level = coarser_; level != coarser_end_; ++level) adapt_threshold(level->threshold, 0);
+  for (auto* level = coarser_; level != coarser_end_; ++level) {
+    for (std::int32_t& input : level->inputs) input = sample;
+  }
+  samples_ = 1;  // sample 0 was this
 }
 
 // What thresholding takes away from a detail beyond the threshold.
@@ -119,11 +113,11 @@ void FilterBank<kTaps>::adapt_finest(std::uint32_t magnitude) {
 // detail is the first to come.
 template <std::size_t kTaps>
 void FilterBank<kTaps>::choose_threshold() {
-  if (finest_.threshold.risk.full()) return finest_.threshold.risk.choose();
-  for (auto* level = coarser_; level != coarser_end_; ++level) {
-    if (level->threshold.risk.full()) return level->threshold.risk.choose();
+  bool chosen = finest_.threshold.risk.choose();
+  for (auto* level = coarser_; !chosen && level != coarser_end_; ++level) {
+    chosen = level->threshold.risk.choose();
   }
-  choice_due_ = false;
+  choice_due_ = chosen;
 }
 
 template <std::size_t kTaps>
@@ -137,9 +131,10 @@ std::int32_t FilterBank<kTaps>::step(std::int32_t sample) {
     if (choice_due_) choose_threshold();
     noise = finest_.waiting_noise;
   }
-  const std::int32_t removed_rate =
-      round_shift(shift_left(noise, shift_), kDetailFraction - Rate::fractional_bits);
-  return saturating_difference(line_.oldest(), removed_rate);
+  constexpr int kNoiseBelowRate = kDetailFraction - Rate::fractional_bits;
+  const std::int32_t fine =
+      shift_left(noise, shift_) + rounding_half<std::int32_t>(kNoiseBelowRate);
+  return saturating_difference(line_.oldest(), floor_shift(fine, kNoiseBelowRate));
 }
 
 // Level l (from 0) gets an input at every 2^l-th sample, and every second of these, beginning with

@@ -97,11 +97,11 @@ class FilterBank {
   const std::int32_t* filters_;
   ThresholdRule rule_;
   ThresholdMode mode_;
-  std::int32_t rounding_half_ = 0;  // of a shift by shift_
-  int shift_ = 0;                   // noise_shift()
+  int shift_;                   // noise_shift()
+  std::int32_t rounding_half_;  // of a shift by shift_
   CoarserLevel<kTaps>* coarser_;
   CoarserLevel<kTaps>* coarser_end_;  // a count would have to be multiplied for each pair
-  BankLevel<kTaps> finest_;
+  BankLevel<kTaps> finest_{};
   NoiseGain gain_;
   bool follow_noise_ = false;
   bool choice_due_ = false;  // some histogram is full

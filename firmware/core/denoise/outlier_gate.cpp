@@ -3,9 +3,9 @@
 namespace fog {
 namespace {
 
-std::uint32_t distance(std::int32_t a, std::int32_t b) {
-  const auto difference = static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b);
-  return a > b ? difference : 0U - difference;
+// Needs upper >= lower; has 32 bits.
+std::uint32_t distance(std::int32_t upper, std::int32_t lower) {
+  return static_cast<std::uint32_t>(upper) - static_cast<std::uint32_t>(lower);
 }
 
 // Whether `rest` is more than `part`; if so, takes it off: a sum in its place could need 34 bits.
@@ -18,12 +18,18 @@ bool exceeds(std::uint32_t& rest, std::uint32_t part) {
 }  // namespace
 
 bool OutlierGate::is_outlier(std::int32_t next, std::int32_t last) const {
-  if ((withheld_ > last) != (withheld_ > next)) return false;
-  const std::uint32_t off_last = distance(withheld_, last);
-  const std::uint32_t off_next = distance(withheld_, next);
-  std::uint32_t off = off_last < off_next ? off_last : off_next;
-  return exceeds(off, limit_) && exceeds(off, distance(next, last)) &&
-         exceeds(off, distance(last, before_last_));
+  std::int32_t lower = next;
+  std::int32_t upper = last;
+  if (next > last) {
+    lower = last;
+    upper = next;
+  }
+  std::uint32_t off = 0;
+  if (withheld_ > upper) off = distance(withheld_, upper);
+  if (withheld_ < lower) off = distance(lower, withheld_);
+  if (!exceeds(off, limit_) || !exceeds(off, distance(upper, lower))) return false;
+  return exceeds(off,
+                 last > before_last_ ? distance(last, before_last_) : distance(before_last_, last));
 }
 
 std::int32_t OutlierGate::judge(SampleLine& line, std::int32_t sample) {

@@ -15,7 +15,7 @@ namespace fog {
 class OutlierGate {
  public:
   /// Below 2^30; the samples' unit.
-  void set_limit(std::uint32_t limit) {
+  [[gnu::always_inline]] void set_limit(std::uint32_t limit) {
     limit_ = limit;
     if (!withholding()) span_ = 2 * limit + 1;
   }

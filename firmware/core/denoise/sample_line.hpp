@@ -16,7 +16,7 @@ class SampleLine {
 
   /// `memory`: memory(length, window) values; 2 <= window <= length, or length 1 for one that
   /// must not be used.
-  SampleLine(std::int32_t* memory, std::size_t length, std::size_t window)
+  [[gnu::always_inline]] SampleLine(std::int32_t* memory, std::size_t length, std::size_t window)
       : first_(memory),
         last_(memory + length - 1),
         oldest_(last_),
@@ -26,14 +26,12 @@ class SampleLine {
   /// As if `value` had come for ever, as far as the newest and the oldest `window` samples show it.
   /// Until as many have been pushed as the line is long, fill_further() has to precede each: so
   /// that no sample pays for the whole line.
-  void fill(std::int32_t value, std::size_t window) {
-    for (std::size_t i = 0; i < window; ++i) {
-      write(first_ + i, value);
-      *(last_ - i) = value;
-    }
+  [[gnu::always_inline]] void fill(std::int32_t value, std::size_t window) {
+    // The oldest stand at the end, and behind it what repeats the newest.
+    for (std::int32_t* at = last_ + 1 - window; at <= last_ + window; ++at) *at = value;
   }
   void fill_further(std::size_t window) {
-    if (oldest_slot() >= 2 * window) *(oldest_ - window) = *oldest_;
+    if (oldest_ >= first_ + window) *(oldest_ - window) = *oldest_;
   }
 
   /// In place of the oldest.
@@ -49,7 +47,7 @@ class SampleLine {
   /// The oldest `window` samples.
   [[gnu::always_inline]] const std::int32_t* oldest(std::size_t window) const {
     const std::int32_t* last = oldest_;
-    if (oldest_slot() < window - 1) last += length_;
+    if (last < first_ + (window - 1)) last += length_;
     return last - (window - 1);
   }
 
@@ -57,13 +55,9 @@ class SampleLine {
   std::int32_t oldest() const { return *oldest_; }
 
   /// Corrects the newest.
-  void replace_newest(std::int32_t value) { write(first_ + newest_slot(), value); }
+  void replace_newest(std::int32_t value) { write(oldest_ == last_ ? first_ : oldest_ + 1, value); }
 
   std::size_t length() const { return length_; }
-
-  /// Where a sample stands, 0 to length - 1: the same until it leaves the line.
-  std::size_t newest_slot() const { return oldest_slot() + 1 == length_ ? 0 : oldest_slot() + 1; }
-  std::size_t oldest_slot() const { return static_cast<std::size_t>(oldest_ - first_); }
 
  private:
   [[gnu::always_inline]] void write(std::int32_t* at, std::int32_t value) {

@@ -20,7 +20,8 @@ class Fixed {
   using Raw = RawType;
   static constexpr int fractional_bits = kFractionalBits;
   static_assert(std::is_same_v<Raw, std::int32_t> || std::is_same_v<Raw, std::int64_t>);
-  static_assert(kFractionalBits >= 0 && kFractionalBits < static_cast<int>(sizeof(Raw) * 8));
+  // May be more than Raw has bits: of small numbers, such as the distance to a table's node.
+  static_assert(kFractionalBits >= 0 && kFractionalBits < 64);
 
   constexpr Fixed() = default;
   static constexpr Fixed from_raw(Raw raw) {
@@ -64,6 +65,21 @@ template <int kA, int kB>
 constexpr Fixed<std::int64_t, kA + kB> operator*(Fixed<std::int32_t, kA> a,
                                                  Fixed<std::int32_t, kB> b) {
   return Fixed<std::int64_t, kA + kB>::from_raw(std::int64_t{a.raw()} * b.raw());
+}
+
+/// The upper half of the product, rounded down: one instruction (SMULL). Fits for any pair.
+template <int kA, int kB>
+constexpr Fixed<std::int32_t, kA + kB - 32> high_product(Fixed<std::int32_t, kA> a,
+                                                         Fixed<std::int32_t, kB> b) {
+  return Fixed<std::int32_t, kA + kB - 32>::from_raw(
+      static_cast<std::int32_t>(floor_shift(std::int64_t{a.raw()} * b.raw(), 32)));
+}
+
+/// `value` in the format To, rounded down: a shift that costs nothing beside an addition, where
+/// half an LSB does not matter.
+template <class To, int kBits>
+constexpr To floor_to(Fixed<std::int32_t, kBits> value) {
+  return To::from_raw(floor_shift(value.raw(), kBits - To::fractional_bits));
 }
 
 template <typename T>

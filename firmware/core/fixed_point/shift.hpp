@@ -9,9 +9,10 @@
 namespace fog {
 
 /// value / 2^bits, rounded to the nearest integer, halves upwards (towards +infinity): add half,
-/// then shift arithmetically. The only lossy step of the whole core; the Cortex-M4 instruction
-/// SMMULR rounds the same way. 0 <= bits < width of Int; no overflow for any value. Right shifts of
-/// negative numbers are arithmetic on every compiler that C++20 allows, and on GCC.
+/// then shift arithmetically. The only lossy step of the core, but for the upper words inside the
+/// logistic function; the Cortex-M4 instruction SMMULR rounds the same way. 0 <= bits < width of
+/// Int; no overflow for any value. Right shifts of negative numbers are arithmetic on every
+/// compiler that C++20 allows, and on GCC.
 template <typename Int>
 constexpr Int round_shift(Int value, int bits) {
   static_assert(std::is_signed_v<Int>);
@@ -61,8 +62,7 @@ template <int kBits>
   if ((static_cast<std::uint32_t>(upper) + (std::uint32_t{1} << (kBits - 1))) >> kBits == 0) {
     return static_cast<std::int32_t>(value >> kBits);
   }
-  return upper < 0 ? std::numeric_limits<std::int32_t>::min()
-                   : std::numeric_limits<std::int32_t>::max();
+  return std::numeric_limits<std::int32_t>::max() ^ (upper >> 31);  // min where negative
 }
 
 /// numerator / denominator rounded to nearest, halves upwards, as round_shift does.

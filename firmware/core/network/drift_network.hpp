@@ -52,8 +52,8 @@ class DriftNetwork {
  public:
   using BoardSignals = Signals<BoardNumbers>;
 
-  DriftNetwork(const NetworkParameters& parameters, int coefficient_fraction)
-      : parameters_(parameters), coefficient_fraction_(coefficient_fraction), lags_(parameters) {}
+  explicit DriftNetwork(const NetworkParameters& parameters)
+      : parameters_(parameters), lags_(parameters) {}
 
   /// Starts all states from these signals.
   void reset(const BoardSignals& signals) { lags_.reset(signals.temperature); }
@@ -61,11 +61,12 @@ class DriftNetwork {
   /// Advances all states by one block and returns the network's drift, 0 without a network.
   DriftSum step(const BoardSignals& signals) {
     if (!parameters_.present()) return {};
-    std::array<std::int32_t, kMostNetworkInputs> inputs;
-    for (std::size_t i = 0; i < parameters_.input_count; ++i) {
-      inputs[i] = normalised(value(i, signals), parameters_.inputs[i]).raw();
+    ScaledInputs inputs;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const InputScaling& scaling = parameters_.inputs[i];
+      inputs[i] = scaling.reach == 0 ? 0 : scaled_input(value(i, signals), scaling);
     }
-    return network_drift(parameters_, coefficient_fraction_, inputs.data());
+    return network_drift(parameters_, inputs);
   }
 
  private:
@@ -89,7 +90,6 @@ class DriftNetwork {
   }
 
   NetworkParameters parameters_;
-  int coefficient_fraction_;
   detail::InputLags<compiled(NetworkInput::lagged_temperature)> lags_;
 };
 
@@ -97,7 +97,7 @@ class DriftNetwork {
 template <>
 class DriftNetwork<0> {
  public:
-  DriftNetwork(const NetworkParameters& /*parameters*/, int /*coefficient_fraction*/) {}
+  explicit DriftNetwork(const NetworkParameters& /*parameters*/) {}
   void reset(const Signals<BoardNumbers>& /*signals*/) {}
   DriftSum step(const Signals<BoardNumbers>& /*signals*/) { return {}; }
 };

@@ -1,76 +1,97 @@
 #include "core/network/network.hpp"
 
+#include "core/fixed_point/saturating_difference.hpp"
+
 namespace fog {
 namespace {
 
-constexpr auto kOne = from_integer<ActivationOutput>(1);
-
-ActivationOutput activate(Activation activation, ActivationInput x) {
-  switch (activation) {
-    case Activation::logsig:
-      return logistic(x);
-    case Activation::tansig:
-      return hyperbolic_tangent(x);
-    case Activation::linear:
-      break;
-  }
-  return saturate_to<ActivationOutput>(x);
+// A sum of products of raw weights and inputs, of which the upper half counts. The lower one begins
+// with half of the upper one's LSB, so that the upper one is rounded.
+std::int64_t sum_from(std::int32_t bias) {
+  const auto upper = static_cast<std::uint32_t>(bias);
+  return static_cast<std::int64_t>((std::uint64_t{upper} << 32U) | (std::uint64_t{1} << 31U));
 }
 
-// One neuron. Inputs are within +-1, so the sum fits (layer_fits) and the bias, which has the
-// weights' format, is added as a weight of the input 1.
-ActivationOutput neuron(const LayerParameters& layer, std::size_t row, const std::int32_t* inputs,
-                        std::size_t input_count) {
-  const std::int32_t* weights = layer.weights.data + row * input_count;
-  std::int64_t sum = std::int64_t{layer.biases[row]} * kOne.raw();
-  for (std::size_t i = 0; i < input_count; ++i) sum += std::int64_t{weights[i]} * inputs[i];
-  const int dropped =
-      layer.fraction + ActivationOutput::fractional_bits - ActivationInput::fractional_bits;
-  return activate(layer.activation,
-                  ActivationInput::from_raw(saturate<std::int32_t>(round_shift(sum, dropped))));
+std::int64_t product(std::int32_t weight, std::int32_t input) {
+  return std::int64_t{weight} * input;
+}
+
+std::int32_t upper_half(std::int64_t sum) {
+  return static_cast<std::int32_t>(floor_shift(sum, 32));
+}
+
+// By what a layer's sums come to the format of ActivationInput, and where they are clipped for
+// that.
+struct Scale {
+  explicit Scale(int layer_shift)
+      : shift(static_cast<unsigned>(layer_shift)), most(std::uint32_t{INT32_MAX} >> shift) {}
+
+  unsigned shift;
+  std::uint32_t most;
+};
+
+[[gnu::always_inline]] inline ActivationOutput activate(std::int64_t sum, Scale scale) {
+  const std::int32_t upper = upper_half(sum);
+  const auto sign = static_cast<std::uint32_t>(floor_shift(upper, 31));  // all bits or none
+  std::uint32_t magnitude = (static_cast<std::uint32_t>(upper) ^ sign) - sign;
+  magnitude = magnitude < scale.most ? magnitude : scale.most;
+  return symmetric_logistic(magnitude << scale.shift, sign);
+}
+
+ActivationOutput linear(std::int64_t sum, int layer_shift) {
+  const int shift =
+      layer_shift + ActivationOutput::fractional_bits - ActivationInput::fractional_bits;
+  const std::int32_t most = floor_shift(INT32_MAX, shift);
+  return ActivationOutput::from_raw(shift_left(clamp(upper_half(sum), -most, most), shift));
+}
+
+// In raw.
+bool sum_fits(std::uint64_t weights, std::int32_t bias) {
+  const std::int64_t raw = bias;
+  return weights + 2 * static_cast<std::uint64_t>(raw < 0 ? -raw : raw) < UINT32_MAX;
+}
+
+std::uint32_t magnitude(std::int32_t weight) {
+  const auto bits = static_cast<std::uint32_t>(weight);
+  return weight < 0 ? 0U - bits : bits;
 }
 
 }  // namespace
 
-// The difference is clipped at the format of the signals, which are far inside it; the product is
-// below 2^62.
-ActivationOutput normalised(std::int32_t raw, const InputScaling& scaling) {
-  const auto difference = saturate<std::int32_t>(std::int64_t{raw} - scaling.centre);
-  const std::int64_t scaled =
-      round_shift(std::int64_t{difference} * scaling.multiplier, scaling.shift);
-  return clamp(ActivationOutput::from_raw(saturate<std::int32_t>(scaled)), -kOne, kOne);
+std::int32_t scaled_input(std::int32_t raw, const InputScaling& scaling) {
+  std::int32_t difference = saturating_difference(raw, scaling.centre);
+  difference = difference < scaling.reach ? difference : scaling.reach;
+  difference = difference > -scaling.reach ? difference : -scaling.reach;
+  return shift_left(difference, scaling.shift);
 }
 
-DriftSum network_drift(const NetworkParameters& network, int coefficient_fraction,
-                       const std::int32_t* inputs) {
-  std::array<std::int32_t, kMostHidden> hidden;  // raw, so that nothing is written to it twice
-  const std::size_t hidden_count = network.hidden.biases.size;
-  for (std::size_t row = 0; row < hidden_count; ++row) {
-    hidden[row] = neuron(network.hidden, row, inputs, network.input_count).raw();
+DriftSum network_drift(const NetworkParameters& network, const ScaledInputs& inputs) {
+  std::int64_t output = sum_from(network.output_bias);
+  const std::int32_t* const in = inputs.data();
+  const std::int32_t* const end = network.neurons.end();
+  const Scale hidden(network.hidden_shift);
+  for (const std::int32_t* word = network.neurons.begin(); word != end; word += kNeuronWords) {
+    std::int64_t sum = sum_from(word[0]);
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < kMostNetworkInputs; ++i) sum += product(word[1 + i], in[i]);
+    output += product(word[1 + kMostNetworkInputs], activate(sum, hidden).raw());
   }
-  const ActivationOutput y = neuron(network.output, 0, hidden.data(), hidden_count);
-  // |y| <= 2 (linear output) and centre, amplitude < 2^31: below 2^63.
-  const std::int64_t drift =
-      std::int64_t{network.amplitude} * y.raw() + std::int64_t{network.centre} * kOne.raw();
-  return DriftSum::from_raw(round_shift(
-      drift, coefficient_fraction + ActivationOutput::fractional_bits - DriftSum::fractional_bits));
+  const ActivationOutput y = network.linear_output ? linear(output, network.output_shift)
+                                                   : activate(output, Scale(network.output_shift));
+  return round_to<DriftSum>(network.amplitude * y) + round_to<DriftSum>(network.centre);
 }
 
-bool layer_fits(const LayerParameters& layer) {
-  const std::size_t rows = layer.biases.size;
-  if (rows == 0) return layer.weights.size == 0;
-  const std::size_t columns = layer.weights.size / rows;
-  for (std::size_t row = 0; row < rows; ++row) {
-    const auto magnitude = [](std::int32_t raw) {
-      return raw < 0 ? -std::int64_t{raw} : std::int64_t{raw};
-    };
-    std::int64_t sum = magnitude(layer.biases[row]);
-    for (std::size_t i = 0; i < columns; ++i) {
-      sum += magnitude(layer.weights[row * columns + i]);
-    }
-    if (sum > (std::int64_t{1} << 31)) return false;
+bool network_fits(const NetworkParameters& network) {
+  bool fits = true;
+  std::uint64_t output_weights = 0;
+  for (const std::int32_t* word = network.neurons.begin(); word != network.neurons.end();
+       word += kNeuronWords) {
+    std::uint64_t weights = 0;
+    for (std::size_t i = 1; i <= kMostNetworkInputs; ++i) weights += magnitude(word[i]);
+    fits = fits && sum_fits(weights, word[0]);
+    output_weights += magnitude(word[kNeuronWords - 1]);
   }
-  return true;
+  return fits && sum_fits(output_weights, network.output_bias);
 }
 
 }  // namespace fog

@@ -13,37 +13,45 @@
 
 namespace fog {
 
+/// What a model may ask for. The board has one activation, tanh(z / 2); the factors in which logsig
+/// and tansig differ from it go into weights and biases when the table is written.
 enum class Activation : std::int32_t { logsig = 0, tansig = 1, linear = 2 };
 
 constexpr std::size_t kMostHidden = 32;
 
-/// x -> (x - centre) * multiplier / 2^shift, clipped to +-1: the min-max normalisation of training.
+/// Fractional bits of weights, less the layer's shift; biases and sums have two less.
+constexpr int kWeightFraction = 29;
+constexpr int kMostWeightShift = 16;
+
+using NetworkDrift = Fixed<std::int32_t, 16>;  ///< deg/h, +-32768
+
+/// x -> (x - centre, clipped to +-reach) * 2^shift: the min-max normalisation of training but for a
+/// factor between 1 and 2, which is in the weights. Exact.
 struct InputScaling {
   NetworkInput signal{};
   FirstOrderLag<BoardNumbers>::Decay decay{};  ///< of lagged_temperature; 0 for the others
   std::int32_t centre = 0;                     ///< in the format of the signal
-  std::int32_t multiplier = 0;                 ///< 2^30 <= multiplier < 2^31: 30 significant bits
-  int shift = 0;                               ///< 0 to 62; gives ActivationOutput's fraction
+  std::int32_t reach = 0;                      ///< the same; 0: no input
+  int shift = 0;                               ///< reach * 2^shift is below 2^31
 };
 
-/// One dense layer: outputs = activation(weights * inputs + biases).
-struct LayerParameters {
-  Span<const std::int32_t> weights;  ///< outputs x inputs, row after row
-  Span<const std::int32_t> biases;   ///< one per output
-  int fraction = 0;                  ///< fractional bits of weights and biases
-  Activation activation{};
-};
+/// A hidden neuron is so many words of the model table: its bias, its weights (0 for inputs that
+/// the network does not have) and its weight in the output's sum.
+constexpr std::size_t kNeuronWords = 1 + kMostNetworkInputs + 1;
 
 /// inputs -> hidden -> one output y; drift = centre + amplitude * y. No hidden neurons: no network.
 struct NetworkParameters {
   std::array<InputScaling, kMostNetworkInputs> inputs{};
   std::size_t input_count = 0;
-  LayerParameters hidden;
-  LayerParameters output;
-  std::int32_t centre = 0;     ///< deg/h, EffectsParameters::coefficient_fraction bits
-  std::int32_t amplitude = 0;  ///< the same
+  int hidden_shift = 0;              ///< of hidden neurons' biases and weights, 0..kMostWeightShift
+  int output_shift = 0;              ///< of the output's
+  Span<const std::int32_t> neurons;  ///< kNeuronWords each
+  std::int32_t output_bias = 0;
+  bool linear_output = false;  ///< y is the output's sum, within +-2; else tanh(sum / 2)
+  NetworkDrift centre{};
+  NetworkDrift amplitude{};
 
-  bool present() const { return hidden.biases.size != 0; }
+  bool present() const { return neurons.size != 0; }
   NetworkInputMask used() const {
     NetworkInputMask mask = 0;
     for (std::size_t i = 0; present() && i < input_count; ++i) mask |= bit_of(inputs[i].signal);
@@ -51,17 +59,17 @@ struct NetworkParameters {
   }
 };
 
-/// The raw value of a signal as the network takes it, within +-1.
-ActivationOutput normalised(std::int32_t raw, const InputScaling& scaling);
+using ScaledInputs = std::array<std::int32_t, kMostNetworkInputs>;  ///< 0 where there is none
 
-/// The drift of a network that is present, from the raw numbers of its normalised inputs.
-/// Stateless; least = most work for a given shape, but for the branches of the activation
-/// functions.
-DriftSum network_drift(const NetworkParameters& network, int coefficient_fraction,
-                       const std::int32_t* inputs);
+/// The raw value of a signal as the network takes it.
+std::int32_t scaled_input(std::int32_t raw, const InputScaling& scaling);
 
-/// Whether every neuron's sum fits: for each row, sum |weight| + |bias| must be at most 2^31 in
-/// raw, so that with inputs within +-1 at 30 fractional bits it stays below 2^61.
-bool layer_fits(const LayerParameters& layer);
+/// The drift of a network that is present. Stateless; always the same number of instructions for a
+/// number of neurons.
+DriftSum network_drift(const NetworkParameters& network, const ScaledInputs& inputs);
+
+/// Whether no sum can leave 64 bits, whatever the inputs: in raw, sum |weight| + 2 |bias| < 2^32 -
+/// 1 for every neuron, the output included.
+bool network_fits(const NetworkParameters& network);
 
 }  // namespace fog

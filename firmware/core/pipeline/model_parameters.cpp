@@ -76,15 +76,6 @@ void read_expressions(TableReader& table, ExpressionCheck expressions_fit,
   table.require(expressions_fit(expressions));
 }
 
-void read_layer(TableReader& table, std::size_t inputs, std::size_t outputs,
-                LayerParameters& layer) {
-  layer.activation = static_cast<Activation>(table.next(0, 2));
-  layer.fraction = table.next(0, 40);
-  layer.weights = table.next_words(inputs * outputs);
-  layer.biases = table.next_words(outputs);
-  table.require(layer_fits(layer));
-}
-
 void read_network(TableReader& table, NetworkParameters& network) {
   using Decay = FirstOrderLag<BoardNumbers>::Decay;
   network.input_count = next_count(table, kMostNetworkInputs);
@@ -97,13 +88,18 @@ void read_network(TableReader& table, NetworkParameters& network) {
     input.decay = Decay::from_raw(table.next(0, kMost32));
     table.require((input.signal == NetworkInput::lagged_temperature) == (input.decay > Decay{}));
     input.centre = table.next();
-    input.multiplier = table.next(1 << 30, kMost32);
-    input.shift = table.next(0, 62);
+    input.reach = table.next(1, kMost32);
+    input.shift = table.next(0, 30);
+    table.require(input.reach <= kMost32 >> input.shift);
   }
-  read_layer(table, network.input_count, hidden, network.hidden);
-  read_layer(table, hidden, 1, network.output);
-  network.centre = table.next();
-  network.amplitude = table.next();
+  network.hidden_shift = table.next(0, kMostWeightShift);
+  network.output_shift = table.next(0, kMostWeightShift);
+  network.neurons = table.next_words(kNeuronWords * hidden);
+  network.output_bias = table.next();
+  network.linear_output = table.next(0, 1) != 0;
+  network.centre = next_fixed<NetworkDrift>(table);
+  network.amplitude = next_fixed<NetworkDrift>(table);
+  table.require(network_fits(network));
 }
 
 // Whether the low-pass filter passes a constant exactly, the sums over its taps stay below 2^63,

@@ -42,6 +42,16 @@ double fraction_explained(const Eigen::MatrixXd& regressors, const Eigen::Matrix
   return 1 - (target - columns * coefficients).squaredNorm() / all;
 }
 
+// What may be moved of a term. A fit looks for a step's time in its own way, here it is a shape.
+std::vector<ShapeParameter> shapes_of(const EffectTerm& term, double longest_s) {
+  if (is_event(term)) return {{0, 0, 0, longest_s}};
+  std::vector<ShapeParameter> shapes = shape_parameters({term});
+  for (ShapeParameter& shape : shapes) {
+    shape.most = std::min(shape.most, std::max(shape.least * 2, longest_s));
+  }
+  return shapes;
+}
+
 // Puts the shape where the fraction of the target explained is largest; returns that.
 template <class Left>
 double best_shape(const Sight& sight, EffectTerm& term, const Eigen::VectorXd& target, Left left) {
@@ -49,7 +59,7 @@ double best_shape(const Sight& sight, EffectTerm& term, const Eigen::VectorXd& t
     const Eigen::MatrixXd regressors = sight.series.regressors(term);
     return fraction_explained(regressors, left(regressors), target);
   };
-  std::vector<ShapeParameter> shapes = shape_parameters({term});
+  const std::vector<ShapeParameter> shapes = shapes_of(term, sight.longest_s);
   double best = fraction();
   std::vector<double> best_parameters = term.parameters;
   const auto keep_if_better = [&] {
@@ -62,8 +72,6 @@ double best_shape(const Sight& sight, EffectTerm& term, const Eigen::VectorXd& t
       shapes.empty() ? 1 : static_cast<std::size_t>(grid_points(term, 0));
   const std::size_t second_points =
       shapes.size() < 2 ? 1 : static_cast<std::size_t>(grid_points(term, 1));
-  for (ShapeParameter& shape : shapes)
-    shape.most = std::min(shape.most, std::max(shape.least * 2, sight.longest_s));
   for (std::size_t i = 0; i < first_points && !shapes.empty(); ++i) {
     for (std::size_t j = 0; j < second_points; ++j) {
       term.parameters[shapes[0].index] =
@@ -77,14 +85,6 @@ double best_shape(const Sight& sight, EffectTerm& term, const Eigen::VectorXd& t
   }
   term.parameters = best_parameters;
   return best;
-}
-
-// An effect that may move its shape, as a candidate has it.
-EffectTerm candidate(const std::string& name) {
-  EffectTerm term = parse_effects(name).front();
-  // A step's time starts at 0 in a list of effects, which leaves it out; here it is looked for.
-  if (name == "bias_step") term.identified.assign(term.identified.size(), true);
-  return term;
 }
 
 int declared_order(const Model& model) {
@@ -197,7 +197,7 @@ double imitation_by(const std::string& effect, const Sight& sight, const BesideD
   }
   double best = 0;
   for (const std::string& form : forms) {
-    EffectTerm term = form == effect ? candidate(effect) : parse_effects(form).front();
+    EffectTerm term = parse_effects(form).front();
     best = std::max(
         best, best_shape(sight, term, left_of_truth,
                          [&](const Eigen::MatrixXd& columns) { return beside.left_of(columns); }));

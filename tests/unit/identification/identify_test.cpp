@@ -156,6 +156,23 @@ TEST(Identify, FindsASecondRadiusOfHysteresisWhereAsked) {
   EXPECT_EQ(one.terms.back().coefficients_dph.size(), 1U);
 }
 
+// The first search of one period alone settles on either.
+TEST(Identify, FindsASecondPeriodOfTheRippleWhereAsked) {
+  Model real = truth();
+  real.terms.push_back(
+      fog::test::natural_term("polarization_ripple", {9, 31}, {0.006, 0.004, 0.02, -0.02}));
+  const auto recording = fog::test::recording_of(real, {0.024, 0.003, 300}, 2);
+  Model model = unknown();
+  model.terms = fogcomp::parse_effects(
+      "bias,bias_temperature:order=3,temperature_rate,polarization_ripple:period2=?");
+  fit(model, recording);
+  const fogcomp::EffectTerm& term = model.terms.back();
+  ASSERT_EQ(term.coefficients_dph.size(), 4U);
+  EXPECT_NEAR(term.parameters[0], 9, 4 * term.parameter_sigma[0]);
+  EXPECT_NEAR(term.parameters[1], 31, 4 * term.parameter_sigma[1]);
+  EXPECT_LT(term.parameter_sigma[1], 2);
+}
+
 TEST(EffectList, KeepsWhatIsGivenAndLeavesTheRestToTheFit) {
   const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,temperature_rate");
   ASSERT_EQ(terms.size(), 3U);

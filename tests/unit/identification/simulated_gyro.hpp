@@ -9,11 +9,17 @@
 
 namespace fog::test {
 
-/// The effects of the paper-like model, without its network.
-inline fogcomp::Model truth() {
+/// These effects, no network, the gyro's averaging and calibration as the paper-like model's.
+inline fogcomp::Model model_of(const std::vector<fogcomp::EffectTerm>& terms) {
   fogcomp::Model model = paper_like_model();
   model.network = {};
+  model.terms = terms;
   return model;
+}
+
+/// The effects of the paper-like model, without its network.
+inline fogcomp::Model truth() {
+  return model_of(paper_like_model().terms);
 }
 
 /// Noise of a recording's rows: white and one slow Gauss-Markov component.
@@ -22,6 +28,7 @@ struct RowNoise {
   double slow_dph = 0;
   double slow_tau_s = 300;
 };
+constexpr RowNoise kQuietNoise{0.024, 0.004, 600};
 
 /// A recording of 10 s rows: soaks and ramps between -40 and 60 degC (ten hours), whose drift is
 /// exactly that of `truth`, plus noise.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "quantization/verification.hpp"
+#include "support/input_error.hpp"
 #include "support/sample_models.hpp"
 
 namespace {
@@ -40,6 +41,36 @@ TEST(NetworkVerification, SeesAWeightThatIsOff) {
   const NetworkError error = error_of(with_network(3), with_network(3.1));
   EXPECT_GT(error.worst_dph, 4e-4);
   EXPECT_LT(error.worst_dph, 1e-2);
+}
+
+// The board has one activation; what a model says becomes factors in the weights.
+TEST(NetworkVerification, AnyActivationsAreAsGoodAsDouble) {
+  for (const fog::Activation hidden : {fog::Activation::logsig, fog::Activation::tansig}) {
+    for (const fog::Activation output :
+         {fog::Activation::logsig, fog::Activation::tansig, fog::Activation::linear}) {
+      Model model = with_network(5);
+      model.network.hidden.activation = hidden;
+      model.network.output.activation = output;
+      model.network.output.weights *= 0.4;  // a linear output is within +-2
+      model.network.centre_dph = -0.3;
+      EXPECT_LT(error_of(model, model).worst_dph, 1e-5)
+          << fogcomp::name_of(hidden) << ' ' << fogcomp::name_of(output);
+    }
+  }
+}
+
+// Large weights, arguments far beyond +-16, a large drift.
+TEST(NetworkVerification, LargeWeightsAndDriftsAreWithinAMillionth) {
+  Model model = with_network(250);
+  model.network.amplitude_dph = 20000;
+  EXPECT_LT(error_of(model, model).worst_dph, 0.1);
+}
+
+TEST(NetworkVerification, WhatTheBoardCannotHoldIsRefused) {
+  Model linear = with_network(1);
+  linear.network.hidden.activation = fog::Activation::linear;
+  EXPECT_THROW(fogcomp::make_board_table(linear, {}), fogcomp::InputError);
+  EXPECT_THROW(fogcomp::make_board_table(with_network(1e6), {}), fogcomp::InputError);
 }
 
 TEST(NetworkVerification, HasNothingToCompareWithoutANetwork) {

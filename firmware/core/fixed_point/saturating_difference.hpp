@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fog {
+
+// One instruction (QSUB) where the processor has it, which no compiler finds by itself.
+
+#if defined(__ARM_FEATURE_DSP)
+/// The nearest value to a - b that 32 bits hold.
+inline std::int32_t saturating_difference(std::int32_t a, std::int32_t b) {
+  return __builtin_arm_qsub(a, b);
+}
+#else
+inline std::int32_t saturating_difference(std::int32_t a, std::int32_t b) {
+  std::int32_t difference = 0;
+  if (!__builtin_sub_overflow(a, b, &difference)) return difference;
+  return b < 0 ? INT32_MAX : INT32_MIN;
+}
+#endif
+
+}  // namespace fog

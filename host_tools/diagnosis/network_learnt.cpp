@@ -1,0 +1,48 @@
+#include "diagnosis/network_learnt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/least_squares.hpp"
+#include "model/catalogue.hpp"
+
+namespace fogcomp {
+namespace {
+
+// Of a column of unit length: the part that some columns describe together.
+double described(const Eigen::MatrixXd& columns, const Eigen::VectorXd& unit) {
+  return std::clamp(1 - solve_linear(columns, unit).residual.squaredNorm(), 0.0, 1.0);
+}
+
+}  // namespace
+
+NetworkLearnt ask_network(const RealNetwork& network, const SignalSeries& series,
+                          const std::vector<Candidate>& candidates, const ToVisible& to_visible) {
+  const Rows& rows = series.rows();
+  const Eigen::MatrixXd inputs = series.network_inputs(network.inputs);
+  Eigen::VectorXd output(rows.size());
+  for (Eigen::Index row = 0; row < rows.size(); ++row) {
+    output[row] = network.drift_dph(inputs.row(row).transpose());
+  }
+  NetworkLearnt learnt;
+  learnt.rms_dph = std::sqrt(output.cwiseAbs2().dot(rows.weights) / rows.weights.sum());
+  const VisiblePart part = to_visible(output);
+  learnt.beyond_effects = part.visible[0] * part.visible[0];
+  const Eigen::VectorXd beyond = part.columns.col(0).normalized();
+  for (const Candidate& candidate : candidates) {
+    if (candidate.effect == kBiasStep) continue;
+    NetworkLearnt::Share best;
+    for (const Candidate::Shape& shape : candidate.shapes) {
+      const double share = described(shape.columns, beyond);
+      if (share >= best.share) best = {shape.term, share};
+    }
+    if (!best.term.name.empty()) learnt.effects.push_back(std::move(best));
+  }
+  std::stable_sort(learnt.effects.begin(), learnt.effects.end(),
+                   [](const NetworkLearnt::Share& a, const NetworkLearnt::Share& b) {
+                     return a.share > b.share;
+                   });
+  return learnt;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,60 @@
+// A network that stands in for an effect which the model lacks, asked what it had learnt.
+#include "diagnosis/network_learnt.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "diagnosis/diagnosis.hpp"
+#include "identification/effect_list.hpp"
+#include "refinement/fit_model.hpp"
+#include "support/typical_effects.hpp"
+#include "unit/identification/simulated_gyro.hpp"
+
+namespace {
+
+using fog::test::model_of;
+using fogcomp::Model;
+using fogcomp::NetworkLearnt;
+
+// `hidden` is in the gyro and not in the model; the network sees temperature and its rate.
+NetworkLearnt learnt_of(const fogcomp::EffectTerm& hidden) {
+  const fogcomp::Recording recording = fog::test::recording_of(
+      model_of({fog::test::natural_term("bias", {}, {0.7}),
+                fog::test::natural_term("bias_temperature", {2}, {-4e-4, -3e-5}), hidden}),
+      fog::test::kQuietNoise, 1);
+  Model model = model_of(fogcomp::parse_effects("bias,bias_temperature:order=2"));
+  fogcomp::SignalSeries series(model);
+  series.add(fogcomp::make_blocks(recording));
+  fogcomp::FitSettings settings;
+  settings.network.hidden = 6;
+  fogcomp::fit_model(model, series, settings);
+  fogcomp::DiagnosisData data(model);
+  data.add(recording);
+  return fogcomp::diagnose(model, data).network.value();
+}
+
+double share_of(const NetworkLearnt& learnt, const std::string& effect) {
+  const auto found =
+      std::find_if(learnt.effects.begin(), learnt.effects.end(),
+                   [&](const NetworkLearnt::Share& share) { return share.term.name == effect; });
+  return found == learnt.effects.end() ? 0 : found->share;
+}
+
+TEST(NetworkLearnt, NamesTheEffectForWhichTheNetworkStandsIn) {
+  const NetworkLearnt learnt = learnt_of(fog::test::natural_term("temperature_rate", {}, {0.12}));
+  EXPECT_GT(learnt.rms_dph, 0.03);
+  EXPECT_GT(share_of(learnt, "temperature_rate"), fogcomp::kLearntShare);
+  EXPECT_LT(learnt.effects[0].share, share_of(learnt, "temperature_rate") + 0.1);
+  EXPECT_LT(share_of(learnt, "polarization_ripple"), 0.3);
+}
+
+TEST(NetworkLearnt, NamesNoneWhereTheCatalogueHasNone) {
+  fogcomp::EffectTerm hidden = fog::test::written_term("heat = abs(dTdt)");
+  hidden.coefficients_dph = {1};  // the regressor is small, as its range is +-32 degC/min
+  const NetworkLearnt learnt = learnt_of(hidden);
+  EXPECT_GT(learnt.rms_dph, 0.01);
+  EXPECT_LT(learnt.effects[0].share, fogcomp::kLearntShare);
+}
+
+}  // namespace
