@@ -30,18 +30,6 @@ Json halves_json(const std::vector<HalfTest>& halves) {
   return array;
 }
 
-// Identified on one half of every run, judged on the other.
-void print_half(const HalfTest& half) {
-  const bool on_first = std::string(half.identified_on) == "first";
-  if (!half.determined) {
-    std::printf("  the %s half alone cannot identify this model\n", half.identified_on);
-    return;
-  }
-  std::printf("  identified on the %s half, judged on the %s: %.4f -> %.4f%s\n", half.identified_on,
-              on_first ? "second" : "first", half.rms_before_dph, half.rms_after_dph,
-              half.rms_after_dph < half.rms_before_dph ? "" : ", does not hold there");
-}
-
 Json runs_json(const std::vector<Addition::RunError>& runs) {
   Json array = Json::array();
   for (const Addition::RunError& run : runs) {
@@ -110,7 +98,9 @@ void print_text(const Addition& addition, bool written, const std::string& outpu
   for (const std::string& warning : addition.fit.identified.warnings) {
     std::printf("  note: %s\n", warning.c_str());
   }
-  for (const HalfTest& half : addition.halves) print_half(half);
+  for (const HalfTest& half : addition.halves) {
+    std::printf("  %s\n", half_words(half).c_str());
+  }
   std::printf("%s: %s\n", addition.accepted ? "accepted" : "refused", addition.reason.c_str());
   if (written) {
     std::printf("written%s: %s\n", addition.accepted ? "" : " by --force", output.c_str());

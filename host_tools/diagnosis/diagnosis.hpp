@@ -31,6 +31,7 @@ struct CandidateFinding {
   double probability = 0;         ///< that this effect is among those that are missing
 
   const EffectTerm& term() const { return completed.back(); }
+  bool is_expression() const { return term().expression.has_value(); }
 };
 
 struct Diagnosis {
