@@ -5,10 +5,12 @@
 
 #include "cli/arguments.hpp"
 #include "cli/recording_options.hpp"
+#include "cli/report_option.hpp"
 #include "evaluation/comparison.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "refinement/add_effect.hpp"
+#include "report/add_report.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
@@ -130,6 +132,7 @@ Wanted wanted(const Arguments& arguments, const Model& model) {
 int run_add(const Arguments& arguments) {
   if (!arguments.has(kExpression)) arguments.require_positionals(3);
   const std::string output = arguments.required("o");
+  ReportFile page(arguments);
   AddSettings settings;
   settings.run_offsets = arguments.has("run-offsets");
   settings.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
@@ -147,6 +150,7 @@ int run_add(const Arguments& arguments) {
   const Addition addition = add_effect(model, change, training, holdouts, settings);
   const bool written = addition.accepted || arguments.has("force");
   if (written) save_model(addition.model, output);
+  if (page.wanted()) page.write(report::add_report(addition, words[0], written ? output : ""));
   if (arguments.has("json")) {
     print_json(addition, written, output);
   } else {
@@ -176,6 +180,7 @@ Command add_command() {
       {"force", "", "keep the effect even if it does not help", ""},
       {"run-offsets", "", "every recording has a bias of its own; the model keeps the first's", ""},
       {"seed", "N", "of the network's first weights", "1"},
+      report_option(),
       {"json", "", "one JSON object on stdout", ""},
   };
   add_recording_options(command);

@@ -10,12 +10,6 @@
 namespace fogcomp::report {
 namespace {
 
-std::string run_files(const ModelOnRuns& model) {
-  std::string files;
-  for (const ModelOnRun& run : model.runs) files += " " + run.comparison.file;
-  return files;
-}
-
 // The run that the first model serves worst.
 const ModelOnRun& worst_of(const ModelOnRuns& model) {
   const auto drift = [](const ModelOnRun& run) {

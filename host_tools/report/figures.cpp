@@ -1,11 +1,15 @@
 #include "report/figures.hpp"
 
+#include <cmath>
+
 #include "support/text.hpp"
 
 namespace fogcomp::report {
 
 std::string dph(const std::optional<double>& value) {
-  return value ? format("%.4f", *value) : "-";
+  constexpr double kLeast = 0.00005;
+  if (!value) return "-";
+  return format("%.4f", std::fabs(*value) < kLeast ? 0.0 : *value);  // no "-0.0000"
 }
 
 std::string percent(double share) {

@@ -73,11 +73,9 @@ void Report::next(const std::string& sentence, const std::string& command) {
 }
 
 void Report::section(const std::string& heading) {
+  body_ += in_section_ ? "</section>\n<section>\n" : "<section>\n";
+  in_section_ = true;
   body_ += element("h2", words(heading));
-}
-
-void Report::subsection(const std::string& heading) {
-  body_ += element("h3", words(heading));
 }
 
 void Report::sentence(const std::string& text) {
@@ -149,7 +147,7 @@ void Report::plot(const Plot& plot) {
 std::string Report::html() const {
   const std::vector<EmbeddedFile>& library = plot_library_files();
   const bool drawn = !library.empty();
-  std::string body = element("h1", words(found_)) + body_;
+  std::string body = element("h1", words(found_)) + body_ + (in_section_ ? "</section>\n" : "");
   if (!drawn && plot_count_ > 0) {
     body +=
         "<p class=\"subject\">This fogcomp was built without npm: its reports have no plots.</p>\n";

@@ -47,7 +47,6 @@ class Report {
   /// What to do next and the command line to type, "" for none.
   void next(const std::string& sentence, const std::string& command);
   void section(const std::string& heading);
-  void subsection(const std::string& heading);
   void sentence(const std::string& text);
   /// Fixed pitch, line by line, as on a terminal.
   void listing(const std::string& text);
@@ -63,6 +62,7 @@ class Report {
   std::string body_;
   Json plots_ = Json::array();
   std::size_t plot_count_ = 0;
+  bool in_section_ = false;
 };
 
 }  // namespace fogcomp::report

@@ -228,6 +228,12 @@ void add_noise(Report& report, const ModelOnRuns& model, std::size_t run) {
 
 }  // namespace
 
+std::string run_files(const ModelOnRuns& model) {
+  std::string files;
+  for (const ModelOnRun& run : model.runs) files += " " + run.comparison.file;
+  return files;
+}
+
 bool leaves_drift(const ModelOnRun& run) {
   return run.analysis.excess_dph2.has_value();
 }

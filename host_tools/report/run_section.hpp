@@ -12,6 +12,9 @@ namespace fogcomp::report {
 /// the plots. `run`: which of the runs; plots of different runs are not linked.
 void add_run(Report& report, const std::vector<ModelOnRuns>& models, std::size_t run);
 
+/// The runs' files as on a command line, each with a space before it.
+std::string run_files(const ModelOnRuns& model);
+
 /// Whether what a model leaves of a run lies above the noise floor beyond doubt.
 bool leaves_drift(const ModelOnRun& run);
 

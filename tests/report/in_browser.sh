@@ -22,8 +22,20 @@ if grep -q "built without npm" info.html; then
 fi
 effects=bias,bias_temperature
 "$fogcomp" fit run.csv -o static.model --effects $effects >/dev/null
-"$fogcomp" fit run.csv -o rate.model --effects $effects,temperature_rate --network 4 >/dev/null
+"$fogcomp" fit run.csv second.csv -o rate.model --effects $effects,temperature_rate --network 3 --report fit.html >/dev/null
 "$fogcomp" compare rate.model run.csv second.csv --report compare.html >/dev/null
 "$fogcomp" compare static.model run.csv --model rate.model --report models.html >/dev/null
+"$fogcomp" diagnose static.model run.csv --max-effects 2 --report diagnose.html >/dev/null
+"$fogcomp" add static.model temperature_rate run.csv --holdout second.csv -o y.model --report add.html >/dev/null
+"$fogcomp" paper --models polynomial --epochs 100 --iterations 3 --report paper.html >/dev/null
 
-node "$here/look_at_pages.mjs" chromium "$shots" info.html=4 compare.html=16 models.html=8
+# Columns, not rows, decide how large a page is: 300,000 samples here, as 11.9 million (README, Reports).
+"$fogcomp" simulate -o fast.csv --rate 5 >/dev/null
+"$fogcomp" info fast.csv --report fast.html >/dev/null
+"$fogcomp" compare static.model fast.csv --report fast_compare.html >/dev/null
+for page in *.html; do
+  (($(stat -c %s $page) < 1500000)) || { echo "$page is $(stat -c %s $page) bytes" >&2; exit 1; }
+done
+
+node "$here/look_at_pages.mjs" chromium "$shots" info.html=4 fit.html=16 compare.html=16 models.html=8 \
+  diagnose.html=5 add.html=8 paper.html=7 fast.html=5

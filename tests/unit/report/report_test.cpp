@@ -25,7 +25,6 @@ TEST(Report, NamesOfFilesCannotBecomeMarkup) {
     const std::string name = report == &plain ? "run.csv" : kHostile;
     report->next(name, name);
     report->section(name);
-    report->subsection(name);
     report->sentence(name);
     report->listing(name);
     report->table({{name}, {{name, name}}});
