@@ -27,7 +27,7 @@ Finding find(const Recording& recording, const RunSummary& summary) {
   const double floor = *summary.noise_floor_dph;
   const double drift = floor_removed(deviation, floor);
   const std::string error =
-      format("means of %g s scatter by %.4f deg/h (std), noise alone would make %.4f",
+      format("means of %.4g s scatter by %.4f deg/h (std), noise alone would make %.4f",
              summary.average_s, deviation, floor);
   bool ramps = false;
   for (const SegmentSummary& segment : summary.segments) {
@@ -53,7 +53,8 @@ void add_overview(Report& report, const Recording& recording, const RunSummary& 
   }
   table.rows.push_back({"gaps", format("%zu", recording.stretch_starts.size() - 1)});
   table.rows.push_back({"mean, deg/h", dph(bias.mean_dph)});
-  table.rows.push_back({format("std of %g s means, deg/h", summary.average_s), dph(bias.std_dph)});
+  table.rows.push_back(
+      {format("std of %.4g s means, deg/h", summary.average_s), dph(bias.std_dph)});
   table.rows.push_back({"noise floor of such a mean, deg/h", dph(summary.noise_floor_dph)});
   if (bias.std_dph && summary.noise_floor_dph) {
     table.rows.push_back({"drift, √(std² − floor²), deg/h",
@@ -84,10 +85,11 @@ void add_segments(Report& report, const RunSummary& summary) {
 
 void add_over_time(Report& report, const Recording& recording, const RunSummary& summary) {
   const Recording& blocks = summary.blocks;
+  if (blocks.rows() < 2) return;
   const std::vector<double> bias = bias_dph(blocks);
   const TimeAxis axis{blocks.time_s, blocks.stretch_starts, "run"};
   report.section("Over time");
-  report.plot(time_plot(format("Bias, means of %g s.", summary.average_s), "bias, deg/h", axis,
+  report.plot(time_plot(format("Bias, means of %.4g s.", summary.average_s), "bias, deg/h", axis,
                         {{"bias", "residual", bias}}));
   report.plot(time_plot("Temperature.", "temperature, degC", axis,
                         {{"temperature", "model", blocks.temperature_degc}}));

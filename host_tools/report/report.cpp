@@ -135,6 +135,11 @@ void Report::bars(const Bars& bars) {
 }
 
 void Report::plot(const Plot& plot) {
+  if (plot.curves.empty()) return;
+  if (plot_library_files().empty()) {
+    ++plot_count_;
+    return;
+  }
   body_ +=
       "<figure class=\"plot\">\n" +
       element("figcaption", "<strong>" + words(plot.title) + "</strong> " + words(plot.caption));
@@ -147,11 +152,11 @@ void Report::plot(const Plot& plot) {
 std::string Report::html() const {
   const std::vector<EmbeddedFile>& library = plot_library_files();
   const bool drawn = !library.empty();
-  std::string body = element("h1", words(found_)) + body_ + (in_section_ ? "</section>\n" : "");
+  std::string body = element("h1", words(found_));
   if (!drawn && plot_count_ > 0) {
-    body +=
-        "<p class=\"subject\">This fogcomp was built without npm: its reports have no plots.</p>\n";
+    body += element("p", "No plots here: this fogcomp was built without npm.");
   }
+  body += body_ + (in_section_ ? "</section>\n" : "");
   const std::vector<std::pair<std::string, std::string>> parts{
       {"subject", escaped(subject_)},
       {"style", (drawn ? file(library, "style") : "") + file(page_files(), "style")},

@@ -52,6 +52,7 @@ class Report {
   void listing(const std::string& text);
   void table(const Table& table);
   void bars(const Bars& bars);
+  /// One without curves is left out.
   void plot(const Plot& plot);
 
   std::string html() const;

@@ -90,7 +90,7 @@ Plot branch_plot(const std::string& title, const std::string& x_label, const std
   plot.y_label = y_label;
   plot.caption = "Soaks count with the ramp before them.";
   plot.caption +=
-      format(" Each point is the mean of %g s.", static_cast<double>(per_point) * row_s);
+      format(" Each point is the mean of %.4g s.", static_cast<double>(per_point) * row_s);
   const auto add = [&](const char* label, const char* colour, Branch wanted) {
     Cloud cloud = thinned(x, y, branch, wanted, per_point);
     if (cloud.x.empty()) return;
@@ -98,6 +98,7 @@ Plot branch_plot(const std::string& title, const std::string& x_label, const std
   };
   add("heating", "heating", Branch::heating);
   add("cooling", "cooling", Branch::cooling);
+  if (plot.curves.empty()) return plot;
   add("before the first movement", "measured", Branch::none);
   return plot;
 }

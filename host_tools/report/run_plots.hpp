@@ -32,7 +32,8 @@ Plot time_plot(const std::string& title, const std::string& y_label, const TimeA
 Plot stacked_plot(const std::string& title, const std::string& y_label, const TimeAxis& axis,
                   const std::vector<Trace>& traces);
 
-/// One quantity over another, heating and cooling in two colours. `row_s`: length of a row.
+/// One quantity over another, heating and cooling in two colours; without curves where the
+/// temperature never moved. `row_s`: length of a row.
 Plot branch_plot(const std::string& title, const std::string& x_label, const std::string& y_label,
                  const std::vector<double>& x, const std::vector<double>& y,
                  const std::vector<Branch>& branch, double row_s);

@@ -67,7 +67,7 @@ void add_segments(Report& report, const Comparison& comparison) {
   for (const Comparison::Segment& segment : comparison.segments) add(segment);
   add(comparison.whole);
   report.sentence(
-      format("deg/h, means of %g s; drift left is √(rms² − floor²).", comparison.row_s));
+      format("deg/h, means of %.4g s; drift left is √(rms² − floor²).", comparison.row_s));
   report.table(table);
 }
 
@@ -196,6 +196,7 @@ void add_dependences(Report& report, const ModelOnRuns& model, std::size_t run) 
     means.y.push_back(bin.mean_dph);
     means.sigma.push_back(bin.sigma_dph);
   }
+  if (over_rate.curves.empty()) return;
   if (!means.x.empty()) over_rate.curves.push_back(std::move(means));
   report.plot(over_rate);
 }
@@ -215,7 +216,7 @@ void add_noise(Report& report, const ModelOnRuns& model, std::size_t run) {
     curve.x.push_back(static_cast<double>(lag) * comparison.row_s);
     curve.y.push_back(autocorrelation(residual, comparison.stretches, lag));
   }
-  if (curve.x.empty()) return;
+  if (curve.x.size() < 2) return;
   Plot plot;
   plot.title = "Autocorrelation of the residual.";
   plot.caption = "White noise stays between the dashed lines 95 times in 100.";

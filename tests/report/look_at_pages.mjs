@@ -10,8 +10,10 @@ const [program, shots, ...pages] = process.argv.slice(2);
 let failures = 0;
 
 // What a reader would see: the paper's brightness, whether the page goes sideways, and of each plot how
-// many pixels have the colour of a curve (axes, grid and words are grey) and whether it fits its box.
+// many pixels have the colour of a curve (axes, grid and words are grey), whether it fits its box, and
+// how many of the points in the data it does not have (a stack has more: both signs, and zero).
 const look = `(() => {
+  const data = JSON.parse(document.getElementById("plots").textContent);
   const [r, g, b] = getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number);
   return {
     paper: (r + g + b) / 3,
@@ -29,7 +31,8 @@ const look = `(() => {
         const rgb = [pixels[i], pixels[i + 1], pixels[i + 2]];
         if (pixels[i + 3] > 60 && Math.max(...rgb) - Math.min(...rgb) > 60) ++coloured;
       }
-      return { coloured, wide: canvas.getBoundingClientRect().right > box.getBoundingClientRect().right + 1 };
+      const points = data[box.dataset.plot].curves.flatMap((curve) => curve.y).filter((y) => y !== null).length;
+      return { coloured, lost: points - Number(box.dataset.points), wide: canvas.getBoundingClientRect().right > box.getBoundingClientRect().right + 1 };
     }),
   };
 })()`;
@@ -51,6 +54,7 @@ const look_at = async (tab, name, shape, plots) => {
   check(view, seen.plots.length === plots, `has ${seen.plots.length} plots, not ${plots}`);
   seen.plots.forEach((plot, i) => {
     check(view, plot.coloured > 40, `plot ${i} shows no curve (${plot.coloured} coloured pixels)`);
+    check(view, plot.lost <= 0, `plot ${i} lacks ${plot.lost} of its points`);
     check(view, !plot.wide, `plot ${i} is wider than its box`);
   });
   if (shots) {
@@ -59,7 +63,8 @@ const look_at = async (tab, name, shape, plots) => {
   }
 };
 
-// Drags over part of the first plot of the page that has peers over time, then clicks twice.
+// The first two plots share time: a cursor over one shows figures in the legends of both, a drag zooms both, a
+// double click shows all again.
 const zoom = async (tab, name) => {
   const place = await tab.evaluate(`(() => {
     const over = document.querySelector(".canvas .u-over");
@@ -70,6 +75,10 @@ const zoom = async (tab, name) => {
   const before = await tab.evaluate(pictures);
   const at = (share) => place.left + share * place.width;
   await tab.mouse("mouseMoved", at(0.3), place.top);
+  await tab.settle();
+  const legends = await tab.evaluate(
+    `[...document.querySelectorAll(".canvas .u-legend")].slice(0, 2).map((legend) => legend.textContent)`);
+  check(name, legends.every((legend) => /\d/.test(legend)), `the linked cursor shows no figures: ${legends.join(" | ")}`);
   await tab.mouse("mousePressed", at(0.3), place.top, { button: "left", buttons: 1, clickCount: 1 });
   await tab.mouse("mouseMoved", at(0.5), place.top, { button: "left", buttons: 1 });
   await tab.mouse("mouseReleased", at(0.5), place.top, { button: "left", clickCount: 1 });

@@ -42,19 +42,18 @@
     return places;
   };
 
-  // The columns that uPlot wants: one x for all, null where a curve has no point.
+  // The columns that uPlot wants: one x for all. Where curves have their own, every point has a row
+  // for itself, as several may have the same x.
   const aligned = (plot) => {
-    const own = plot.curves.filter((curve) => curve.x);
-    if (own.length === 0) return [plot.x, ...plot.curves.map((curve) => curve.y)];
-    const all = [...new Set([...plot.x, ...own.flatMap((curve) => curve.x)])].sort((a, b) => a - b);
-    const place = new Map(all.map((x, i) => [x, i]));
-    const spread = (curve, values) => {
-      const column = new Array(all.length).fill(null);
-      (curve.x || plot.x).forEach((x, i) => { column[place.get(x)] = values[i]; });
-      return column;
-    };
-    plot.curves.forEach((curve) => { if (curve.sigma) curve.sigma = spread(curve, curve.sigma); });
-    return [all, ...plot.curves.map((curve) => spread(curve, curve.y))];
+    if (plot.curves.every((curve) => !curve.x)) return [plot.x, ...plot.curves.map((curve) => curve.y)];
+    const points = plot.curves.flatMap((curve, c) =>
+      (curve.x || plot.x).map((x, i) => ({ x, c, y: curve.y[i], sigma: curve.sigma && curve.sigma[i] })));
+    points.sort((a, b) => a.x - b.x);
+    const column = (c, value) => points.map((point) => (point.c === c ? value(point) : null));
+    plot.curves.forEach((curve, c) => {
+      if (curve.sigma) curve.sigma = column(c, (point) => point.sigma);
+    });
+    return [points.map((point) => point.x), ...plot.curves.map((curve, c) => column(c, (point) => point.y))];
   };
 
   // Positive parts upwards, negative ones downwards from zero, each on the one before. A part is
@@ -245,6 +244,7 @@
       groups.set(plot.group, peers);
     }
     colour_legend(u);
+    holder.dataset.points = data.slice(1).flat().filter((y) => y !== null).length;
     drawn.push({ u, holder, plot });
   };
 
