@@ -1,10 +1,8 @@
-# What reports draw their plots with, from npm into the build folder, once for every change of the lock
-# file: sets FOG_REPORT_LIBRARY to a folder with script.js, style.css and licence.txt, or to "" where
-# npm is missing or cannot reach its registry. fogcomp is built all the same then; its reports have all
-# words and tables, and say that they have no plots.
-function(fog_report_library source)
-  set(folder "${CMAKE_CURRENT_BINARY_DIR}/report_library")
-  set(FOG_REPORT_LIBRARY "" PARENT_SCOPE)
+# fog_report_library(SOURCE FOLDER): what reports draw their plots with, by the lock file in SOURCE from
+# npm, once for every change of that file: script.js, style.css and licence.txt in FOLDER. None of them
+# where npm is missing or cannot reach its registry. fogcomp is built all the same then; its reports have
+# all words and tables, and say that they have no plots.
+function(fog_report_library source folder)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}/package-lock.json")
   file(SHA256 "${source}/package-lock.json" wanted)
   set(there "")
@@ -12,6 +10,7 @@ function(fog_report_library source)
     file(READ "${folder}/lock.sha256" there)
   endif()
   if(NOT there STREQUAL wanted)
+    file(REMOVE "${folder}/lock.sha256" "${folder}/script.js" "${folder}/style.css" "${folder}/licence.txt")
     find_program(FOG_NPM npm)
     if(NOT FOG_NPM)
       message(STATUS "npm is missing: reports will have no plots")
@@ -36,5 +35,4 @@ function(fog_report_library source)
     configure_file("${package}/LICENSE" "${folder}/licence.txt" COPYONLY)
     file(WRITE "${folder}/lock.sha256" "${wanted}")
   endif()
-  set(FOG_REPORT_LIBRARY "${folder}" PARENT_SCOPE)
 endfunction()
