@@ -6,6 +6,7 @@
 #include "cli/arguments.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
+#include "cli/term_json.hpp"
 #include "evaluation/comparison.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
@@ -49,15 +50,10 @@ Json runs_json(const std::vector<Addition::RunError>& runs) {
 
 void print_json(const Addition& addition, bool written, const std::string& output) {
   const EffectTerm& term = addition.model.terms[addition.changed];
-  const TermInfo info = info_of(term);
   Json parameters = Json::object();
-  for (std::size_t i = 0; i < term.parameters.size(); ++i) {
-    parameters.set(info.parameters[i].name, term.parameters[i]);
-  }
+  set_parameters(parameters, term);
   Json coefficients = Json::object();
-  for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-    coefficients.set(info.coefficients[i].symbol, natural_coefficient(term, i));
-  }
+  set_coefficients(coefficients, term);
   const OutOfSample& judged = addition.out_of_sample;
   Json notes = Json::array();
   for (const std::string& warning : addition.fit.identified.warnings) notes.push(warning);

@@ -1,19 +1,14 @@
 #include "cli/diagnosis_json.hpp"
 
-#include "model/catalogue.hpp"
+#include "cli/term_json.hpp"
 
 namespace fogcomp::cli {
 namespace {
 
 Json parameters_json(const EffectTerm& term) {
   Json parameters = Json::object();
-  const TermInfo info = info_of(term);
-  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-    parameters.set(info.parameters[i].name, term.parameters[i]);
-  }
-  for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-    parameters.set(info.coefficients[i].symbol, natural_coefficient(term, i));
-  }
+  set_parameters(parameters, term);
+  set_coefficients(parameters, term);
   return parameters;
 }
 

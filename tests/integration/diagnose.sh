@@ -1,13 +1,12 @@
 #!/usr/bin/env bash
 # diagnose.sh FOGCOMP [MEMS_FOLDER]: the paper's own case, the ladder, real recordings, bad input.
 set -euo pipefail
+source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: diagnose.sh FOGCOMP [MEMS_FOLDER]}")
 mems=$(realpath -m "${2:-nowhere}")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
-
-fail() { echo "FAILED: $*" >&2; exit 1; }
 
 # The reference paper explains the drift by temperature and the Shupe effect, which is zero in a
 # steady ramp; its own table shows an offset there.

@@ -2,24 +2,11 @@
 # error_ladder.sh FOGCOMP: a model is improved step by step as an engineer would: compare says what is
 # left and on what it depends, add keeps what helps out of sample and refuses what does not, history shows it.
 set -euo pipefail
+source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: error_ladder.sh FOGCOMP}")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
-
-fail() {
-  echo "FAILED: $1" >&2
-  exit 1
-}
-
-# value FILE KEY...: a member of a JSON file.
-value() {
-  local file=$1
-  shift
-  printf 'file(READ "%s" text)\nstring(JSON value GET "${text}" %s)\nmessage("${value}")\n' \
-    "$file" "$*" >value.cmake
-  cmake -P value.cmake 2>&1
-}
 
 for seed in 1 2; do "$fogcomp" simulate -o "run$seed.csv" --seed "$seed" >/dev/null; done
 "$fogcomp" fit run1.csv -o static.model --effects bias,bias_temperature >/dev/null

@@ -3,24 +3,11 @@
 # an expression that is offered and describes it; the command that it proposes adds that, the error falls on a run that
 # was held out, and nothing of it is left to be found.
 set -euo pipefail
+source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: own_candidate.sh FOGCOMP}")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
-
-fail() {
-  echo "FAILED: $1" >&2
-  exit 1
-}
-
-# value FILE KEY...: a member of a JSON file.
-value() {
-  local file=$1
-  shift
-  printf 'file(READ "%s" text)\nstring(JSON value GET "${text}" %s)\nmessage("${value}")\n' \
-    "$file" "$*" >value.cmake
-  cmake -P value.cmake 2>&1
-}
 
 # Strain that follows the square of the temperature rate, late: in the simulator alone.
 hidden=squared_lag:scale=3
