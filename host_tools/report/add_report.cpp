@@ -32,7 +32,7 @@ void add_errors(Report& report, const Addition& addition) {
   report.section("Before and after");
   report.bars(bars);
   report.table(table);
-  for (const HalfTest& half : addition.halves) report.sentence(capitalised(half_words(half)) + ".");
+  for (const HalfTest& half : addition.halves) report.sentence(as_sentence(half_words(half)));
 }
 
 void add_run(Report& report, const Addition::RunError& run, const std::string& group) {
@@ -78,7 +78,7 @@ Report add_report(const Addition& addition, const std::string& model, const std:
   changed.terms = {term};
   report.listing(describe(changed));
   for (const std::string& warning : addition.fit.identified.warnings) {
-    report.sentence("Note: " + warning + ".");
+    report.sentence(as_sentence("note: " + warning));
   }
   add_errors(report, addition);
   for (std::size_t i = 0; i < addition.runs.size(); ++i) {

@@ -10,15 +10,14 @@ namespace fogcomp::report {
 namespace {
 
 std::string found(const DiagnosisWords& words) {
-  return capitalised(words.verdict) +
-         (words.certainty.empty() ? "." : ": " + words.certainty + ".");
+  return as_sentence(words.verdict + (words.certainty.empty() ? "" : ": " + words.certainty));
 }
 
 void add_next(Report& report, const DiagnosisWords& words, const std::string& model) {
   if (!words.command.empty()) {
     report.next("add it; it is kept only if it helps out of sample.", words.command);
   } else if (!words.next.empty()) {
-    report.next(words.next + ".", "");
+    report.next(words.next, "");
   } else {
     report.next("make the board's header.", "fogcomp export " + model + " -o fog_model.h");
   }
@@ -82,7 +81,7 @@ void add_ladder(Report& report, const Ladder& ladder) {
   }
   report.bars(bars);
   const std::string end = end_words(ladder);  // may begin with the name of an effect
-  report.sentence((ladder.left_alone.empty() ? capitalised(end) : end) + ".");
+  report.sentence(ladder.left_alone.empty() ? as_sentence(end) : end + ".");
 }
 
 Bars shares(const std::vector<Diagnosis::Share>& shares, const std::string& caption) {
@@ -164,8 +163,8 @@ Report diagnose_report(const Ladder& ladder, bool loop_wanted, const DiagnosisDa
   const DiagnosisWords words = words_of(diagnosis, model, runs);
   Report report("fogcomp diagnose " + model + " " + runs, found(words));
   add_next(report, words, model);
-  for (const std::string& line : words.findings) report.sentence(capitalised(line) + ".");
-  for (const std::string& line : words.limits) report.sentence(capitalised(line) + ".");
+  for (const std::string& line : words.findings) report.sentence(as_sentence(line));
+  for (const std::string& line : words.limits) report.sentence(as_sentence(line));
   if (loop_wanted) add_ladder(report, ladder);
   add_evidence(report, diagnosis);
   add_untestable(report, diagnosis);

@@ -16,10 +16,11 @@ std::string percent(double share) {
   return format("%.0f %%", 100 * share);
 }
 
-std::string capitalised(std::string words) {
+std::string as_sentence(std::string words) {
   if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') {
     words[0] = static_cast<char>(words[0] - 'a' + 'A');
   }
+  if (!words.empty() && words.back() != '.') words += '.';
   return words;
 }
 

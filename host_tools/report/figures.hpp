@@ -11,7 +11,7 @@ std::string dph(const std::optional<double>& value);
 /// "12 %"
 std::string percent(double share);
 
-/// Words that begin a sentence.
-std::string capitalised(std::string words);
+/// Words as a sentence: a capital at the beginning, one full stop at the end.
+std::string as_sentence(std::string words);
 
 }  // namespace fogcomp::report

@@ -44,10 +44,10 @@ void add_words(Report& report, const Models& models, std::size_t run) {
     const std::string name = models.size() == 1 ? "" : model.file + ": ";
     const Comparison& comparison = on_run(model, run);
     const std::string error = error_words(comparison) + " deg/h";
-    report.sentence((name.empty() ? capitalised(error) : name + error) + ". " +
-                    capitalised(structure_words(model.runs[run])) + ".");
+    report.sentence((name.empty() ? as_sentence(error) : name + error + ".") + " " +
+                    as_sentence(structure_words(model.runs[run])));
     for (const std::string& warning : range_warnings(comparison, model.model)) {
-      report.sentence("Warning: " + name + warning + ".");
+      report.sentence(as_sentence("warning: " + name + warning));
     }
   }
 }
