@@ -7,8 +7,10 @@ build_packages=(
   gcc-arm-none-eabi binutils-arm-none-eabi libstdc++-arm-none-eabi-dev
   qemu-system-arm
 )
+# The plots of reports come from npm, whoever has installed it.
+command -v npm >/dev/null || build_packages+=(npm)
 # What the tests need beside that.
-test_packages=(libgtest-dev clang-format)
+test_packages=(libgtest-dev clang-format chromium)
 
 # What tests/bench/run.sh needs beside the first.
 bench_packages=(libbenchmark-dev)

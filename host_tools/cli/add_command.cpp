@@ -5,11 +5,13 @@
 
 #include "cli/arguments.hpp"
 #include "cli/recording_options.hpp"
+#include "cli/report_option.hpp"
 #include "cli/term_json.hpp"
 #include "evaluation/comparison.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "refinement/add_effect.hpp"
+#include "report/add_report.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
@@ -29,18 +31,6 @@ Json halves_json(const std::vector<HalfTest>& halves) {
                              .set("rms_after_dph", half.rms_after_dph)));
   }
   return array;
-}
-
-// Identified on one half of every run, judged on the other.
-void print_half(const HalfTest& half) {
-  const bool on_first = std::string(half.identified_on) == "first";
-  if (!half.determined) {
-    std::printf("  the %s half alone cannot identify this model\n", half.identified_on);
-    return;
-  }
-  std::printf("  identified on the %s half, judged on the %s: %.4f -> %.4f%s\n", half.identified_on,
-              on_first ? "second" : "first", half.rms_before_dph, half.rms_after_dph,
-              half.rms_after_dph < half.rms_before_dph ? "" : ", does not hold there");
 }
 
 Json runs_json(const std::vector<Addition::RunError>& runs) {
@@ -106,7 +96,9 @@ void print_text(const Addition& addition, bool written, const std::string& outpu
   for (const std::string& warning : addition.fit.identified.warnings) {
     std::printf("  note: %s\n", warning.c_str());
   }
-  for (const HalfTest& half : addition.halves) print_half(half);
+  for (const HalfTest& half : addition.halves) {
+    std::printf("  %s\n", half_words(half).c_str());
+  }
   std::printf("%s: %s\n", addition.accepted ? "accepted" : "refused", addition.reason.c_str());
   if (written) {
     std::printf("written%s: %s\n", addition.accepted ? "" : " by --force", output.c_str());
@@ -136,6 +128,7 @@ Wanted wanted(const Arguments& arguments, const Model& model) {
 int run_add(const Arguments& arguments) {
   if (!arguments.has(kExpression)) arguments.require_positionals(3);
   const std::string output = arguments.required("o");
+  ReportFile page(arguments);
   AddSettings settings;
   settings.run_offsets = arguments.has("run-offsets");
   settings.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
@@ -153,6 +146,7 @@ int run_add(const Arguments& arguments) {
   const Addition addition = add_effect(model, change, training, holdouts, settings);
   const bool written = addition.accepted || arguments.has("force");
   if (written) save_model(addition.model, output);
+  if (page.wanted()) page.write(report::add_report(addition, words[0], written ? output : ""));
   if (arguments.has("json")) {
     print_json(addition, written, output);
   } else {
@@ -182,6 +176,7 @@ Command add_command() {
       {"force", "", "keep the effect even if it does not help", ""},
       {"run-offsets", "", "every recording has a bias of its own; the model keeps the first's", ""},
       {"seed", "N", "of the network's first weights", "1"},
+      report_option(),
       {"json", "", "one JSON object on stdout", ""},
   };
   add_recording_options(command);

@@ -6,7 +6,9 @@
 #include "cli/compare_json.hpp"
 #include "cli/compare_text.hpp"
 #include "cli/recording_options.hpp"
+#include "cli/report_option.hpp"
 #include "model/model_file.hpp"
+#include "report/compare_report.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::cli {
@@ -29,6 +31,7 @@ std::vector<ModelOnRuns> load_models(const Arguments& arguments) {
 }
 
 int run_compare(const Arguments& arguments) {
+  ReportFile page(arguments);
   std::vector<ModelOnRuns> models = load_models(arguments);
   // All models are judged in the same rows.
   const double row_s =
@@ -44,6 +47,7 @@ int run_compare(const Arguments& arguments) {
       model.runs.push_back({std::move(comparison), std::move(analysis)});
     }
   }
+  if (page.wanted()) page.write(report::compare_report(models));
   if (arguments.has("json")) {
     std::puts(compare_json(models).text().c_str());
   } else {
@@ -68,6 +72,7 @@ Command compare_command() {
       {"average", "S", "rows of the residual, seconds (default: as the first model was fitted)",
        ""},
       {"network", "on|off", "off shows the physical effects alone", "on"},
+      report_option(),
       {"json", "", "one JSON object on stdout", ""},
   };
   add_recording_options(command);

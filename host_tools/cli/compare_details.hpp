@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cli/compare_text.hpp"
+#include "evaluation/model_on_runs.hpp"
 
 namespace fogcomp::cli {
 

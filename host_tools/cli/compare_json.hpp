@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "cli/compare_text.hpp"
+#include "evaluation/model_on_runs.hpp"
 #include "support/json.hpp"
 
 namespace fogcomp::cli {

@@ -6,8 +6,10 @@
 #include "cli/diagnosis_json.hpp"
 #include "cli/diagnosis_text.hpp"
 #include "cli/recording_options.hpp"
+#include "cli/report_option.hpp"
 #include "identification/effect_list.hpp"
 #include "model/model_file.hpp"
+#include "report/diagnose_report.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -24,6 +26,7 @@ std::vector<EffectTerm> offered(const Arguments& arguments, const Model& model) 
 
 int run_diagnose(const Arguments& arguments) {
   const std::vector<std::string>& files = arguments.positionals();
+  ReportFile page(arguments);
   Model model = load_model(files[0]);
   if (arguments.has("average")) model.average_s = arguments.number("average", 1e-3, 1e6);
   const auto most_effects = static_cast<int>(arguments.integer("max-effects", 0, 12));
@@ -42,6 +45,9 @@ int run_diagnose(const Arguments& arguments) {
         noise_of_static(model, read_recording(arguments.text("static"), options), data);
   }
   const Ladder ladder = walk_ladder(model, data, most_effects, settings);
+  if (page.wanted()) {
+    page.write(report::diagnose_report(ladder, most_effects > 0, data, files));
+  }
   if (arguments.has("json")) {
     const Json json = most_effects > 0 ? ladder_json(ladder) : diagnosis_json(ladder.first);
     std::puts(json.text().c_str());
@@ -69,6 +75,7 @@ Command diagnose_command() {
       {"max-effects", "N", "add what is found, refit, look again, up to N times", "0"},
       {"average", "S", "rows, seconds (default: as fitted)", ""},
       {"seed", "N", "of the draws that calibrate the test", "1"},
+      report_option(),
       {"json", "", "one JSON object on stdout", ""},
   };
   add_recording_options(command);

@@ -7,6 +7,7 @@
 #include "cli/arguments.hpp"
 #include "cli/fit_models.hpp"
 #include "cli/recording_options.hpp"
+#include "cli/report_option.hpp"
 #include "cli/training_options.hpp"
 #include "dataset/recording_writer.hpp"
 #include "identification/effect_list.hpp"
@@ -14,6 +15,7 @@
 #include "refinement/fit_model.hpp"
 #include "refinement/network_inputs.hpp"
 #include "refinement/training_runs.hpp"
+#include "report/fit_report.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
 #include "wavelet/filters.hpp"
@@ -52,6 +54,7 @@ struct Fit {
   Model model;
   Eigen::Index rows = 0;
   double row_s = 0;
+  std::vector<RunInBlocks> runs;
   FitResult result;
   double delay_rms_dph = 0;              // of the error, what the board's delay makes
   std::vector<std::string> step_places;  // of each step found: recording and segment
@@ -66,48 +69,51 @@ std::string segment_at(const RunInBlocks& run, double time_s) {
   return "";
 }
 
-void print_steps(const Fit& fit) {
+std::string steps_text(const Fit& fit) {
   const Identification& identified = fit.result.identified;
+  std::string text;
   for (std::size_t i = 0; i < identified.steps.size(); ++i) {
     const FoundStep& step = identified.steps[i];
-    std::printf("  bias step of %+.4f +- %.2g deg/h at %.6g +- %.2g s (%s)\n", step.size_dph,
-                step.size_sigma_dph, step.time_s, step.time_sigma_s, fit.step_places[i].c_str());
+    text += format("  bias step of %+.4f +- %.2g deg/h at %.6g +- %.2g s (%s)\n", step.size_dph,
+                   step.size_sigma_dph, step.time_s, step.time_sigma_s, fit.step_places[i].c_str());
   }
   if (identified.masked > 0) {
-    std::printf("  %zu rows in which a step lies were left out\n", identified.masked);
+    text += format("  %zu rows in which a step lies were left out\n", identified.masked);
   }
   if (fit.searched_steps && identified.steps.empty()) {
-    std::puts("  no bias step stands out of the noise (chi^2 above 60)");
+    text += "  no bias step stands out of the noise (chi^2 above 60)\n";
   }
+  return text;
 }
 
-void print_identification(const Fit& fit) {
+std::string identification_text(const Fit& fit) {
   const Model& model = fit.model;
   const Identification& identified = fit.result.identified;
   const NoiseModel& noise = identified.noise;
-  std::printf("  noise of a row %.4f white", noise.white_dph());
-  if (!noise.components.empty()) std::printf(", %.4f slow", noise.wander_dph());
-  std::printf(" deg/h (%s); misfit %.2f",
-              noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak",
-              identified.misfit);
-  if (identified.outliers > 0) std::printf("; %zu outliers weighted down", identified.outliers);
-  std::puts("");
-  std::printf(
-      "  of the error, the board's delay (block means, derivative filter) makes %.2g deg/h rms\n",
+  std::string text = format("  noise of a row %.4f white", noise.white_dph());
+  if (!noise.components.empty()) text += format(", %.4f slow", noise.wander_dph());
+  text += format(" deg/h (%s); misfit %.2f",
+                 noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak",
+                 identified.misfit);
+  if (identified.outliers > 0) {
+    text += format("; %zu outliers weighted down", identified.outliers);
+  }
+  text += format(
+      "\n  of the error, the board's delay (block means, derivative filter) makes %.2g deg/h rms\n",
       fit.delay_rms_dph);
-  print_steps(fit);
+  text += steps_text(fit);
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
-    std::printf("  %-24s would show from a peak of %.2g deg/h on\n", model.terms[i].name.c_str(),
-                identified.visible_dph[i]);
+    text += format("  %-24s would show from a peak of %.2g deg/h on\n", model.terms[i].name.c_str(),
+                   identified.visible_dph[i]);
   }
   for (std::size_t run = 0; run < identified.run_offsets_dph.size(); ++run) {
-    std::printf("  recording %zu lies %+.4f deg/h from the first\n", run + 2,
-                identified.run_offsets_dph[run]);
+    text += format("  recording %zu lies %+.4f deg/h from the first\n", run + 2,
+                   identified.run_offsets_dph[run]);
   }
   for (const std::string& warning : identified.warnings) {
-    std::printf("  note: %s\n", warning.c_str());
+    text += format("  note: %s\n", warning.c_str());
   }
-  std::puts("");
+  return text;
 }
 
 std::string fitted(const Arguments& arguments, const std::string& effects) {
@@ -157,8 +163,7 @@ Fit fit(const Arguments& arguments) {
   ReadOptions reading = read_options(arguments);
   model.scale_factor = reading.scale_factor.value_or(kDefaultScaleFactor);
   std::swap(reading.scale_factor, reading.model_scale_factor);
-  const TrainingRuns training =
-      read_training_runs(arguments.positionals(), reading, model.average_s);
+  TrainingRuns training = read_training_runs(arguments.positionals(), reading, model.average_s);
   model.noise_dph_rthz = training.noise_dph_rthz;
   SignalSeries series(model);
   for (const RunInBlocks& run : training.runs) series.add(run.blocks);
@@ -185,7 +190,19 @@ Fit fit(const Arguments& arguments) {
         {format("network %d %s", wanted.network.hidden, wanted.network.trainer.c_str()),
          training.data_hash, effects_rms_dph, model.residual_rms_dph, training.noise_floor_dph});
   }
+  fit.runs = std::move(training.runs);
   return fit;
+}
+
+// On its own recordings as `compare` would judge it.
+ModelOnRuns on_its_runs(const Fit& fit, const std::string& output) {
+  ModelOnRuns model{output, fit.model, {}};
+  for (const RunInBlocks& run : fit.runs) {
+    Comparison comparison = compare_with(fit.model, run);
+    ResidualAnalysis analysis = analyse_residual(comparison);
+    model.runs.push_back({std::move(comparison), std::move(analysis)});
+  }
+  return model;
 }
 
 Json steps_json(const Fit& fit) {
@@ -226,7 +243,7 @@ void print_json(const Fit& fit, const std::string& output) {
 void print_text(const Fit& fit, const std::string& output) {
   std::printf("%td rows of %g s, raw std %.4f deg/h\n\n%s\n", fit.rows, fit.row_s,
               fit.result.raw_std_dph, describe(fit.model).c_str());
-  print_identification(fit);
+  std::puts(identification_text(fit).c_str());
   for (const HistoryEntry& step : fit.model.history) {
     std::printf("  %-44s %.4f -> %.4f deg/h rms\n", step.action.c_str(), step.rms_before_dph,
                 step.rms_after_dph);
@@ -239,8 +256,13 @@ void print_text(const Fit& fit, const std::string& output) {
 
 int run_fit(const Arguments& arguments) {
   const std::string output = arguments.required("o");
+  ReportFile page(arguments);
   const Fit result = fit(arguments);
   save_model(result.model, output);
+  if (page.wanted()) {
+    page.write(report::fit_report(on_its_runs(result, output), result.result,
+                                  identification_text(result)));
+  }
   if (arguments.has("json")) {
     print_json(result, output);
   } else {
@@ -279,6 +301,7 @@ Command fit_command() {
        "heursure"},
       {"mode", "NAME", "soft or hard thresholds", "soft"},
       {"denoise-rows", "RULE", "denoise what the network is trained on, by heursure, ...", "none"},
+      report_option(),
       {"json", "", "one JSON object on stdout", ""},
   };
   for (Option& option : training_options()) command.options.push_back(std::move(option));

@@ -7,8 +7,10 @@
 #include "cli/command.hpp"
 #include "cli/info_text.hpp"
 #include "cli/recording_options.hpp"
+#include "cli/report_option.hpp"
 #include "dataset/recording.hpp"
 #include "evaluation/run_summary.hpp"
+#include "report/info_report.hpp"
 #include "support/json.hpp"
 
 namespace fogcomp::cli {
@@ -101,9 +103,11 @@ Json info_json(const Recording& recording, const RunSummary& summary) {
 
 int run_info(const Arguments& arguments) {
   const double block_s = average_s(arguments);
+  ReportFile page(arguments);
   const Recording recording =
       read_recording(arguments.positionals().front(), read_options(arguments));
   const RunSummary summary = summarize(recording, block_s);
+  if (page.wanted()) page.write(report::info_report(recording, summary));
   if (arguments.has("json")) {
     std::puts(info_json(recording, summary).text().c_str());
   } else {
@@ -122,7 +126,7 @@ Command info_command() {
   command.most_positionals = 1;
   command.summary = "segments, noise floor, Allan deviation and sensitivities of a recording";
   command.example = "fogcomp info run.csv --latitude 40 --axis up";
-  command.options = {average_option(), {"json", "", "print one JSON object", ""}};
+  command.options = {average_option(), report_option(), {"json", "", "print one JSON object", ""}};
   add_recording_options(command);
   command.run = run_info;
   return command;

@@ -6,8 +6,10 @@
 
 #include "cli/arguments.hpp"
 #include "cli/paper_text.hpp"
+#include "cli/report_option.hpp"
 #include "comparators/comparator.hpp"
 #include "paper/figures.hpp"
+#include "report/paper_report.hpp"
 #include "support/input_error.hpp"
 #include "support/progress.hpp"
 #include "support/text.hpp"
@@ -37,6 +39,7 @@ std::vector<std::string> chosen_models(const Arguments& arguments) {
 }
 
 int run_paper(const Arguments& arguments) {
+  ReportFile page(arguments);
   StudySettings settings;
   settings.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, 1LL << 52));
   settings.epochs = static_cast<int>(arguments.integer("epochs", 1, 1'000'000));
@@ -49,6 +52,7 @@ int run_paper(const Arguments& arguments) {
     studies = study_gyros(settings, gyros, [&](double done) { progress.update(done); });
   }
   if (arguments.has("figures")) write_figures(studies.front(), arguments.text("figures"));
+  if (page.wanted()) page.write(report::paper_report(studies));
   if (arguments.has("json")) {
     std::puts(paper_json(studies).text().c_str());
   } else {
@@ -73,6 +77,7 @@ Command paper_command() {
       {"epochs", "N", "of backpropagation", "5000"},
       {"iterations", "N", "of swarm and population, before backpropagation", "300"},
       {"seed", "N", "of the first gyro's noise and its networks", "1"},
+      report_option(),
       {"json", "", "one JSON object on stdout", ""},
   };
   command.run = run_paper;

@@ -92,6 +92,7 @@ class Diagnoser {
     result_.noise = fit_.noise;
     weigh_terms();
     result_.residual_rms_dph = rms(fit_.residual_dph);
+    result_.residual_dph = fit_.residual_dph;
     result_.noise_floor_dph = data_.noise_floor_dph().value_or(fit_.noise.white_dph());
 
     const ModelRemover remover(rows_, fit_);

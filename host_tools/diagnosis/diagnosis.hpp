@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,7 @@ struct CandidateFinding {
   double probability = 0;         ///< that this effect is among those that are missing
 
   const EffectTerm& term() const { return completed.back(); }
+  bool is_expression() const { return term().expression.has_value(); }
 };
 
 struct Diagnosis {
@@ -60,7 +62,8 @@ struct Diagnosis {
   std::vector<Share> segments;   ///< where in the runs it sits; sums to 1
   FastStructure fast;
 
-  double residual_rms_dph = 0;  ///< of a row, the model refitted to these runs
+  double residual_rms_dph = 0;   ///< of a row, the model refitted to these runs
+  Eigen::VectorXd residual_dph;  ///< row by row
   double noise_floor_dph = 0;
   double unexplained_fraction = 0;  ///< of the excess, by the best of the catalogue
   double chance = 1;                ///< that noise alone would look like this

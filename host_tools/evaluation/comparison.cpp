@@ -157,6 +157,7 @@ Comparison compare_with(const Model& model, const RunInBlocks& run) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     comparison.effects.push_back(share_of(parts[i], modelled.parts_dph[i], residual, measured));
   }
+  comparison.parts_dph = std::move(modelled.parts_dph);
   TrainedRange range(model, comparison.row_s);
   for (const Comparison::Row& row : comparison.rows) {
     range.count(row.time_s, row.temperature_degc, row.temperature_rate_degc_per_min);

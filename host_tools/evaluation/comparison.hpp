@@ -39,8 +39,9 @@ struct Comparison {
   std::vector<RowRange> stretches;  ///< rows without a gap
   std::vector<Segment> segments;
   Segment whole;
-  std::vector<EffectShare> effects;       ///< in the model's order, then the network
-  std::optional<double> noise_floor_dph;  ///< of a row, from the recording alone
+  std::vector<EffectShare> effects;            ///< in the model's order, then the network
+  std::vector<std::vector<double>> parts_dph;  ///< [as effects][row]: what each contributes
+  std::optional<double> noise_floor_dph;       ///< of a row, from the recording alone
   OutsideTraining outside;
 
   std::vector<double> residuals_dph() const;

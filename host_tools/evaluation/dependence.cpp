@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "evaluation/autocorrelation.hpp"
+#include "evaluation/branches.hpp"
 #include "support/chi_square.hpp"
 
 namespace fogcomp {
@@ -151,27 +152,6 @@ ClassTest test_means(const ClassMeans& means, const ResidualRows& rows) {
   return test;
 }
 
-// 0: heating, 1: cooling, kNoClass before the first movement. A play operator: it moves only when
-// the temperature pushes it.
-std::vector<std::size_t> branches(const std::vector<double>& temperature_degc) {
-  constexpr double kLeastDegc = 0.5;
-  constexpr double kShareOfRange = 0.02;
-  std::vector<std::size_t> branch;
-  if (temperature_degc.empty()) return branch;
-  const auto [least, most] = std::minmax_element(temperature_degc.begin(), temperature_degc.end());
-  const double radius = std::max(kLeastDegc, kShareOfRange * (*most - *least)) / 2;
-  double centre = temperature_degc[0];
-  std::size_t current = kNoClass;
-  for (const double value : temperature_degc) {
-    const double moved = std::clamp(centre, value - radius, value + radius);
-    if (moved > centre) current = 0;
-    if (moved < centre) current = 1;
-    centre = moved;
-    branch.push_back(current);
-  }
-  return branch;
-}
-
 }  // namespace
 
 bool ClassTest::structured() const {
@@ -229,13 +209,14 @@ const LoopBin* Loop::widest() const {
 Loop loop_over(const std::vector<double>& temperature_degc, const ResidualRows& rows,
                std::size_t bins) {
   const Grid grid(temperature_degc, bins);
-  const std::vector<std::size_t> branch = branches(temperature_degc);
+  const std::vector<Branch> branch = branches(temperature_degc);
   std::vector<std::size_t> class_of;
   std::vector<double> at(bins);
   std::vector<double> count(bins);
   for (std::size_t i = 0; i < branch.size(); ++i) {
     const std::size_t bin = grid.bin(temperature_degc[i]);
-    class_of.push_back(branch[i] == kNoClass ? kNoClass : 2 * bin + branch[i]);
+    class_of.push_back(branch[i] == Branch::none ? kNoClass
+                                                 : 2 * bin + static_cast<std::size_t>(branch[i]));
     at[bin] += temperature_degc[i];
     ++count[bin];
   }

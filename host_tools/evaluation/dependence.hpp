@@ -71,9 +71,7 @@ ClassTest test_of_mean(const ResidualRows& rows);
 /// Standard error of that mean, deg/h.
 double sigma_of_mean(const ResidualRows& rows);
 
-/// A row's branch is the direction in which the temperature last moved by more than 2 % of its
-/// range (at least 0.5 degC): soaks count with the ramp before them; before the first movement a
-/// row is on neither.
+/// By the branches() of the temperature.
 Loop loop_over(const std::vector<double>& temperature_degc, const ResidualRows& rows,
                std::size_t bins);
 

@@ -69,7 +69,7 @@ SegmentSummary summarize_segment(const Recording& recording, const Segment& segm
 
 RunSummary summarize(const Recording& recording, double average_s) {
   const std::vector<Segment> segments = find_segments(recording);
-  const Blocks blocks = block_means(recording, average_s);
+  Blocks blocks = block_means(recording, average_s);
   const std::vector<Segment> in_blocks = segments_in_blocks(segments, blocks);
   const std::vector<double> bias = bias_dph(recording);
   const std::vector<double> block_bias = bias_dph(blocks.means);
@@ -91,6 +91,7 @@ RunSummary summarize(const Recording& recording, double average_s) {
   summary.allan = allan_deviation(bias, soaks, recording.period_s);
   summary.noise = fit_noise_coefficients(summary.allan);
   summary.sensitivity = temperature_sensitivity(blocks.means, in_blocks);
+  summary.blocks = std::move(blocks.means);
   return summary;
 }
 

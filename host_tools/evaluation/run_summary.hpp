@@ -38,6 +38,7 @@ struct SegmentSummary {
 struct RunSummary {
   BiasSummary bias;
   double average_s = 0;  ///< length of a block
+  Recording blocks;      ///< their means
   std::optional<double> noise_floor_dph;
   std::vector<SegmentSummary> segments;
   double soak_s = 0;  ///< of data behind the Allan deviation

@@ -1,9 +1,9 @@
 #include "refinement/add_effect.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "evaluation/autocorrelation.hpp"
-#include "evaluation/comparison.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -90,11 +90,12 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
 
   RiseTest on_holdouts;
   const auto compare = [&](const RunInBlocks& run, bool holdout) {
-    const Comparison without = compare_with(before, run);
-    const Comparison with = compare_with(result.model, run);
+    Comparison without = compare_with(before, run);
+    Comparison with = compare_with(result.model, run);
     if (holdout) on_holdouts.add(without, with);
     result.runs.push_back({run.file, holdout, without.whole.rms_dph, with.whole.rms_dph,
-                           run.noise_floor_dph, with.outside.temperature});
+                           run.noise_floor_dph, with.outside.temperature, std::move(without),
+                           std::move(with)});
   };
   for (const RunInBlocks& run : training.runs) compare(run, false);
   for (const RunInBlocks& run : holdouts) compare(run, true);

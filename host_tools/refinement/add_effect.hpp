@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/comparison.hpp"
 #include "refinement/effect_change.hpp"
 #include "refinement/fit_model.hpp"
 #include "refinement/out_of_sample.hpp"
@@ -26,6 +27,8 @@ struct Addition {
     /// Part of the rows outside the new model's trained temperatures, 0..1: there a holdout judges
     /// how the board holds the drift, not the effect.
     double outside_temperature = 0;
+    Comparison before;  ///< row by row
+    Comparison after;
   };
   Model model;                   ///< as refitted, with its history
   std::size_t changed = 0;       ///< the term that was added or changed

@@ -267,4 +267,12 @@ OutOfSample judge_on_holdouts(const Model& before, const Model& after,
   return result;
 }
 
+std::string half_words(const HalfTest& half) {
+  const std::string on = half.identified_on;
+  if (!half.determined) return "the " + on + " half alone cannot identify this model";
+  return format("identified on the %s half, judged on the %s: %.4f -> %.4f%s", on.c_str(),
+                on == "first" ? "second" : "first", half.rms_before_dph, half.rms_after_dph,
+                half.rms_after_dph < half.rms_before_dph ? "" : ", does not hold there");
+}
+
 }  // namespace fogcomp

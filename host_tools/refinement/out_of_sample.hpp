@@ -38,6 +38,9 @@ struct HalfTest {
   double rms_after_dph = 0;
 };
 
+/// One line that says how a half test went.
+std::string half_words(const HalfTest& half);
+
 /// What both sets are cross-validated with: the noise and row weights of one fit.
 struct JudgedWith {
   const NoiseModel& noise;

@@ -3,14 +3,9 @@
 #include <string>
 #include <vector>
 
-namespace fogcomp::simulation {
+#include "support/embedded_file.hpp"
 
-/// A text that was compiled in from a file of the source tree (embedded_files.cmake), so that the
-/// tool needs no installation.
-struct EmbeddedFile {
-  std::string name;  ///< without folder and extension
-  std::string text;
-};
+namespace fogcomp::simulation {
 
 /// host_tools/simulation/profiles/*.profile
 const std::vector<EmbeddedFile>& ready_made_profiles();

@@ -211,6 +211,9 @@ refuses 'expects RUN' fit -o kept --effects bias
 refuses 'unexpected argument' effects bias bias
 refuses 'is a directory' fit good.csv -o folder --effects bias
 refuses 'cannot be written' fit good.csv -o nowhere/x.model --effects bias
+refuses 'is a directory' info good.csv --report folder
+refuses 'cannot be written' fit good.csv -o kept --effects bias --report nowhere/x.html
+refuses '^missing\.csv: .*' compare good.model missing.csv --report kept
 
 # A header for another layout is refused by the compiler.
 echo "$cases cases, $failures failures"

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "cli/arguments.hpp"
+#include "report/report.hpp"
+#include "support/output_file.hpp"
+
+namespace fogcomp::cli {
+
+/// --report
+Option report_option();
+
+/// The page that --report names, opened before the work begins, so that a folder that cannot be
+/// written is known at once. Without the option it does nothing.
+class ReportFile {
+ public:
+  explicit ReportFile(const Arguments& arguments);
+  bool wanted() const { return file_.has_value(); }
+  void write(const report::Report& report);
+
+ private:
+  std::optional<OutputFile> file_;
+};
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,208 @@
+#include "diagnosis/diagnosis_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "model/catalogue.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+std::string percent(double share) {
+  return format("%.0f %%", 100 * share);
+}
+
+std::string joined(const std::vector<std::string>& names, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : format(" %s ", last);
+    text += names[i];
+  }
+  return text;
+}
+
+// How to name an effect to `add`, with what it takes to grow one that is there already.
+std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
+  const CandidateFinding* finding = diagnosis.find(effect);
+  const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
+                                [&](const EffectTerm& term) { return term.name == effect; });
+  if (own == diagnosis.terms.end() || finding == nullptr) return effect;
+  const CatalogueEntry& entry = find_effect(effect);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    if (finding->term().parameters[i] == own->parameters[i]) continue;
+    return format("%s:%s=%.4g", effect.c_str(), entry.parameters[i].name,
+                  finding->term().parameters[i]);
+  }
+  return effect;
+}
+
+// The command that adds it. An expression has no quotes in it.
+std::string add_command_line(const Diagnosis& diagnosis, const std::string& effect,
+                             const std::string& model, const std::string& runs) {
+  const CandidateFinding* finding = diagnosis.find(effect);
+  if (finding == nullptr || !finding->is_expression()) {
+    return "fogcomp add " + model + " " + to_add(diagnosis, effect) + " " + runs;
+  }
+  const Expression& expression = finding->term().expression->expression;
+  return "fogcomp add " + model + " " + runs + " --effect-expr '" + expression.name + " = " +
+         expression.text + "'";
+}
+
+// One sentence, then how certain it is.
+std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
+  switch (diagnosis.verdict) {
+    case Verdict::none:
+      return {"nothing is missing: what is left is noise, as far as these recordings can show", ""};
+    case Verdict::missing_effect: {
+      const CandidateFinding* finding = diagnosis.find(diagnosis.effect);
+      const std::string described = shape_words(finding->term());
+      return {format("missing effect: %s (%s)", diagnosis.effect.c_str(),
+                     info_of(finding->term()).title.c_str()),
+              format("probability %.2f%s", finding->probability,
+                     described.empty() ? "" : ("; " + described).c_str())};
+    }
+    case Verdict::ambiguous:
+      return {"an effect is missing; these recordings cannot tell which of",
+              joined(diagnosis.confusable, "or")};
+    case Verdict::unknown:
+      break;
+  }
+  const bool offered =
+      std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                  [](const CandidateFinding& finding) { return finding.is_expression(); });
+  return {"something is missing that no effect of the catalogue" +
+              std::string(offered ? " and no expression offered" : "") + " explains (" +
+              percent(diagnosis.unexplained_fraction) + " of it is left unexplained)",
+          ""};
+}
+
+std::string error_words(const Diagnosis& diagnosis) {
+  std::string text = format("the model leaves %.4g deg/h rms; the noise floor is %.4g",
+                            diagnosis.residual_rms_dph, diagnosis.noise_floor_dph);
+  const std::string effect = effect_to_add(diagnosis);
+  if (const CandidateFinding* finding = diagnosis.find(effect)) {
+    text += format("; with %s %.4g", effect.c_str(), finding->rms_after_dph);
+  }
+  return text;
+}
+
+std::string where_words(const Diagnosis& diagnosis) {
+  std::vector<Diagnosis::Share> segments = diagnosis.segments;
+  std::stable_sort(segments.begin(), segments.end(),
+                   [](const auto& a, const auto& b) { return a.share > b.share; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, segments.size()); ++i) {
+    if (segments[i].share < 0.1) break;
+    text += (text.empty() ? "it sits in " : ", ") + segments[i].name + " (" +
+            percent(segments[i].share) + ")";
+  }
+  if (!diagnosis.variable.empty()) {
+    text += (text.empty() ? "it depends most on " : "; it depends most on ") + diagnosis.variable;
+  }
+  return text;
+}
+
+// What the network, which the diagnosis leaves out, had learnt.
+std::string network_words(const Diagnosis& diagnosis) {
+  constexpr double kSaysNothing = 0.05;   // difference of shares that says nothing
+  constexpr double kNextToNothing = 0.1;  // of the noise floor
+  if (!diagnosis.network) return "";
+  const NetworkLearnt& network = *diagnosis.network;
+  std::string text = format("the network, left out here, adds %.4g deg/h rms", network.rms_dph);
+  if (network.rms_dph < kNextToNothing * diagnosis.noise_floor_dph) {
+    return text + ": next to nothing";
+  }
+  text += ", " + percent(network.beyond_effects) + " of it beyond the model's own effects: ";
+  if (network.effects.empty() || network.effects[0].share < kLearntShare) {
+    text += "nothing of the catalogue explains what it had learnt";
+    if (network.effects.empty()) return text;
+    return text + " (at most " + percent(network.effects[0].share) + ", " +
+           network.effects[0].term.name + ")";
+  }
+  // Of those that explain it alike, the one that the verdict names.
+  NetworkLearnt::Share best = network.effects[0];
+  for (const NetworkLearnt::Share& share : network.effects) {
+    const bool as_well = share.share > network.effects[0].share - kSaysNothing;
+    if (as_well && share.term.name == diagnosis.effect) best = share;
+  }
+  text += "it had learnt " + best.term.name + " (explains " + percent(best.share);
+  std::vector<std::string> alike;
+  for (const NetworkLearnt::Share& share : network.effects) {
+    const bool as_well =
+        share.share > best.share - kSaysNothing && share.term.name != best.term.name;
+    if (as_well) alike.push_back(share.term.name);
+  }
+  if (!alike.empty()) text += "; so would " + joined(alike, "or");
+  return text + "): add the effect and train a smaller network";
+}
+
+void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::string& model,
+              const std::string& runs) {
+  const std::string effect = effect_to_add(diagnosis);
+  if (effect == kBiasStep) {
+    words.next = "fit again with bias_step among the --effects: it finds steps and masks them";
+  } else if (!effect.empty()) {
+    words.command = add_command_line(diagnosis, effect, model, runs) + " -o NEW.model";
+  } else if (diagnosis.verdict == Verdict::unknown) {
+    words.next =
+        "let a formula of your own compete: --effect-expr 'NAME = T*T*dTdt' "
+        "(host_tools/README.md, Expressions)";
+  }
+}
+
+}  // namespace
+
+std::string shape_words(const EffectTerm& term) {
+  std::string text;
+  const TermInfo info = info_of(term);
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    const TermInfo::Parameter& parameter = info.parameters[i];
+    if (term.parameters[i] == 0 && parameter.bounds.least > 0) continue;
+    text += (text.empty() ? "" : ", ") +
+            format("%s %.3g", parameter.name.c_str(), term.parameters[i]) +
+            (parameter.unit.empty() ? "" : " " + parameter.unit);
+  }
+  return text;
+}
+
+DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
+                        const std::string& runs) {
+  DiagnosisWords words;
+  std::tie(words.verdict, words.certainty) = verdict_words(diagnosis);
+  words.findings.push_back(error_words(diagnosis));
+  if (diagnosis.verdict != Verdict::none) {
+    const std::string where = where_words(diagnosis);
+    if (!where.empty()) words.findings.push_back(where);
+    if (diagnosis.experiment && !diagnosis.experiment->sentence.empty()) {
+      words.findings.push_back("to tell: " + diagnosis.experiment->sentence);
+    }
+    add_next(words, diagnosis, model, runs);
+  }
+  words.limits.push_back(format("chance that noise alone looks like this: %.2g", diagnosis.chance));
+  const std::string network = network_words(diagnosis);
+  if (!network.empty()) words.limits.push_back(network);
+  for (const std::string& note : diagnosis.notes) words.limits.push_back("note: " + note);
+  return words;
+}
+
+std::string step_words(const Ladder::Step& step) {
+  std::string what = (step.removed ? "- " : "+ ") + step.effect;
+  if (step.removed) what += " (no longer needed)";
+  if (!step.alternatives.empty()) what += " (or " + joined(step.alternatives, "or") + ")";
+  return what;
+}
+
+std::string end_words(const Ladder& ladder) {
+  if (ladder.steps.empty()) return "nothing to add";
+  if (!ladder.left_alone.empty()) {
+    return ladder.left_alone +
+           " would bring so little more that it may be the inexactness of what is there: not added";
+  }
+  const auto [verdict, certainty] = verdict_words(ladder.last);
+  return "at the end: " + verdict + (certainty.empty() ? "" : "\n  " + certainty);
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,170 @@
+#include "report/paper_report.hpp"
+
+#include <cmath>
+
+#include "evaluation/comparison.hpp"
+#include "paper/printed_tables.hpp"
+#include "report/figures.hpp"
+#include "report/run_plots.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::report {
+namespace {
+
+std::vector<double> as_vector(const Eigen::VectorXd& values) {
+  return {values.data(), values.data() + values.size()};
+}
+
+std::string cell(MeanStd value) {
+  return format("%.4f ± %.4f", value.mean_dph, value.std_dph);
+}
+
+void add_table_1(Report& report, const Study& study) {
+  const Eigen::VectorXd& raw = study.run.series.rows().drift_dph;
+  Table table{{"segment", "raw, printed", "raw, ours", "denoised, printed", "denoised, ours"}, {}};
+  for (const PrintedSegment& printed : kPrinted) {
+    table.rows.push_back({printed.name, cell({printed.raw_mean, printed.raw_std}),
+                          cell(mean_and_std(study.of_segment(printed.name, raw))),
+                          cell({printed.denoised_mean, printed.denoised_std}),
+                          cell(mean_and_std(study.of_segment(printed.name, study.denoised_dph)))});
+  }
+  report.section("Table 1: denoising");
+  report.sentence("Mean +- std, deg/h; sym8, 5 levels, heursure, soft.");
+  report.table(table);
+}
+
+void add_table_2(Report& report, const Study& study) {
+  const Eigen::VectorXd& raw = study.run.series.rows().drift_dph;
+  const auto left = [&](const PrintedSegment& printed, const char* model) {
+    return cell(mean_and_std(study.of_segment(printed.name, raw - study.model(model).own_dph)));
+  };
+  Table table{{"segment", "BP, printed", "BP, ours", "PSO-BP, printed", "PSO-BP, ours"}, {}};
+  for (const PrintedSegment& printed : kPrinted) {
+    table.rows.push_back({printed.name, cell({printed.bp_mean, printed.bp_std}),
+                          left(printed, "bp"), cell({printed.pso_bp_mean, printed.pso_bp_std}),
+                          left(printed, "pso-bp")});
+  }
+  report.section("Table 2: compensated, by segment");
+  report.sentence("Mean +- std, deg/h.");
+  report.table(table);
+}
+
+void add_table_3(Report& report, const Study& study) {
+  const PrintedSegment& all = kPrinted.back();
+  Table table{{"", "std, printed", "gone", "drift", "std, ours", "gone", "drift"}, {}};
+  Bars bars;
+  bars.floor = study.run.noise_floor_dph;
+  bars.caption = "Std of the whole run, deg/h. Dashed: the noise floor of ours.";
+  bars.keys = {{"printed", "measured"}, {"ours", "residual"}};
+  const auto add = [&](const char* name, double printed, double ours) {
+    table.rows.push_back({name, dph(printed), format("%.2f %%", 100 * (1 - printed / all.raw_std)),
+                          dph(floor_removed(printed, kPrintedFloorDph)), dph(ours),
+                          format("%.2f %%", 100 * (1 - ours / study.raw.std_dph)),
+                          dph(floor_removed(ours, study.run.noise_floor_dph))});
+    bars.rows.push_back(
+        {name, {{printed, "measured", dph(printed)}, {ours, "residual", dph(ours)}}, ""});
+  };
+  add("raw", all.raw_std, study.raw.std_dph);
+  add("BP", all.bp_std, study.model("bp").own.residual.std_dph);
+  add("PSO-BP", all.pso_bp_std, study.model("pso-bp").own.residual.std_dph);
+  report.section("Table 3: the whole run");
+  report.sentence("Std in deg/h, how much of it is gone, and the drift √(std² − floor²).");
+  report.table(table);
+  report.bars(bars);
+}
+
+void add_figures(Report& report, const Study& study) {
+  const Rows& rows = study.run.series.rows();
+  const std::vector<double> raw = as_vector(rows.drift_dph);
+  const std::vector<double> soft = as_vector(study.denoised_dph);
+  const std::vector<double> hard = as_vector(study.hard_dph);
+  const Eigen::VectorXd& bp = study.model("bp").own_dph;
+  const Eigen::VectorXd& pso_bp = study.model("pso-bp").own_dph;
+  const std::vector<double> predicted = as_vector(bp);
+  const std::vector<double> swarm = as_vector(pso_bp);
+  const std::vector<double> after_bp = as_vector(rows.drift_dph - bp);
+  const std::vector<double> after_pso_bp = as_vector(rows.drift_dph - pso_bp);
+  std::vector<double> degc;
+  for (const auto& signals : rows.signals) degc.push_back(signals.temperature);
+  const TimeAxis axis{rows.time_s, {0}, "run"};
+  const auto add = [&](const char* title, const char* label, const std::vector<Trace>& traces) {
+    report.plot(time_plot(title, label, axis, traces));
+  };
+  report.section("The paper's figures on a simulated gyro");
+  add("Figure 1, temperature.", "temperature, degC", {{"temperature", "part5", degc}});
+  add("Figure 1, raw bias.", "bias, deg/h", {{"raw", "residual", raw}});
+  add("Figure 3: denoised, soft thresholds.", "bias, deg/h",
+      {{"raw", "measured", raw}, {"denoised", "residual", soft}});
+  add("Figure 4: hard and soft thresholds.", "bias, deg/h",
+      {{"soft", "residual", soft}, {"hard", "model", hard}});
+  add("Figure 8: what the networks predict.", "bias, deg/h",
+      {{"denoised", "measured", soft}, {"BP", "model", predicted}, {"PSO-BP", "second", swarm}});
+  add("Figure 9: compensated by BP.", "bias, deg/h",
+      {{"raw", "measured", raw}, {"after BP", "model", after_bp}});
+  add("Figure 10: compensated by PSO-BP.", "bias, deg/h",
+      {{"raw", "measured", raw}, {"after PSO-BP", "second", after_pso_bp}});
+}
+
+void add_medians(Report& report, const std::vector<Study>& studies) {
+  Table table{{"model", "std", "drift", "error"}, {}};
+  for (const std::string& profile : kHeldOutProfiles) {
+    table.head.push_back(profile + ": drift");
+    table.head.push_back("error");
+  }
+  for (const ModelMedians& model : medians_of(studies)) {
+    table.rows.push_back(
+        {model.name, dph(model.std_dph), dph(model.drift_dph), dph(model.truth_rms_dph)});
+    for (std::size_t i = 0; i < kHeldOutProfiles.size(); ++i) {
+      table.rows.back().push_back(dph(model.held_out_drift_dph[i]));
+      table.rows.back().push_back(dph(model.held_out_truth_rms_dph[i]));
+    }
+  }
+  const FloorMedians floors = floors_of(studies);
+  table.rows.push_back({"noise alone", "", "", dph(floors.own_dph)});
+  for (const double floor_dph : floors.held_out_dph) {
+    table.rows.back().push_back("");
+    table.rows.back().push_back(dph(floor_dph));
+  }
+  report.section("What the paper does not show");
+  report.sentence(
+      format("deg/h, medians of %zu gyro%s: drift without the noise floor, and error against the "
+             "noise-free truth, on the run that a model was fitted to and on programmes that it "
+             "never saw. Noise alone: what a fit would leave that knew the course of every effect.",
+             studies.size(), studies.size() == 1 ? "" : "s"));
+  report.table(table);
+}
+
+std::string found(const std::vector<Study>& studies) {
+  for (const ModelMedians& model : medians_of(studies)) {
+    if (model.name != "pso-bp") continue;
+    return format(
+        "PSO-BP takes %.2f %% off the std of the whole run (printed: %.2f %%), %.1f %% of what the "
+        "noise floor allows.",
+        100 * model.cut, 100 * kPrintedPsoBpCut, 100 * model.cut_of_bound);
+  }
+  return "";
+}
+
+}  // namespace
+
+Report paper_report(const std::vector<Study>& studies) {
+  const Study& first = studies.front();
+  Report report(
+      "fogcomp paper: Li, Hou, Du, Li, Opto-Electronic Engineering 46(9):180636 (2019), beside a "
+      "simulated gyro",
+      found(studies));
+  report.next(
+      "such a network of time and temperature is an image of its one run (last table); fit "
+      "physical "
+      "effects to a recording of yours, and a network on what they leave.",
+      "fogcomp fit run.csv -o gyro.model --effects bias,bias_temperature:order=2,temperature_rate "
+      "--network 6");
+  add_figures(report, first);
+  add_table_1(report, first);
+  add_table_2(report, first);
+  add_table_3(report, first);
+  add_medians(report, studies);
+  return report;
+}
+
+}  // namespace fogcomp::report

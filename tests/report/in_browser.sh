@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# in_browser.sh FOGCOMP [SHOTS]: a report of every kind opens from its file in Chromium, wide and narrow, light
+# and dark: curves drawn, nothing wider than the window, zoom linked, printable, a silent console, no request.
+# Screenshots and prints go to the folder SHOTS.
+set -euo pipefail
+fogcomp=$(realpath "${1:?usage: in_browser.sh FOGCOMP [SHOTS]}")
+shots=${2:+$(realpath "$2")}
+here=$(realpath "$(dirname "$0")")
+for program in chromium node; do
+  command -v $program >/dev/null || { echo "skipped: no $program here"; exit 77; }
+done
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+"$fogcomp" simulate -o run.csv --seed 1 >/dev/null
+"$fogcomp" simulate -o second.csv --seed 2 --profile reversed >/dev/null
+"$fogcomp" info run.csv --report info.html >/dev/null
+if grep -q "^<p>No plots here" info.html; then
+  echo "skipped: this fogcomp was built without npm, its reports have no plots"
+  exit 77
+fi
+effects=bias,bias_temperature
+"$fogcomp" fit run.csv -o static.model --effects $effects >/dev/null
+"$fogcomp" fit run.csv second.csv -o rate.model --effects $effects,temperature_rate --network 3 --report fit.html >/dev/null
+"$fogcomp" compare rate.model run.csv second.csv --report compare.html >/dev/null
+"$fogcomp" compare static.model run.csv --model rate.model --report models.html >/dev/null
+"$fogcomp" diagnose static.model run.csv --max-effects 2 --report diagnose.html >/dev/null
+"$fogcomp" add static.model temperature_rate run.csv --holdout second.csv -o y.model --report add.html >/dev/null
+"$fogcomp" paper --models polynomial --epochs 100 --iterations 3 --report paper.html >/dev/null
+
+# Columns, not rows, decide how large a page is: 300,000 samples here, as 11.9 million (README, Reports).
+"$fogcomp" simulate -o fast.csv --rate 5 >/dev/null
+"$fogcomp" info fast.csv --report fast.html >/dev/null
+"$fogcomp" compare static.model fast.csv --report fast_compare.html >/dev/null
+for page in *.html; do
+  (($(stat -c %s $page) < 1500000)) || { echo "$page is $(stat -c %s $page) bytes" >&2; exit 1; }
+done
+
+node "$here/look_at_pages.mjs" chromium "$shots" info.html=4 fit.html=16 compare.html=16 models.html=8 \
+  diagnose.html=5 add.html=8 paper.html=7 fast.html=5

@@ -1,0 +1,128 @@
+// node look_at_pages.mjs CHROMIUM SHOTS PAGE=PLOTS...: opens each report from its file, wide and narrow, light
+// and dark, and says what is wrong with it. PLOTS: how many it must have. SHOTS: a folder for screenshots and
+// a print, "" for none.
+import { writeFileSync } from "node:fs";
+import { basename, join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { Browser } from "./browser.mjs";
+
+const [program, shots, ...pages] = process.argv.slice(2);
+let failures = 0;
+
+// What a reader would see: the paper's brightness, whether the page goes sideways, and of each plot how
+// many pixels have the colour of a curve (axes, grid and words are grey), whether it fits its box, and
+// how many of the points in the data it does not have (a stack has more: both signs, and zero).
+const look = `(() => {
+  const data = JSON.parse(document.getElementById("plots").textContent);
+  const [r, g, b] = getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number);
+  return {
+    paper: (r + g + b) / 3,
+    sideways: document.documentElement.scrollWidth - innerWidth,
+    words: document.querySelector("h1").textContent.length,
+    plots: [...document.querySelectorAll(".canvas")].map((box) => {
+      const canvas = box.querySelector("canvas");
+      if (!canvas) return { coloured: 0, wide: true };
+      const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
+      const pen = copy.getContext("2d", { willReadFrequently: true });
+      pen.drawImage(canvas, 0, 0);
+      const pixels = pen.getImageData(0, 0, copy.width, copy.height).data;
+      let coloured = 0;
+      for (let i = 0; i < pixels.length; i += 4) {
+        const rgb = [pixels[i], pixels[i + 1], pixels[i + 2]];
+        if (pixels[i + 3] > 60 && Math.max(...rgb) - Math.min(...rgb) > 60) ++coloured;
+      }
+      const points = data[box.dataset.plot].curves.flatMap((curve) => curve.y).filter((y) => y !== null).length;
+      return { coloured, lost: points - Number(box.dataset.points), wide: canvas.getBoundingClientRect().right > box.getBoundingClientRect().right + 1 };
+    }),
+  };
+})()`;
+const pictures = `[...document.querySelectorAll(".canvas canvas")].map((canvas) => canvas.toDataURL())`;
+
+const check = (name, good, what) => {
+  if (good) return;
+  ++failures;
+  console.error(`${name}: ${what}`);
+};
+
+const look_at = async (tab, name, shape, plots) => {
+  await tab.show(shape);
+  const view = `${name}, ${shape.width} px, ${shape.dark ? "dark" : "light"}`;
+  const seen = await tab.evaluate(look);
+  check(view, shape.dark ? seen.paper < 60 : seen.paper > 230, `paper of brightness ${seen.paper}`);
+  check(view, seen.sideways <= 0, `is ${seen.sideways} px wider than the window`);
+  check(view, seen.words > 20, "does not say what was found");
+  check(view, seen.plots.length === plots, `has ${seen.plots.length} plots, not ${plots}`);
+  seen.plots.forEach((plot, i) => {
+    check(view, plot.coloured > 40, `plot ${i} shows no curve (${plot.coloured} coloured pixels)`);
+    check(view, plot.lost <= 0, `plot ${i} lacks ${plot.lost} of its points`);
+    check(view, !plot.wide, `plot ${i} is wider than its box`);
+  });
+  if (shots) {
+    writeFileSync(join(shots, `${basename(name, ".html")}_${shape.width}_${shape.dark ? "dark" : "light"}.png`),
+                  await tab.screenshot());
+  }
+};
+
+// The first two plots share time: a cursor over one shows figures in the legends of both, a drag zooms both, a
+// double click shows all again.
+const zoom = async (tab, name) => {
+  const place = await tab.evaluate(`(() => {
+    const over = document.querySelector(".canvas .u-over");
+    over.scrollIntoView({ block: "center" });
+    const { left, top, width, height } = over.getBoundingClientRect();
+    return { left, top: top + height / 2, width };
+  })()`);
+  const before = await tab.evaluate(pictures);
+  const at = (share) => place.left + share * place.width;
+  await tab.mouse("mouseMoved", at(0.3), place.top);
+  await tab.settle();
+  const legends = await tab.evaluate(
+    `[...document.querySelectorAll(".canvas .u-legend")].slice(0, 2).map((legend) => legend.textContent)`);
+  check(name, legends.every((legend) => /\d/.test(legend)), `the linked cursor shows no figures: ${legends.join(" | ")}`);
+  await tab.mouse("mousePressed", at(0.3), place.top, { button: "left", buttons: 1, clickCount: 1 });
+  await tab.mouse("mouseMoved", at(0.5), place.top, { button: "left", buttons: 1 });
+  await tab.mouse("mouseReleased", at(0.5), place.top, { button: "left", clickCount: 1 });
+  await tab.settle();
+  const zoomed = await tab.evaluate(pictures);
+  check(name, zoomed[0] !== before[0], "dragging does not zoom");
+  check(name, zoomed[1] !== before[1], "the zoom is not linked to the next plot over time");
+  for (const clickCount of [1, 2]) {
+    await tab.mouse("mousePressed", at(0.4), place.top, { button: "left", buttons: 1, clickCount });
+    await tab.mouse("mouseReleased", at(0.4), place.top, { button: "left", clickCount });
+  }
+  await tab.settle();
+  const after = await tab.evaluate(pictures);
+  check(name, after.every((picture, i) => picture === before[i]), "a double click does not show all again");
+};
+
+const browser = new Browser(program);
+try {
+  for (const word of pages) {
+    const [page, plots] = word.split("=");
+    const name = basename(page);
+    const url = pathToFileURL(resolve(page)).href;
+    const tab = await browser.tab();
+    await tab.show({ width: 1280, dark: false });
+    await tab.open(url);
+    for (const width of [1280, 390]) {
+      for (const dark of [false, true]) await look_at(tab, name, { width, dark }, Number(plots));
+    }
+    await tab.show({ width: 1280, dark: false });
+    if (Number(plots) > 1) await zoom(tab, name);
+    await tab.show({ width: 1280, dark: true });
+    const before = await tab.evaluate(pictures);
+    const print = await tab.pdf();
+    check(name, print.subarray(0, 5).toString() === "%PDF-", "cannot be printed");
+    await tab.settle();
+    check(name, (await tab.evaluate(pictures)).every((picture, i) => picture === before[i]),
+          "the plots are not as before after printing");
+    if (shots) writeFileSync(join(shots, basename(name, ".html") + ".pdf"), print);
+    check(name, tab.complaints.length === 0, `the console says: ${tab.complaints.join("; ")}`);
+    const others = tab.requests.filter((request) => request !== url);
+    check(name, others.length === 0, `asks for ${others.join(", ")}`);
+    console.log(`${name}: ${plots} plots`);
+  }
+} finally {
+  await browser.close();
+}
+process.exit(failures > 0 ? 1 : 0);
