@@ -5,6 +5,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/recording_options.hpp"
+#include "cli/training_options.hpp"
 #include "evaluation/comparison.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
@@ -71,6 +72,9 @@ void print_json(const Addition& addition, bool written, const std::string& outpu
   const OutOfSample& judged = addition.out_of_sample;
   Json notes = Json::array();
   for (const std::string& warning : addition.fit.identified.warnings) notes.push(warning);
+  if (addition.fit.training && !addition.model.network.present()) {
+    notes.push(network_verdict(addition.fit));
+  }
   Json result = Json::object();
   result.set("effect", term.name)
       .set("accepted", addition.accepted)
@@ -111,6 +115,7 @@ void print_text(const Addition& addition, bool written, const std::string& outpu
     std::printf("  note: %s\n", warning.c_str());
   }
   for (const HalfTest& half : addition.halves) print_half(half);
+  if (addition.fit.network_judged) std::puts(network_verdict(addition.fit).c_str());
   std::printf("%s: %s\n", addition.accepted ? "accepted" : "refused", addition.reason.c_str());
   if (written) {
     std::printf("written%s: %s\n", addition.accepted ? "" : " by --force", output.c_str());
