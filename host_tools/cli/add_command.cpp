@@ -7,6 +7,7 @@
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
 #include "cli/term_json.hpp"
+#include "cli/training_options.hpp"
 #include "evaluation/comparison.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
@@ -57,6 +58,9 @@ void print_json(const Addition& addition, bool written, const std::string& outpu
   const OutOfSample& judged = addition.out_of_sample;
   Json notes = Json::array();
   for (const std::string& warning : addition.fit.identified.warnings) notes.push(warning);
+  if (addition.fit.training && !addition.model.network.present()) {
+    notes.push(network_verdict(addition.fit));
+  }
   Json result = Json::object();
   result.set("effect", term.name)
       .set("accepted", addition.accepted)
@@ -99,6 +103,7 @@ void print_text(const Addition& addition, bool written, const std::string& outpu
   for (const HalfTest& half : addition.halves) {
     std::printf("  %s\n", half_words(half).c_str());
   }
+  if (addition.fit.network_judged) std::puts(network_verdict(addition.fit).c_str());
   std::printf("%s: %s\n", addition.accepted ? "accepted" : "refused", addition.reason.c_str());
   if (written) {
     std::printf("written%s: %s\n", addition.accepted ? "" : " by --force", output.c_str());

@@ -140,9 +140,14 @@ Model model_settings(const Arguments& arguments, const std::string& effects) {
   return model;
 }
 
+// A network was asked for, and there is none.
+bool is_dropped(const Fit& fit) {
+  return fit.result.training && !fit.model.network.present();
+}
+
 // Only lm knows.
 std::optional<double> determined_weights(const Fit& fit) {
-  if (!fit.result.training) return std::nullopt;
+  if (!fit.model.network.present()) return std::nullopt;
   return fit.result.training->effective_parameters;
 }
 
@@ -152,6 +157,7 @@ Fit fit(const Arguments& arguments) {
   settings.identify.run_offsets = arguments.has("run-offsets");
   settings.row_denoising = row_denoising(arguments);
   settings.network = wanted.network;
+  settings.force_network = wanted.network_is_the_model || arguments.has("force-network");
   settings.network_inputs = parse_network_inputs(arguments.text("inputs"));
 
   Fit fit;
@@ -223,6 +229,7 @@ void print_json(const Fit& fit, const std::string& output) {
   const Identification& identified = fit.result.identified;
   Json notes = Json::array();
   for (const std::string& warning : identified.warnings) notes.push(warning);
+  if (is_dropped(fit)) notes.push(network_verdict(fit.result));
   Json result = Json::object();
   result.set("model", output).set("rows", static_cast<std::size_t>(fit.rows));
   result.set("raw_std_dph", fit.result.raw_std_dph)
@@ -237,6 +244,8 @@ void print_json(const Fit& fit, const std::string& output) {
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
   const std::optional<double> determined = determined_weights(fit);
   result.set("network_effective_parameters", determined ? Json(*determined) : Json());
+  const std::optional<OutOfSample>& judged = fit.result.network_judged;
+  result.set("network_gain", judged ? Json(judged->gain) : Json());
   std::puts(result.text().c_str());
 }
 
@@ -250,6 +259,10 @@ void print_text(const Fit& fit, const std::string& output) {
   }
   if (const std::optional<double> determined = determined_weights(fit)) {
     std::printf("  (of the network's weights the data determine %.1f)\n", *determined);
+  }
+  if (fit.result.network_judged) {
+    std::printf("%s%s\n", network_verdict(fit.result).c_str(),
+                is_dropped(fit) ? "; --force-network keeps it" : "");
   }
   std::printf("\nwritten: %s\n", output.c_str());
 }

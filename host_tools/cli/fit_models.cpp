@@ -72,7 +72,8 @@ WantedModel wanted_model(const Arguments& arguments) {
     refuse(arguments, "network", name);
     return model;
   }
-  if (trainer != kOpen) model.network.trainer = trainer;
+  model.network_is_the_model = trainer != kOpen;
+  if (model.network_is_the_model) model.network.trainer = trainer;
   if (!arguments.has("network")) model.network.hidden = kUsualHidden;
   return model;
 }

@@ -12,8 +12,9 @@ namespace fogcomp::cli {
 /// What `fit --model NAME` stands for: effects and a network, as the board can carry them.
 struct WantedModel {
   std::string effects;
-  NetworkSettings network;           ///< 0 hidden neurons: none
-  bool order_by_validation = false;  ///< of bias_temperature
+  NetworkSettings network;            ///< 0 hidden neurons: none
+  bool network_is_the_model = false;  ///< nothing to judge it against
+  bool order_by_validation = false;   ///< of bias_temperature
 };
 
 /// --model, and --effects, --network, --trainer where the name leaves them open. Throws InputError

@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "support/text.hpp"
+
 namespace fogcomp::cli {
 namespace {
 
@@ -30,6 +32,7 @@ std::vector<Option> training_options() {
       {"learning-rate", "R", "of the gradient trainers at their start", "0.05"},
       {"particles", "N", "of pso-bp; population of ga-bp", "20"},
       {"iterations", "N", "of the swarm or the population, before backpropagation", "300"},
+      {"force-network", "", "keep the network even if it does not help out of sample", ""},
       {"seed", "N", "of all that training draws", "1"},
   };
 }
@@ -47,6 +50,16 @@ NetworkSettings network_settings(const Arguments& arguments) {
   training.particles = static_cast<int>(arguments.integer("particles", 3, 1000));
   training.iterations = static_cast<int>(arguments.integer("iterations", 0, 100'000));
   return settings;
+}
+
+std::string network_verdict(const FitResult& fit) {
+  if (!fit.network_judged) return "";
+  const OutOfSample& judged = *fit.network_judged;
+  const std::string figures =
+      format("%.4f -> %.4f deg/h %s (gain %.1f, needed %g)", judged.rms_before_dph,
+             judged.rms_after_dph, judged.how.c_str(), judged.gain, kLeastGain);
+  return judged.helps() ? "network: helps out of sample: " + figures
+                        : "network: nothing left that it can learn: " + figures + ": none kept";
 }
 
 TrainingWatch::TrainingWatch(TrainerSettings& settings) : progress_("training") {

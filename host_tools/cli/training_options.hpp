@@ -1,11 +1,12 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cli/arguments.hpp"
+#include "refinement/fit_model.hpp"
 #include "support/interrupt.hpp"
 #include "support/progress.hpp"
-#include "training/network_training.hpp"
 
 namespace fogcomp::cli {
 
@@ -13,6 +14,9 @@ namespace fogcomp::cli {
 std::vector<Option> training_options();
 /// `hidden` is 0 where no network is wanted.
 NetworkSettings network_settings(const Arguments& arguments);
+
+/// Whether a network was judged worth keeping, in a line; "" where none was judged.
+std::string network_verdict(const FitResult& fit);
 
 /// While one lives, a training shows a progress bar, and Ctrl-C ends it with the best weights so
 /// far.

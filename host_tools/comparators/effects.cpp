@@ -2,9 +2,8 @@
 
 #include "identification/effect_list.hpp"
 #include "identification/identify.hpp"
-#include "identification/independent_rows.hpp"
+#include "refinement/residual_network.hpp"
 #include "support/text.hpp"
-#include "training/network_training.hpp"
 
 namespace fogcomp {
 namespace {
@@ -22,10 +21,8 @@ class EffectsComparator : public Comparator {
     const Identification identified = identify(model_, series);
     if (training_.hidden == 0) return;
     const Rows& rows = series.rows();
-    training_.training.independent_share = independent_share(identified.noise);
-    network_ = train_network(
-        {temperature_and_rate_of(rows), identified.residual_dph, rows.weights, rows.run_starts},
-        training_);
+    network_ = train_on_residual(rows, temperature_and_rate_of(rows), identified.residual_dph,
+                                 identified, training_, true);
   }
 
   Eigen::VectorXd drift_dph(const SignalSeries& series) const override {
@@ -35,19 +32,23 @@ class EffectsComparator : public Comparator {
           term.coefficients_dph.data(), static_cast<Eigen::Index>(term.coefficients_dph.size()));
       drift += series.regressors(term) * coefficients;
     }
-    if (training_.hidden > 0) drift += network_.drift_dph(temperature_and_rate_of(series.rows()));
+    if (training_.hidden > 0 && network_.worth_keeping()) {
+      drift += network_.trained.drift_dph(temperature_and_rate_of(series.rows()));
+    }
     return drift;
   }
 
   std::string chosen() const override {
     if (training_.hidden == 0) return "";
-    return format("%.1f weights determined", network_.result.effective_parameters.value_or(0));
+    if (!network_.worth_keeping()) return format("no network (gain %.1f)", network_.judged->gain);
+    return format("%.1f weights determined (gain %.1f)",
+                  network_.trained.result.effective_parameters.value_or(0), network_.judged->gain);
   }
 
  private:
   Model model_;
   NetworkSettings training_;
-  TrainedNetwork network_;
+  ResidualNetwork network_;
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "identification/independent_rows.hpp"
 #include "wavelet/denoise_parts.hpp"
 
 namespace fogcomp {
@@ -27,18 +26,6 @@ void denoise_rows(const Rows& rows, const DenoiseMethod& method, Eigen::VectorXd
     ++parts.back().size;
   }
   denoise_parts(parts, method, "--denoise-rows");
-}
-
-// The network learns what the effects leave.
-NetworkTask network_task(const SignalSeries& series, const std::vector<RealInput>& inputs,
-                         Eigen::VectorXd target) {
-  const Rows& rows = series.rows();
-  NetworkTask task;
-  task.inputs = series.network_inputs(inputs);
-  task.target_dph = std::move(target);
-  task.weights = rows.weights;
-  task.run_starts = rows.run_starts;
-  return task;
 }
 
 RealNetwork as_model(const TrainedNetwork& trained, std::vector<RealInput> inputs) {
@@ -95,13 +82,14 @@ FitResult fit_model(Model& model, const SignalSeries& series, const FitSettings&
 
   Eigen::VectorXd target = result.identified.residual_dph;
   if (settings.row_denoising) denoise_rows(rows, *settings.row_denoising, target);
-  NetworkSettings network = settings.network;
-  network.training.independent_share = independent_share(result.identified.noise);
-  const TrainedNetwork trained =
-      train_network(network_task(series, settings.network_inputs, std::move(target)), network);
-  model.network = as_model(trained, settings.network_inputs);
-  model.residual_rms_dph = trained.rms_after_dph;
-  result.training = trained.result;
+  const ResidualNetwork network =
+      train_on_residual(rows, series.network_inputs(settings.network_inputs), target,
+                        result.identified, settings.network, !settings.force_network);
+  result.training = network.trained.result;
+  result.network_judged = network.judged;
+  if (!network.worth_keeping()) return result;
+  model.network = as_model(network.trained, settings.network_inputs);
+  model.residual_rms_dph = network.trained.rms_after_dph;
   return result;
 }
 

@@ -5,14 +5,15 @@
 
 #include "evaluation/run_in_blocks.hpp"
 #include "identification/identify.hpp"
-#include "training/network_training.hpp"
+#include "refinement/residual_network.hpp"
 #include "wavelet/denoise.hpp"
 
 namespace fogcomp {
 
 struct FitSettings {
   IdentifySettings identify;
-  NetworkSettings network;  ///< hidden 0: no network
+  NetworkSettings network;     ///< hidden 0: no network
+  bool force_network = false;  ///< it stays, whether or not it helps out of sample
   std::vector<RealInput> network_inputs{{fog::NetworkInput::temperature},
                                         {fog::NetworkInput::temperature_rate}};
   /// What the network is trained on is denoised first; nothing: the rows stay as they are.
@@ -24,7 +25,8 @@ struct FitResult {
   /// What the effects leave. With the network on top: Model::residual_rms_dph.
   double effects_rms_dph = 0;
   Identification identified;
-  std::optional<TrainerResult> training;  ///< of the network
+  std::optional<TrainerResult> training;      ///< of the network, kept or not
+  std::optional<OutOfSample> network_judged;  ///< nothing without a network, or where it is forced
 };
 
 /// How much of a fit's error is the board's delay: rms over all rows, deg/h, of what the effects
@@ -33,7 +35,8 @@ struct FitResult {
 double delay_error_dph(const Model& model, const std::vector<RunInBlocks>& runs);
 
 /// Both stages on all rows of `series`: the effects of model.terms, all together, then a new
-/// network on what they leave. The model's network, trained range and residual are replaced; its
+/// network on what they leave, which is kept if it helps out of sample (residual_network.hpp). The
+/// model's network, trained range and residual are replaced; its
 /// history is the caller's. Throws InputError as identify() does.
 FitResult fit_model(Model& model, const SignalSeries& series, const FitSettings& settings);
 

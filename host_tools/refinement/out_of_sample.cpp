@@ -61,20 +61,36 @@ double noise_memory_s(const NoiseModel& noise) {
 
 using Part = std::vector<RowRange>;  // left out together
 
+constexpr double kFewestStretches = 10;
+constexpr double kMostStretches = 50;
+
+// How many stretches of a run tell something of their own. `residual`: as fitted.
+double stretches_of(const Rows& rows, const std::vector<double>& residual,
+                    const NoiseModel& noise) {
+  constexpr double kMemories = 3;
+  const double residual_s = rows.row_s * correlated_values(residual, rows.runs());
+  const double memory_s = std::max(noise_memory_s(noise), residual_s);
+  const double length_s = static_cast<double>(rows.size()) * rows.row_s;
+  return std::clamp(std::floor(length_s / (kMemories * memory_s)), kFewestStretches,
+                    kMostStretches);
+}
+
 // Stretches of time in turns: every part has some of each phase of the run, so that what is left
 // out lies between what is known and not beyond it.
-std::vector<Part> parts_of(const Rows& rows, double memory_s) {
-  constexpr double kMemories = 3;
+std::vector<Part> parts_of(const Rows& rows, double count) {
   constexpr std::size_t kParts = 5;
   const auto size = static_cast<std::size_t>(rows.size());
-  const double length_s = static_cast<double>(size) * rows.row_s;
-  const double count = std::clamp(std::floor(length_s / (kMemories * memory_s)), 10.0, 50.0);
   const auto stretches = static_cast<std::size_t>(count);
   std::vector<Part> parts(kParts);
   for (std::size_t i = 0; i < stretches; ++i) {
     parts[i % kParts].push_back({i * size / stretches, (i + 1) * size / stretches});
   }
   return parts;
+}
+
+std::string how_of(const std::vector<Part>& parts, const Rows& rows) {
+  return format("on stretches of %.2g h, a fifth of them left out in turn",
+                static_cast<double>(parts[0][0].size()) * rows.row_s / kSecondsPerHour);
 }
 
 // What one set of effects leaves in all rows when identified without those of `left_out`.
@@ -215,12 +231,26 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
       return result;
     }
   }
-  const double residual_s = rows.row_s * correlated_values(fitted_residual(series, after), runs);
-  const std::vector<Part> parts = parts_of(rows, std::max(noise_memory_s(with.noise), residual_s));
+  const std::vector<Part> parts =
+      parts_of(rows, stretches_of(rows, fitted_residual(series, after), with.noise));
   const Residuals left = leave_each_out(series, fixed_before, fixed_after, changed, parts, with);
   OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
-  result.how = format("on stretches of %.2g h, a fifth of them left out in turn",
-                      static_cast<double>(parts[0][0].size()) * rows.row_s / kSecondsPerHour);
+  result.how = how_of(parts, rows);
+  return result;
+}
+
+OutOfSample cross_validate_learner(const Rows& rows, const Eigen::VectorXd& residual_dph,
+                                   const JudgedWith& with, const Learner& learner) {
+  const std::vector<Part> parts = parts_of(rows, kMostStretches);
+  Eigen::VectorXd after = residual_dph;
+  for (const Part& part : parts) {
+    Eigen::VectorXd weights = with.row_weights;
+    for (const RowRange& range : part) segment(weights, range).setZero();
+    Eigen::VectorXd learnt = learner(weights);
+    for (const RowRange& range : part) segment(after, range) -= segment(learnt, range);
+  }
+  OutOfSample result = judge(rows, residual_dph, after, with.noise, with.row_weights);
+  result.how = how_of(parts, rows);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,9 @@
 
 namespace fogcomp {
 
-/// Two sets of effects on data that neither was fitted to.
+/// Two models on data that neither was fitted to.
 struct OutOfSample {
-  double rms_before_dph = 0;  ///< of the effects alone, without the network
+  double rms_before_dph = 0;
   double rms_after_dph = 0;
   /// Fall of the sum of whitened squares, in units of what is left after: their variance times the
   /// number of neighbouring rows that go together. A set with one useless coefficient more scores
@@ -56,6 +57,16 @@ struct JudgedWith {
 OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectTerm>& before,
                            const std::vector<EffectTerm>& after, std::size_t changed,
                            const JudgedWith& with);
+
+/// Learns from the rows that have a weight, and says what it makes of all of them, deg/h.
+using Learner = std::function<Eigen::VectorXd(const Eigen::VectorXd& row_weights)>;
+
+/// Whether a learner helps where it did not learn: of 50 stretches of time every fifth is left out
+/// at once, and what it makes of them is taken off `residual_dph`. The stretches are short,
+/// whatever the noise remembers: a learner without a formula knows nothing of a ramp that it has
+/// not seen, and the whitened squares hold no noise that the rows before a stretch could tell.
+OutOfSample cross_validate_learner(const Rows& rows, const Eigen::VectorXd& residual_dph,
+                                   const JudgedWith& with, const Learner& learner);
 
 /// First and second half, as cross_validate() would leave them out.
 std::vector<HalfTest> judge_halves(const SignalSeries& series,

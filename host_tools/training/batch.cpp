@@ -1,13 +1,18 @@
 #include "training/batch.hpp"
 
+#include <utility>
+
 namespace fogcomp {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-Batch::Batch(const MatrixXd& inputs, const VectorXd& target, const VectorXd& weights)
-    : rows_(target.size()), total_weight_(weights.sum()), kernels_(&best_batch_kernels()) {
+Batch::Batch(const MatrixXd& inputs, const VectorXd& target, const VectorXd& weights, Whiten whiten)
+    : rows_(target.size()),
+      total_weight_(weights.sum()),
+      whiten_(std::move(whiten)),
+      kernels_(&best_batch_kernels()) {
   constexpr auto kStep = static_cast<Index>(kBatchStep);
   padded_ = (rows_ + kStep - 1) / kStep * kStep;
   input_values_.setZero(padded_, inputs.cols());
@@ -47,8 +52,9 @@ void Batch::errors(const Perceptron& shape, const VectorXd& weights, VectorXd& e
   MatrixXd hidden(padded_, shape.hidden);
   VectorXd output(padded_);
   kernels_->outputs(shape, weights.data(), columns(), hidden.data(), output.data());
-  const VectorXd roots = weights_.cwiseSqrt();
+  const VectorXd roots = whitens() ? VectorXd::Ones(padded_) : VectorXd(weights_.cwiseSqrt());
   errors = roots.cwiseProduct(target_ - output).head(rows_);
+  if (whitens()) errors = whiten_(errors);
   if (jacobian == nullptr) return;
   jacobian->resize(rows_, shape.size());
   const auto slope_of = [](fog::Activation activation) {
@@ -69,6 +75,7 @@ void Batch::errors(const Perceptron& shape, const VectorXd& weights, VectorXd& e
     jacobian->col(shape.output_weight() + j) = outer.cwiseProduct(neuron);
   }
   jacobian->col(shape.output_bias()) = outer;
+  if (whitens()) *jacobian = whiten_(*jacobian);
 }
 
 }  // namespace fogcomp

@@ -69,10 +69,18 @@ TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& set
   const MatrixXd inputs = normalised(task.inputs, network.inputs);
   const VectorXd target = (task.target_dph.array() - network.centre_dph) / network.amplitude_dph;
   const Index rows = target.size();
-  const bool hold_out = task.run_starts.size() > 1;
-  const Index trained = hold_out ? static_cast<Index>(task.run_starts.back()) : rows;
+  const auto last_run = static_cast<Index>(task.run_starts.back());
+  const bool hold_out = last_run > 0 && task.weights.tail(rows - last_run).sum() > 0;
+  const Index trained = hold_out ? last_run : rows;
   const Index rest = rows - trained;
-  const Batch batch(inputs.topRows(trained), target.head(trained), task.weights.head(trained));
+  Whiten whiten;
+  if (task.whiten) {
+    whiten = [&](const MatrixXd& values) -> MatrixXd {
+      return network.amplitude_dph * task.whiten(values);
+    };
+  }
+  const Batch batch(inputs.topRows(trained), target.head(trained), task.weights.head(trained),
+                    whiten);
   std::optional<Batch> held_out;
   if (hold_out) {
     held_out.emplace(inputs.bottomRows(rest), target.tail(rest), task.weights.tail(rest));

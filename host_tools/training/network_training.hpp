@@ -15,6 +15,7 @@ struct NetworkTask {
   Eigen::VectorXd target_dph;           ///< a value per row
   Eigen::VectorXd weights;              ///< how much each row counts
   std::vector<std::size_t> run_starts;  ///< first row of each recording; starts with 0
+  Whiten whiten = nullptr;              ///< of target_dph's noise; empty: rows are independent
 };
 
 /// How the target is brought to the output's +-1.
@@ -51,8 +52,8 @@ struct TrainedNetwork {
 };
 
 /// Normalises, trains, and puts the scales into the result. With several runs, the last one is held
-/// out: training stops where the error on it is least (never on rows of the same run, whose noise
-/// and history they share).
+/// out where its rows count: training stops where the error on it is least (never on rows of the
+/// same run, whose noise and history they share).
 TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& settings);
 
 }  // namespace fogcomp

@@ -27,9 +27,6 @@ struct TrainerSettings {
   double learning_rate = 0.05;  ///< of traingdx at the start
   int particles = 20;           ///< of pso-bp, and of ga-bp's population
   int iterations = 300;         ///< of the swarm, or generations, before backpropagation
-  /// As how many independent rows a row counts, above 0 to 1: less than 1 where the noise of
-  /// neighbouring rows is alike. lm's evidence depends on it.
-  double independent_share = 1;
   /// Called now and then with the fraction done; false ends training with the best so far.
   std::function<bool(double)> go_on;
 };

@@ -45,6 +45,14 @@ grep -q '^written by --force: forced.model' forced.txt || fail "$(cat forced.txt
 "$fogcomp" add network.model temperature_rate run1.csv -o network2.model >/dev/null
 grep -q '^hidden logsig 4 ' network2.model || fail "no network of 4"
 
+# A network to which the effects leave nothing is not kept, and that is said; forced, it is.
+complete=bias,bias_temperature,temperature_rate,temperature_rate_product,warm_up,polarization_ripple:period2=?
+"$fogcomp" fit run1.csv -o alone.model --effects "$complete" --network 4 >alone.txt
+grep -q '^network: nothing left that it can learn.*none kept; --force-network keeps it$' alone.txt || fail "$(cat alone.txt)"
+grep -q '^hidden' alone.model && fail "a network that does not help was kept"
+"$fogcomp" fit run1.csv -o kept.model --effects "$complete" --network 4 --force-network >/dev/null
+grep -q '^hidden logsig 4 ' kept.model || fail "--force-network kept none"
+
 # The ladder.
 "$fogcomp" history forced.model --json >history.json
 [[ $(value history.json steps 0 action) == "fit bias,bias_temperature" ]] || fail "first step"

@@ -9,6 +9,7 @@
 #include "model/catalogue.hpp"
 #include "refinement/effect_change.hpp"
 #include "support/input_error.hpp"
+#include "support/typical_effects.hpp"
 #include "unit/identification/simulated_gyro.hpp"
 
 namespace {
@@ -164,10 +165,22 @@ TEST(AddEffect, RetrainsANetworkOfTheSameSize) {
   Model model = model_of("bias,bias_temperature:order=3");
   model.network = fog::test::paper_like_model().network;
   const fogcomp::EffectChange change = fogcomp::change_effect(model.terms, "temperature_rate");
+  Model heated = truth();
+  heated.terms.push_back(fog::test::written_term("heat = abs(dTdt)"));
+  heated.terms.back().coefficients_dph = {1};  // the regressor is small, as its range is +-32
+  const Addition result = add_effect(model, change, runs_of(heated, {1}), {}, {});
+  EXPECT_TRUE(result.accepted);
+  ASSERT_EQ(result.model.network.hidden.biases.size(), 3);
+  EXPECT_NE(result.model.network.hidden.biases[0], model.network.hidden.biases[0]);
+}
+
+TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
+  Model model = model_of("bias,bias_temperature:order=3");
+  model.network = fog::test::paper_like_model().network;
+  const fogcomp::EffectChange change = fogcomp::change_effect(model.terms, "temperature_rate");
   const Addition result = add_effect(model, change, runs_of(truth(), {1}), {}, {});
   EXPECT_TRUE(result.accepted);
-  EXPECT_EQ(result.model.network.hidden.biases.size(), 3);
-  EXPECT_NE(result.model.network.hidden.biases[0], model.network.hidden.biases[0]);
+  EXPECT_FALSE(result.model.network.present()) << "gain " << result.fit.network_judged->gain;
 }
 
 TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
