@@ -73,14 +73,15 @@ std::size_t best_of(const std::vector<Candidate::Shape>& shapes, const Eigen::Ve
                                   shapes.begin());
 }
 
-// Half way to the nearest other place of a parameter, down (-1) or up (+1), in units of its range.
+// Half way to the nearest other place of a parameter, down (-1) or up (+1), in units of its range;
+// 0 where there is none: what lies beyond was left to a simpler effect, or cannot be seen.
 double half_gap(const std::vector<Candidate::Shape>& shapes, const ShapeParameter& parameter,
                 double unit, int direction) {
-  double gap = direction < 0 ? unit : 1 - unit;
+  double gap = 0;
   for (const Candidate::Shape& shape : shapes) {
     const double other = parameter.to_unit(shape.term.parameters[parameter.index]);
     const double away = direction * (other - unit);
-    if (away > 1e-6) gap = std::min(gap, away / 2);
+    if (away > 1e-6 && (gap == 0 || away / 2 < gap)) gap = away / 2;
   }
   return gap;
 }
