@@ -8,7 +8,9 @@ fogcomp=$1 source=$2 recording=$3 folder=$4 effects=$5 least_gain=$6
 [[ -f $recording ]] || { echo "skipped: no recording at $recording"; exit 77; }
 mkdir -p "$folder"
 
-"$fogcomp" fit "$recording" -o "$folder/gyro.model" --effects "$effects" --network 8 --average 5
+# Three neurons: on drifts of thousands of deg/h the integers of larger networks miss the limit of
+# 0.002 deg/h, and export refuses them.
+"$fogcomp" fit "$recording" -o "$folder/gyro.model" --effects "$effects" --network 3 --average 5
 "$fogcomp" compare "$folder/gyro.model" "$recording" | tee "$folder/compare.txt"
 # The line "all": mean, std, rms before; mean, std, rms after.
 awk -v least="$least_gain" '$1 == "all" { gain = $5 / $9; printf "std before / after: %.2f\n", gain; exit !(gain >= least) }' \
