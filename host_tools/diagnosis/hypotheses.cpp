@@ -9,14 +9,16 @@
 namespace fogcomp {
 namespace {
 
-constexpr double kLeastGain = 10;     // fall of chi^2 that each part of a set must bring
+constexpr double kLeastGain = 10;  // fall of chi^2 that each part of a set must bring
+constexpr double kAnother = 0.15;  // how much likelier one more missing effect is than none more
+constexpr double kSimpler = 4;     // how much likelier an effect is than one with a parameter more
 constexpr std::size_t kExtended = 8;  // pairs that are tried with a third effect
 
 class Search {
  public:
   Search(const ExplainedSpace& space, const std::vector<Candidate>& candidates,
-         const Library& library, const HypothesisSettings& settings)
-      : space_(space), candidates_(candidates), library_(library), settings_(settings) {}
+         const Library& library)
+      : space_(space), candidates_(candidates), library_(library) {}
 
   std::vector<Hypothesis> run() {
     for (std::size_t i = 0; i < library_.size(); ++i) keep(settle({{{i, 0}}}));
@@ -94,7 +96,7 @@ class Search {
       const std::vector<ColumnRange> rest = columns(h, i);
       const double without = rest.empty() ? 0 : space_.gain(rest);
       const bool step = is_step(h.parts[i].candidate);
-      const double needed = step ? settings_.least_step_gain : rest.empty() ? 0 : kLeastGain;
+      const double needed = step ? kLeastStepGain : rest.empty() ? 0 : kLeastGain;
       if (h.gain - without < needed) return;
     }
     found_.push_back(std::move(h));
@@ -105,7 +107,7 @@ class Search {
     double prior = 0;
     auto left = static_cast<double>(library_.size()) - 1;
     for (std::size_t i = 1; i < h.effects(); ++i) {
-      prior += std::log(settings_.another * static_cast<double>(i + 1) / std::max(1.0, left));
+      prior += std::log(kAnother * static_cast<double>(i + 1) / std::max(1.0, left));
       left -= 1;
     }
     for (const Hypothesis::Part& part : h.parts) {
@@ -113,7 +115,7 @@ class Search {
           static_cast<double>(library_[part.candidate][part.shape].count) +
           static_cast<double>(
               shape_parameters({candidates_[part.candidate].shapes[part.shape].term}).size());
-      prior -= std::log(settings_.simpler) * (parameters - 1);
+      prior -= std::log(kSimpler) * (parameters - 1);
     }
     return prior;
   }
@@ -137,7 +139,6 @@ class Search {
   const ExplainedSpace& space_;
   const std::vector<Candidate>& candidates_;
   const Library& library_;
-  const HypothesisSettings& settings_;
   std::vector<std::size_t> alone_;  // best shape of each candidate by itself
   std::vector<Hypothesis> found_;
 };
@@ -186,9 +187,8 @@ BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>
 
 std::vector<Hypothesis> find_hypotheses(const ExplainedSpace& space,
                                         const std::vector<Candidate>& candidates,
-                                        const Library& library,
-                                        const HypothesisSettings& settings) {
-  return Search(space, candidates, library, settings).run();
+                                        const Library& library) {
+  return Search(space, candidates, library).run();
 }
 
 }  // namespace fogcomp

@@ -41,20 +41,13 @@ BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>
 /// about this share of it say nothing about which effect it is.
 constexpr double kModelFormTolerance = 0.005;
 
-struct HypothesisSettings {
-  /// How much likelier one more missing effect is than none more.
-  double another = 0.15;
-  /// How much likelier an effect is than one with a parameter more.
-  double simpler = 4;
-  /// Events need more evidence than physics, as flicker noise looks like steps: fall of chi^2.
-  double least_step_gain = 60;
-};
+/// Events need more evidence than physics, as flicker noise looks like steps: fall of chi^2.
+constexpr double kLeastStepGain = 60;
 
 /// One, two or three of the candidates at a time, most probable first. Sets that contain a
-/// bias_step need it to bring `least_step_gain`.
+/// bias_step need it to bring a chi^2 of kLeastStepGain.
 std::vector<Hypothesis> find_hypotheses(const ExplainedSpace& space,
                                         const std::vector<Candidate>& candidates,
-                                        const Library& library,
-                                        const HypothesisSettings& settings = {});
+                                        const Library& library);
 
 }  // namespace fogcomp

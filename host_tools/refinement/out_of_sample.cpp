@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "evaluation/autocorrelation.hpp"
 #include "evaluation/comparison.hpp"
@@ -133,13 +134,6 @@ bool tells(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::Index c
           much_worse * all.sigma_dph.segment(first, count).array())
       .all();
 }
-bool tells_term(const Fold& fold, const Fold& all, const SignalSeries& series,
-                const std::vector<EffectTerm>& terms, std::size_t term) {
-  constexpr double kMuchWorse = 4;
-  Eigen::Index first = 0;
-  for (std::size_t i = 0; i < term; ++i) first += series.regressors(terms[i]).cols();
-  return tells(fold, all, first, series.regressors(terms[term]).cols(), kMuchWorse);
-}
 bool tells_all(const Fold& fold, const Fold& all) {
   constexpr double kFarWorse = 20;
   return tells(fold, all, 0, all.sigma_dph.size(), kFarWorse);
@@ -158,15 +152,14 @@ constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 struct Residuals {
   Eigen::VectorXd before;
   Eigen::VectorXd after;
-  bool told = true;  // every fold tells the changed term
+  std::vector<Fold> added;  // of the set `after`, one for each part left out
 };
 
 Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTerm>& before,
-                         const std::vector<EffectTerm>& after, std::size_t changed,
-                         const std::vector<Part>& parts, const JudgedWith& with) {
-  const Fold all = leave_out(series, after, {}, with);
-  Residuals residuals{Eigen::VectorXd(series.rows().size()), Eigen::VectorXd(series.rows().size()),
-                      true};
+                         const std::vector<EffectTerm>& after, const std::vector<Part>& parts,
+                         const JudgedWith& with) {
+  Residuals residuals{
+      Eigen::VectorXd(series.rows().size()), Eigen::VectorXd(series.rows().size()), {}};
   for (const Part& part : parts) {
     Fold without = leave_out(series, before, part, with);
     Fold added = leave_out(series, after, part, with);
@@ -174,9 +167,21 @@ Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTer
       segment(residuals.before, range) = segment(without.residual_dph, range);
       segment(residuals.after, range) = segment(added.residual_dph, range);
     }
-    residuals.told = residuals.told && tells_term(added, all, series, after, changed);
+    residuals.added.push_back(std::move(added));
   }
   return residuals;
+}
+
+// Whether every fold tells the coefficients of one term.
+bool tell_term(const std::vector<Fold>& folds, const SignalSeries& series,
+               const std::vector<EffectTerm>& terms, std::size_t term, const JudgedWith& with) {
+  constexpr double kMuchWorse = 4;
+  Eigen::Index first = 0;
+  for (std::size_t i = 0; i < term; ++i) first += series.regressors(terms[i]).cols();
+  const Eigen::Index count = series.regressors(terms[term]).cols();
+  const Fold all = leave_out(series, terms, {}, with);
+  return std::all_of(folds.begin(), folds.end(),
+                     [&](const Fold& fold) { return tells(fold, all, first, count, kMuchWorse); });
 }
 
 Eigen::VectorXd residual_of_effects(Model model, const std::vector<RunInBlocks>& runs,
@@ -224,8 +229,8 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
   if (runs.size() >= kEnoughRuns && !with.run_offsets) {
     std::vector<Part> parts;
     for (const RowRange& run : runs) parts.push_back({run});
-    const Residuals left = leave_each_out(series, fixed_before, fixed_after, changed, parts, with);
-    if (left.told) {
+    const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
+    if (tell_term(left.added, series, fixed_after, changed, with)) {
       OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
       result.how = format("on %zu runs, each left out once", runs.size());
       return result;
@@ -233,7 +238,7 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
   }
   const std::vector<Part> parts =
       parts_of(rows, stretches_of(rows, fitted_residual(series, after), with.noise));
-  const Residuals left = leave_each_out(series, fixed_before, fixed_after, changed, parts, with);
+  const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
   OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
   result.how = how_of(parts, rows);
   return result;
