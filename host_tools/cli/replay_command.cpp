@@ -20,7 +20,7 @@ namespace {
 
 // A header knows its sample rate; a recording at another one would be replayed with wrong time.
 void check_rate(const fog::ModelParameters& parameters, double period_s, const std::string& run) {
-  const double board_s = parameters.sample_period_us * 1e-6;
+  const double board_s = parameters.acquisition.sample_period_us * 1e-6;
   constexpr double kTolerance = 0.01;
   if (period_s > 0 && std::abs(period_s / board_s - 1) > kTolerance) {
     throw InputError(run, format("is sampled at %.6g Hz but the header is for %.6g Hz; export it "

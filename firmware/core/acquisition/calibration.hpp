@@ -7,11 +7,10 @@
 
 namespace fog {
 
-/// Scale factor and range of the gyro. rate = counts * multiplier / 2^shift.
+/// Scale factor of the gyro. rate = counts * multiplier / 2^shift.
 struct CalibrationParameters {
-  std::int32_t multiplier = 0;   ///< 2^30 <= multiplier < 2^31: 30 significant bits
-  int shift = 0;                 ///< 0 to 62
-  Rate range = Rate::highest();  ///< |rate| at or beyond it is not valid
+  std::int32_t multiplier = 0;  ///< 2^30 <= multiplier < 2^31: 30 significant bits
+  int shift = 0;                ///< 0 to 62
 };
 
 /// Counts of the demodulator as a rate, deg/h. Exact product (below 2^62), rounded once, clipped.

@@ -2,42 +2,39 @@
 
 #include <cstdint>
 
+#include "core/acquisition/rate_monitor.hpp"
 #include "core/acquisition/sensor_frame.hpp"
-#include "core/signal/quantities.hpp"
-#include "core/signal/status.hpp"
+#include "core/acquisition/sequence_monitor.hpp"
+#include "core/acquisition/stuck_monitor.hpp"
+#include "core/acquisition/temperature_monitor.hpp"
 
 namespace fog {
 
 /// Limits of what a live gyro and its temperature sensor can send.
 struct AcquisitionParameters {
-  std::uint32_t stuck_samples = 0;  ///< equal counts in a row that mean a stuck gyro; 0: never
+  std::uint32_t sample_period_us = 1;
+  Rate range = Rate::highest();     ///< full scale, > 0
+  std::uint32_t stuck_samples = 0;  ///< counts in a row within an LSB: a stuck gyro; 0: never
 };
-
-/// A coil between -70 and +130 degC; anything else is a broken sensor.
-constexpr Temperature kLeastTemperature = from_integer<Temperature>(-70);
-constexpr Temperature kMostTemperature = from_integer<Temperature>(130);
-constexpr bool is_possible(Temperature temperature) {
-  return temperature >= kLeastTemperature && temperature <= kMostTemperature;
-}
 
 /// Judges each sample by itself and by those before it.
 class SampleMonitor {
  public:
-  struct Verdict {
-    Status status = Status::none;
-    std::uint32_t missing = 0;  ///< samples lost just before this one
-  };
+  using Verdict = SequenceMonitor::Verdict;
 
-  explicit SampleMonitor(const AcquisitionParameters& parameters) : parameters_(parameters) {}
+  explicit SampleMonitor(const AcquisitionParameters& parameters)
+      : stuck_(parameters.stuck_samples),
+        rate_(parameters.range, parameters.sample_period_us),
+        temperature_(parameters.sample_period_us) {}
 
-  Verdict judge(const SensorSample& sample);
+  /// `measured` is the sample's calibrated rate.
+  Verdict judge(const SensorSample& sample, Rate measured);
 
  private:
-  AcquisitionParameters parameters_;
-  bool first_ = true;
-  std::uint16_t last_sequence_ = 0;
-  std::int32_t last_counts_ = 0;
-  std::uint32_t equal_counts_ = 0;
+  SequenceMonitor sequence_;
+  StuckMonitor stuck_;
+  RateMonitor rate_;
+  TemperatureMonitor temperature_;
 };
 
 }  // namespace fog

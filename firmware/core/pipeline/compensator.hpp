@@ -79,10 +79,10 @@ class Compensator {
 
   /// One sample through all stages.
   OutputSample process(const SensorSample& sample) {
-    const SampleMonitor::Verdict verdict = monitor_.judge(sample);
+    const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
+    const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = !any(verdict.status, Status::temperature_invalid);
-    const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
     if (temperature_good && !drift_model_.started() && pending_.has_all()) {
       start_with(temperature, measured);
     }
@@ -91,18 +91,19 @@ class Compensator {
     result.sequence = sample.sequence;
     result.drift = drift_model_.drift();
     result.status = fault_ | verdict.status | drift_model_.status() | input_missing_;
-
-    const bool in_range = measured < calibration_.range && measured > -calibration_.range;
-    result.status |= status_if(!in_range, Status::rate_out_of_range);
     result.compensated = saturate_to<Rate>(difference(measured, result.drift));
 
-    const auto denoised = denoiser_.step(result.compensated, result.compensated_valid());
-    result.denoised = denoised.rate;
-    result.status |= status_if(!denoised.valid, Status::denoised_invalid) |
+    // A late sample is answered, but time stands: it has no place in what runs at the sample rate.
+    if (!verdict.late) {
+      denoised_ = denoiser_.step(result.compensated, result.compensated_valid());
+      if (temperature_good) last_temperature_ = temperature;
+    }
+    result.denoised = denoised_.rate;
+    result.status |= status_if(!denoised_.valid, Status::denoised_invalid) |
                      status_if(denoiser_.filling(), Status::denoiser_filling);
-
-    if (temperature_good) last_temperature_ = temperature;
     result.temperature = last_temperature_;
+    if (verdict.late) return result;
+
     finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are time that passes
     if (temperature_good) collector_.add_temperature(temperature);
     if (result.compensated_valid()) collector_.add_rate(result.compensated);
@@ -164,6 +165,7 @@ class Compensator {
   Status input_missing_ = Status::none;
   DriftModel<kEffects, kExpressions, kNetworkInputs> drift_model_;
   Denoiser<kTaps, kLevels> denoiser_;
+  DenoiserOutput denoised_;
   Temperature last_temperature_{};
   OutputSample last_;
   std::uint32_t frames_ = 0;

@@ -27,11 +27,11 @@ std::size_t next_count(TableReader& table, std::size_t most) {
 }
 
 void read_calibration(TableReader& table, ModelParameters& parameters) {
-  parameters.sample_period_us = static_cast<std::uint32_t>(table.next(1, kMost32));
+  parameters.acquisition.sample_period_us = static_cast<std::uint32_t>(table.next(1, kMost32));
   parameters.samples_per_block = static_cast<std::uint32_t>(table.next(1, kMost32));
   parameters.calibration.multiplier = table.next(1 << 30, kMost32);
   parameters.calibration.shift = table.next(0, 62);
-  parameters.calibration.range = next_positive<Rate>(table);
+  parameters.acquisition.range = next_positive<Rate>(table);
   parameters.acquisition.stuck_samples = static_cast<std::uint32_t>(table.next(0, kMost32));
 }
 

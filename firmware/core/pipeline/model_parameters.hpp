@@ -42,7 +42,6 @@ constexpr ModelShape kAnyModel{kAllEffects, kAllExpressions, kAllNetworkInputs, 
 struct ModelParameters {
   Status fault = Status::model_refused;  ///< goes into the status of every sample
   std::uint32_t provenance = 0;          ///< CRC-32 of the model file that it was made from
-  std::uint32_t sample_period_us = 0;
   std::uint32_t samples_per_block = 1;
   CalibrationParameters calibration;
   AcquisitionParameters acquisition;

@@ -11,8 +11,8 @@ enum class Status : std::uint32_t {
   gyro_invalid = 1U << 0U,         ///< the demodulator says that its rate is not valid
   rate_out_of_range = 1U << 1U,    ///< beyond the gyro's range, or clipped by the number format
   gyro_stuck = 1U << 2U,           ///< the same counts for longer than a live gyro can give them
-  sequence_gap = 1U << 3U,         ///< samples before this one were lost or repeated
-  temperature_invalid = 1U << 4U,  ///< this sample's temperature is missing or impossible
+  sequence_gap = 1U << 3U,         ///< samples before this one were lost, or it is late or repeated
+  temperature_invalid = 1U << 4U,  ///< this sample's temperature must not be used
   temperature_clamped = 1U << 5U,  ///< outside the trained range; the model saw its limit
   drift_held = 1U << 6U,         ///< last block lacked what the model needs; its drift is the last
   drift_given_up = 1U << 7U,     ///< held too long: the compensation cannot be trusted
@@ -21,6 +21,10 @@ enum class Status : std::uint32_t {
   model_refused = 1U << 10U,     ///< the weight table is damaged or not for this firmware
   denoised_invalid = 1U << 11U,  ///< the denoised rate stands for a sample that was not valid
   input_missing = 1U << 12U,     ///< the last block lacked an input that the model needs
+  rate_jump = 1U << 13U,         ///< the rate changed faster than anything turns: a spike
+  temperature_jump = 1U << 14U,  ///< the temperature changed faster than a coil can, or is 85 degC
+                                 ///< out of nowhere; comes with temperature_invalid
+  temperature_frozen = 1U << 15U,  ///< the temperature stands still as no live one does; likewise
 };
 
 constexpr Status operator|(Status a, Status b) {
@@ -41,7 +45,8 @@ constexpr Status status_if(bool condition, Status flag) {
 
 /// Any of these, and the undelayed rate must not be used.
 constexpr Status kRateInvalid = Status::gyro_invalid | Status::rate_out_of_range |
-                                Status::gyro_stuck | Status::drift_given_up | Status::model_refused;
+                                Status::gyro_stuck | Status::drift_given_up |
+                                Status::model_refused | Status::rate_jump;
 
 /// Any of these, and the denoised rate must not be used.
 constexpr Status kDenoisedInvalid = kRateInvalid | Status::denoised_invalid;
