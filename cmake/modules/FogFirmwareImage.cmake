@@ -29,7 +29,7 @@ target_compile_options(
             $<$<COMPILE_LANGUAGE:CXX>:-fno-threadsafe-statics>)
 
 # fog_firmware_image(NAME SOURCES...): NAME.elf, .bin, .hex and .map in the root of the build folder,
-# for the board FOG_PLATFORM. Linking prints the flash and RAM used, stack reserve included.
+# for the board FOG_PLATFORM, sealed with their CRC. Linking prints the flash and RAM used, stack reserve included.
 function(fog_firmware_image name)
   set(linker_folder "${PROJECT_SOURCE_DIR}/linker")
   set(linker_script "${linker_folder}/${FOG_PLATFORM}.ld")
@@ -40,7 +40,7 @@ function(fog_firmware_image name)
     ${name}
     PROPERTIES SUFFIX ".elf"
                RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}"
-               LINK_DEPENDS "${linker_script};${linker_folder}/common_sections.ld")
+               LINK_DEPENDS "${linker_script};${linker_folder}/common_sections.ld;${PROJECT_SOURCE_DIR}/cmake/modules/seal_image.cmake")
   target_link_options(
     ${name}
     PRIVATE
@@ -56,6 +56,8 @@ function(fog_firmware_image name)
   add_custom_command(
     TARGET ${name}
     POST_BUILD
+    COMMAND ${CMAKE_COMMAND} -DELF=${name}.elf -DOBJCOPY=${CMAKE_OBJCOPY} -P
+            "${PROJECT_SOURCE_DIR}/cmake/modules/seal_image.cmake"
     COMMAND ${CMAKE_OBJCOPY} -O binary ${name}.elf ${name}.bin
     COMMAND ${CMAKE_OBJCOPY} -O ihex ${name}.elf ${name}.hex
     BYPRODUCTS "${PROJECT_BINARY_DIR}/${name}.bin" "${PROJECT_BINARY_DIR}/${name}.hex"

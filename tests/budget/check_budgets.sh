@@ -29,7 +29,7 @@ while read -r image flash_budget ram_budget _; do
   [[ -z $image || $image == \#* ]] && continue
   [[ -f $build/$image ]] || { echo "$image: not built" >&2; exit 1; }
   sizes=$(arm-none-eabi-size -A "$build/$image")
-  flash=$(section_bytes "$sizes" .text .data)
+  flash=$(section_bytes "$sizes" .text .data .seal)
   static=$(section_bytes "$sizes" .data .bss .noinit)
   stack=$(section_bytes "$sizes" .stack)
   ram=$((static + stack))

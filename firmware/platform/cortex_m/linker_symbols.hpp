@@ -5,7 +5,7 @@
 // What linker/common_sections.ld places. Only the addresses mean anything. All are word aligned.
 extern "C" {
 
-/// The image in flash, vector table to the last initialiser of .data: what a CRC has to cover.
+/// The image in flash, vector table to seal: what its CRC covers.
 extern const std::uint8_t fog_image_start[];
 extern const std::uint8_t fog_image_end[];
 
@@ -14,6 +14,9 @@ extern std::uint32_t fog_data_start[];
 extern std::uint32_t fog_data_end[];
 extern std::uint32_t fog_bss_start[];
 extern std::uint32_t fog_bss_end[];
+
+/// The end of all RAM in use; the stack is its start.
+extern std::uint32_t fog_ram_end[];
 
 /// The stack grows down from fog_stack_top; below fog_stack_bottom there is no memory.
 extern std::uint32_t fog_stack_bottom[];
