@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "app/health.hpp"
 #include "app/pipeline.hpp"
 #include "hal/clock.hpp"
 #include "hal/rate_sink.hpp"
@@ -14,7 +15,7 @@
 namespace fog::app {
 namespace {
 
-// The second line says whether the weights are good. Without them the board still answers every
+// The second line says whether the weights are good, the third whether the image is. Without them the board still answers every
 // sample, with a rate that is not valid: a user sees a fault rather than silence.
 void announce(const platform::BoardDescription& board) {
   platform::TextLine line;
@@ -25,18 +26,35 @@ void announce(const platform::BoardDescription& board) {
   platform::TextLine weights;
   weights.text("model ").hex(model().parameters.provenance).text(": ");
   hal::write_console(weights.text(describe(model().error)).text("\r\n").c_str());
+  const bool intact = self_test().start_crc() == kIntactImage;
+  hal::write_console(intact ? "image: good\r\n" : "image: DAMAGED, no rate is valid\r\n");
+  if (!self_test().memory_good()) hal::write_console("memory: FAILS, no rate is valid\r\n");
+}
+
+// A board that is sent nothing, or no longer understands what it is sent, tests itself all the
+// same.
+constexpr std::uint32_t kIdleMs = 8;
+std::uint32_t tested_ms = 0;
+
+void test_on() {
+  continue_self_test();
+  tested_ms = hal::milliseconds();
 }
 
 void send_compensated(std::uint8_t byte) {
   std::array<std::uint8_t, kMostOutputBytes> frames;
   const std::size_t size = pipeline().feed(byte, frames.data());
+  if (size == 0) return;
   hal::write_output_stream(frames.data(), size);
+  count_health(pipeline().last());
+  test_on();
 }
 
 }  // namespace
 
 void run() {
   platform::start_board();
+  start_self_test();
   announce(platform::describe_board());
   hal::start_watchdog();
   std::array<std::uint8_t, 64> chunk;
@@ -44,6 +62,8 @@ void run() {
     const std::size_t size = hal::read_sensor_stream(chunk.data(), chunk.size());
     if (size == 0) hal::wait_for_event();
     for (std::size_t i = 0; i < size; ++i) send_compensated(chunk[i]);
+    answer_requests();
+    if (hal::milliseconds() - tested_ms >= kIdleMs) test_on();
     hal::kick_watchdog();  // here and nowhere else: kicked means that the loop went round
   }
 }

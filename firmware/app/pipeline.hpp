@@ -1,5 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "app/self_test.hpp"
+#include "core/health/image_seal.hpp"
 #include "core/pipeline/compensator.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "fog_model.h"
@@ -13,11 +19,20 @@ static_assert(FOG_MODEL_LAYOUT == kModelLayout,
 using Pipeline = Compensator<FOG_MODEL_EFFECTS, FOG_MODEL_EXPRESSIONS, FOG_MODEL_NETWORK_INPUTS,
                              FOG_MODEL_TAPS, FOG_MODEL_LEVELS>;
 
-/// The image's weights, checked once.
+/// The image's weights, checked once, and sealed: they are in RAM, and must not change any more.
 struct Model {
-  Model() : error(read_model({fog_model, FOG_MODEL_WORDS}, Pipeline::room, parameters)) {}
+  Model() : error(read_model({fog_model, FOG_MODEL_WORDS}, Pipeline::room, parameters)) {
+    seal = seal_of(crc32(bytes().data, bytes().size - seal.size(), kIntactImage));
+  }
+
+  Span<const std::uint8_t> bytes() const {
+    const auto* const start = reinterpret_cast<const std::uint8_t*>(this);
+    return {start, static_cast<std::size_t>(seal.end() - start)};
+  }
+
   ModelParameters parameters;
   ModelError error;
+  std::array<std::uint8_t, 4> seal{};  // last
 };
 
 inline const Model& model() {
@@ -26,10 +41,27 @@ inline const Model& model() {
 }
 
 /// The one pipeline of an image, whichever main runs it. Static, because its filters are larger
-/// than the stack.
+/// than the stack. No rate is valid before the self-test has seen the image.
 inline Pipeline& pipeline() {
-  static Pipeline instance(model().parameters);
+  static Pipeline instance(model().parameters, kImageCrcStart);
   return instance;
+}
+
+inline SelfTest& self_test() {
+  static SelfTest instance(model().bytes(), model().parameters.acquisition.sample_period_us);
+  return instance;
+}
+
+/// Before the first sample.
+inline void start_self_test() {
+  self_test().run_all();
+  pipeline().trust(self_test().take_proof());
+}
+
+/// After each sample that was answered.
+inline void continue_self_test() {
+  self_test().step();
+  pipeline().trust(self_test().take_proof());
 }
 
 }  // namespace fog::app

@@ -38,6 +38,7 @@ Command diagnose_command();
 Command effects_command();
 Command export_command();
 Command fit_command();
+Command health_command();
 Command history_command();
 Command info_command();
 Command paper_command();

@@ -28,7 +28,7 @@ class SensorFaults : public testing::Test {
  protected:
   SensorFaults() {
     parameters_ = fogcomp::read_board_table(table_, "test");
-    board_ = std::make_unique<fogcomp::HostCompensator>(parameters_);
+    board_ = std::make_unique<fogcomp::HostCompensator>(parameters_, fog::kIntactImage);
   }
 
   SensorSample healthy() {

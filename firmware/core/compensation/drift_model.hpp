@@ -18,7 +18,8 @@ struct DriftPolicy {
   std::uint32_t settle_blocks = 0;  ///< after (re)start the temperature rate is not yet known
 };
 
-/// The frozen drift model: thermal state, effects, expressions and network, once per block.
+/// The frozen drift model: thermal state, effects, expressions and network, once per block. Its
+/// parameters must outlive it.
 template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs>
 class DriftModel {
  public:
@@ -78,11 +79,11 @@ class DriftModel {
   }
 
   ThermalState<BoardNumbers> thermal_;
-  ThermalParameters<BoardNumbers> limits_;
+  const ThermalParameters<BoardNumbers>& limits_;
   EffectBank<kEffects> effects_;
   ExpressionBank<kExpressions> expressions_;
   DriftNetwork<kNetworkInputs> network_;
-  DriftPolicy policy_;
+  const DriftPolicy& policy_;
 
   bool started_ = false;
   std::uint32_t held_blocks_ = 0;     // counts up to hold_blocks + 1

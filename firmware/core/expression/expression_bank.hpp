@@ -205,7 +205,7 @@ class ExpressionBank {
     }
   }
 
-  ExpressionParameters parameters_;
+  const ExpressionParameters& parameters_;
   int coefficient_fraction_;
   std::array<Regressor, kMostExpressions> regressors_{};
   std::array<State, has(Op::lag) || has(Op::play) ? kMostExpressionStates : 1> states_{};

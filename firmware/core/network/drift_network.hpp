@@ -46,7 +46,7 @@ class InputLags<false> {
 
 /// The network of a model with the signals that it sees, once per block. Only inputs in kCompiled
 /// exist in the image; a model table with another one is refused before this is built
-/// (ModelParameters::read).
+/// (ModelParameters::read). Its parameters must outlive it.
 template <NetworkInputMask kCompiled>
 class DriftNetwork {
  public:
@@ -88,7 +88,7 @@ class DriftNetwork {
     return raw;
   }
 
-  NetworkParameters parameters_;
+  const NetworkParameters& parameters_;
   ScaledInputs inputs_{};  // what the network does not have stays 0
   detail::InputLags<compiled(NetworkInput::lagged_temperature)> lags_;
 };

@@ -9,6 +9,7 @@
 #include "core/acquisition/stream_parser.hpp"
 #include "core/compensation/drift_model.hpp"
 #include "core/denoise/denoiser.hpp"
+#include "core/health/image_seal.hpp"
 #include "core/pipeline/block_clock.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "core/protocol/compact_frame.hpp"
@@ -38,9 +39,10 @@ class Compensator {
                                    expression_check<kExpressions>()};
 
   /// `parameters` must have been read with this class's room; parameters of a refused table make a
-  /// pipeline that answers every sample and marks none valid.
-  explicit Compensator(const ModelParameters& parameters)
+  /// pipeline that answers every sample and marks none valid. `image_crc` as in trust().
+  Compensator(const ModelParameters& parameters, std::uint32_t image_crc)
       : fault_(parameters.fault),
+        image_crc_(image_crc),
         calibration_(parameters.calibration),
         output_(parameters.output),
         monitor_(parameters.acquisition),
@@ -74,8 +76,16 @@ class Compensator {
     pending_.add(record.input, record.value);
   }
 
+  /// What the image's CRC was found to be: unless it is kIntactImage, no rate is valid from here
+  /// on. A frame that says otherwise, because the code that should know better is itself damaged,
+  /// has a wrong CRC.
+  void trust(std::uint32_t image_crc) { image_crc_ = image_crc; }
+
   /// The values behind the frames last written.
   const OutputSample& last() const { return last_; }
+
+  /// Bytes of the sensor stream that were part of no good frame, modulo 2^32.
+  std::uint32_t discarded_bytes() const { return parser_.discarded_bytes(); }
 
   /// One sample through all stages.
   OutputSample process(const SensorSample& sample) {
@@ -90,7 +100,8 @@ class Compensator {
     OutputSample result;
     result.sequence = sample.sequence;
     result.drift = drift_model_.drift();
-    result.status = fault_ | verdict.status | drift_model_.status() | input_missing_;
+    result.status = fault_ | verdict.status | drift_model_.status() | input_missing_ |
+                    status_if(image_crc_ != kIntactImage, Status::self_test_failed);
     result.compensated = saturate_to<Rate>(difference(measured, result.drift));
 
     // A late sample is answered, but time stands: it has no place in what runs at the sample rate.
@@ -146,16 +157,18 @@ class Compensator {
     const auto append = [&](const auto& frame) {
       for (const std::uint8_t byte : frame) out[size++] = byte;
     };
-    if (output_ != OutputSelection::compact) append(encode_kvh_frame(sample, frames_));
+    if (output_ != OutputSelection::compact) append(encode_kvh_frame(sample, frames_, image_crc_));
     if (output_ != OutputSelection::kvh) {
-      append(encode_compact_frame(sample, static_cast<std::uint16_t>(denoiser_.delay())));
+      append(
+          encode_compact_frame(sample, static_cast<std::uint16_t>(denoiser_.delay()), image_crc_));
     }
     ++frames_;
     return size;
   }
 
   Status fault_;
-  CalibrationParameters calibration_;
+  std::uint32_t image_crc_;
+  const CalibrationParameters& calibration_;
   OutputSelection output_;
   StreamParser parser_;
   SampleMonitor monitor_;

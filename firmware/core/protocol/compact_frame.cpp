@@ -17,8 +17,15 @@ constexpr std::size_t kStatus = 20;
 constexpr std::size_t kDelay = 24;
 constexpr std::size_t kCrc = 26;
 
-std::uint16_t frame_crc(const std::uint8_t* bytes) {
-  return crc16(bytes + kSequence, kCrc - kSequence);
+std::uint16_t frame_crc(const std::uint8_t* bytes, std::uint16_t start) {
+  return crc16(bytes + kSequence, kCrc - kSequence, start);
+}
+
+// As in kvh_frame.cpp. Of 32 bits that are all set both halves are, and so is what both have.
+[[gnu::noipa]] std::uint16_t sealed_crc(const std::uint8_t* bytes, std::uint32_t image_crc) {
+  const auto status = static_cast<Status>(load_le32(bytes + kStatus));
+  const auto start = static_cast<std::uint16_t>(image_crc & (image_crc >> 16U));
+  return frame_crc(bytes, any(status, Status::self_test_failed) ? kCrc16Initial : start);
 }
 
 void store_signed(std::uint8_t* to, std::int32_t value) {
@@ -31,7 +38,8 @@ std::int32_t load_signed(const std::uint8_t* from) {
 
 }  // namespace
 
-CompactFrame encode_compact_frame(const OutputSample& sample, std::uint16_t denoiser_delay) {
+CompactFrame encode_compact_frame(const OutputSample& sample, std::uint16_t denoiser_delay,
+                                  std::uint32_t image_crc) {
   CompactFrame frame{kSync0, kSync1};
   store_le16(&frame[kSequence], sample.sequence);
   store_signed(&frame[kCompensated], sample.compensated.raw());
@@ -40,14 +48,14 @@ CompactFrame encode_compact_frame(const OutputSample& sample, std::uint16_t deno
   store_signed(&frame[kTemperature], sample.temperature.raw());
   store_le32(&frame[kStatus], static_cast<std::uint32_t>(sample.status));
   store_le16(&frame[kDelay], denoiser_delay);
-  store_le16(&frame[kCrc], frame_crc(frame.data()));
+  store_le16(&frame[kCrc], sealed_crc(frame.data(), image_crc));
   return frame;
 }
 
 bool decode_compact_frame(const std::uint8_t* bytes, OutputSample& sample,
                           std::uint16_t& denoiser_delay) {
   if (bytes[0] != kSync0 || bytes[1] != kSync1) return false;
-  if (load_le16(bytes + kCrc) != frame_crc(bytes)) return false;
+  if (load_le16(bytes + kCrc) != frame_crc(bytes, kCrc16Initial)) return false;
   sample.sequence = load_le16(bytes + kSequence);
   sample.compensated = Rate::from_raw(load_signed(bytes + kCompensated));
   sample.denoised = Rate::from_raw(load_signed(bytes + kDenoised));

@@ -16,7 +16,10 @@ namespace fog {
 constexpr std::size_t kCompactFrameBytes = 28;
 using CompactFrame = std::array<std::uint8_t, kCompactFrameBytes>;
 
-CompactFrame encode_compact_frame(const OutputSample& sample, std::uint16_t denoiser_delay);
+/// The CRC of a frame without the flag self_test_failed goes on from `image_crc`, so it is right
+/// only if that is kIntactImage.
+CompactFrame encode_compact_frame(const OutputSample& sample, std::uint16_t denoiser_delay,
+                                  std::uint32_t image_crc);
 
 /// Reads 28 bytes; false, with nothing changed, unless sync and CRC are right.
 bool decode_compact_frame(const std::uint8_t* bytes, OutputSample& sample,

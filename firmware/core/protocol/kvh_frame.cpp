@@ -17,9 +17,17 @@ constexpr std::size_t kCrc = 32;
 constexpr std::uint8_t kRotationZValid = 1U << 2U;
 constexpr std::uint32_t kSequenceMask = 0x7F;
 
+// Looks at the bytes as they will be sent: what the code that wrote them meant does not count. Kept
+// out of line, so that the compiler cannot take the one for the other.
+[[gnu::noipa]] std::uint32_t frame_crc(const std::uint8_t* frame, std::uint32_t image_crc) {
+  const bool marks_valid = frame[kStatus] != 0;
+  return crc32(frame, kCrc, marks_valid ? image_crc : kCrc32Initial);
+}
+
 }  // namespace
 
-KvhFrame encode_kvh_frame(const OutputSample& sample, std::uint32_t frame_number) {
+KvhFrame encode_kvh_frame(const OutputSample& sample, std::uint32_t frame_number,
+                          std::uint32_t image_crc) {
   KvhFrame frame{};
   store_be32(&frame[0], kHeader);
   store_be32(&frame[kRotationZ], rate_as_radians_float(sample.denoised));
@@ -27,7 +35,7 @@ KvhFrame encode_kvh_frame(const OutputSample& sample, std::uint32_t frame_number
   frame[kSequence] = static_cast<std::uint8_t>(frame_number & kSequenceMask);
   const auto whole_degrees = round_to<Fixed<std::int32_t, 0>>(sample.temperature);
   store_be16(&frame[kTemperature], static_cast<std::uint16_t>(whole_degrees.raw()));
-  store_be32(&frame[kCrc], crc32(frame.data(), kCrc));
+  store_be32(&frame[kCrc], frame_crc(frame.data(), image_crc));
   return frame;
 }
 

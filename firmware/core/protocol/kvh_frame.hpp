@@ -14,7 +14,9 @@ namespace fog {
 constexpr std::size_t kKvhFrameBytes = 36;
 using KvhFrame = std::array<std::uint8_t, kKvhFrameBytes>;
 
-/// `frame_number` counts the frames sent; its lower 7 bits are the frame's sequence.
-KvhFrame encode_kvh_frame(const OutputSample& sample, std::uint32_t frame_number);
+/// `frame_number` counts the frames sent; its lower 7 bits are the frame's sequence. The CRC of a
+/// frame that marks Z valid goes on from `image_crc`, so it is right only if that is kIntactImage.
+KvhFrame encode_kvh_frame(const OutputSample& sample, std::uint32_t frame_number,
+                          std::uint32_t image_crc);
 
 }  // namespace fog

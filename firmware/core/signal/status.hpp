@@ -25,6 +25,7 @@ enum class Status : std::uint32_t {
   temperature_jump = 1U << 14U,  ///< the temperature changed faster than a coil can, or is 85 degC
                                  ///< out of nowhere; comes with temperature_invalid
   temperature_frozen = 1U << 15U,  ///< the temperature stands still as no live one does; likewise
+  self_test_failed = 1U << 16U,    ///< the image or the memory is damaged, or no longer checked
 };
 
 constexpr Status operator|(Status a, Status b) {
@@ -44,9 +45,9 @@ constexpr Status status_if(bool condition, Status flag) {
 }
 
 /// Any of these, and the undelayed rate must not be used.
-constexpr Status kRateInvalid = Status::gyro_invalid | Status::rate_out_of_range |
-                                Status::gyro_stuck | Status::drift_given_up |
-                                Status::model_refused | Status::rate_jump;
+constexpr Status kRateInvalid =
+    Status::gyro_invalid | Status::rate_out_of_range | Status::gyro_stuck | Status::drift_given_up |
+    Status::model_refused | Status::rate_jump | Status::self_test_failed;
 
 /// Any of these, and the denoised rate must not be used.
 constexpr Status kDenoisedInvalid = kRateInvalid | Status::denoised_invalid;

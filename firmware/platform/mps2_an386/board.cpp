@@ -30,6 +30,7 @@ void start_board() {
   start_tick(kClockHz);
   open_console_port();
   open_output_port();
+  open_request_port();
   open_sensor_port();
 }
 

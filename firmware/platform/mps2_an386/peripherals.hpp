@@ -52,6 +52,7 @@ inline CmsdkWatchdog& watchdog() {
 
 constexpr std::uint32_t kClockHz = 25'000'000;  ///< core and peripherals alike
 constexpr std::size_t kInterruptLines = 32;
-constexpr std::uint32_t kSensorInterrupt = 2;  ///< UART 1 receive
+constexpr std::uint32_t kRequestInterrupt = 0;  ///< UART 0 receive
+constexpr std::uint32_t kSensorInterrupt = 2;   ///< UART 1 receive
 
 }  // namespace fog::platform

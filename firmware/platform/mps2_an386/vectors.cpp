@@ -5,7 +5,8 @@
 namespace fog::platform {
 namespace {
 
-constexpr InterruptHandler kHandlers[] = {{kSensorInterrupt, on_sensor_interrupt}};
+constexpr InterruptHandler kHandlers[] = {{kRequestInterrupt, on_request_interrupt},
+                                          {kSensorInterrupt, on_sensor_interrupt}};
 
 [[gnu::section(".vectors"), gnu::used]] constexpr auto kVectors =
     make_vector_table<kInterruptLines>(kHandlers);

@@ -39,6 +39,7 @@ void start_board() {
   start_tick(clock_tree().core_hz);
   open_console_port();
   open_output_port();
+  open_request_port();
   open_sensor_port();
 }
 

@@ -153,6 +153,7 @@ inline IndependentWatchdog& watchdog() {
 }
 
 constexpr std::size_t kInterruptLines = 82;
+constexpr std::uint32_t kUsart1Interrupt = 37;
 constexpr std::uint32_t kUsart2Interrupt = 38;
 
 /// Switches a peripheral's clock on. The read back gives it the two cycles it needs before its

@@ -30,6 +30,11 @@ void open_line(Usart& usart, const Pin& pin, std::uint32_t control, std::uint32_
   usart.control1.write(Usart::kEnable | control);
 }
 
+void open_receiver(Usart& usart, const Pin& pin) {
+  connect(pin);
+  usart.control1.set(Usart::kReceiver | Usart::kReceiveInterrupt);
+}
+
 void send_byte(Usart& usart, std::uint8_t byte) {
   wait_for_bits(usart.status, Usart::kTransmitReady, Usart::kTransmitReady, kTransmitPolls);
   usart.data.write(byte);

@@ -13,6 +13,9 @@ namespace fog::platform {
 void open_line(Usart& usart, const Pin& pin, std::uint32_t control, std::uint32_t bus_hz,
                std::uint32_t baud);
 
+/// Adds the other direction to an open line: reception on `pin`, with its interrupt.
+void open_receiver(Usart& usart, const Pin& pin);
+
 /// Polled: returns when the last byte is handed to the USART.
 void send_byte(Usart& usart, std::uint8_t byte);
 

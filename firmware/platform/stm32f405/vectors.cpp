@@ -5,7 +5,8 @@
 namespace fog::platform {
 namespace {
 
-constexpr InterruptHandler kHandlers[] = {{kUsart2Interrupt, on_sensor_interrupt}};
+constexpr InterruptHandler kHandlers[] = {{kUsart1Interrupt, on_request_interrupt},
+                                          {kUsart2Interrupt, on_sensor_interrupt}};
 
 [[gnu::section(".vectors"), gnu::used]] constexpr auto kVectors =
     make_vector_table<kInterruptLines>(kHandlers);

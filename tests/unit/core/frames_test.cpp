@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "core/health/image_seal.hpp"
 #include "core/protocol/compact_frame.hpp"
 #include "core/protocol/kvh_frame.hpp"
 #include "core/protocol/rate_float.hpp"
@@ -62,7 +63,7 @@ fog::OutputSample sample() {
 // Laid out by hand from the published format: header, six floats, status, sequence, degC,
 // CRC-32/MPEG-2. 15 deg/s = 0.2617994 rad/s = 3e860a92.
 TEST(KvhFrame, HasFormatAByteForByte) {
-  const fog::KvhFrame frame = fog::encode_kvh_frame(sample(), 0x1FF);
+  const fog::KvhFrame frame = fog::encode_kvh_frame(sample(), 0x1FF, fog::kIntactImage);
   const std::string text = hex(frame.data(), 32);
   EXPECT_EQ(text,
             "fe81ff55"
@@ -89,14 +90,14 @@ TEST(KvhFrame, IsNotValidForAnyReasonThatMakesTheDenoisedRateUseless) {
     fog::OutputSample faulty = sample();
     faulty.status = static_cast<fog::Status>(1U << bit);
     const bool useless = any(faulty.status, fog::kDenoisedInvalid);
-    EXPECT_EQ(fog::encode_kvh_frame(faulty, 0)[28], useless ? 0 : 4) << bit;
+    EXPECT_EQ(fog::encode_kvh_frame(faulty, 0, fog::kIntactImage)[28], useless ? 0 : 4) << bit;
   }
 }
 
 TEST(CompactFrame, ReturnsWhatWasPutInAndRefusesDamage) {
   fog::OutputSample sent = sample();
   sent.status = fog::Status::drift_held | fog::Status::denoised_invalid;
-  fog::CompactFrame frame = fog::encode_compact_frame(sent, 465);
+  fog::CompactFrame frame = fog::encode_compact_frame(sent, 465, fog::kIntactImage);
   EXPECT_EQ(hex(frame.data(), 8), "c33cefbe00fcffff");
   fog::OutputSample got;
   std::uint16_t delay = 0;

@@ -1,0 +1,83 @@
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "app/health.hpp"
+#include "app/pipeline.hpp"
+#include "hal/rate_sink.hpp"
+#include "platform/board.hpp"
+#include "platform/cortex_m/semihosting.hpp"
+#include "platform/instruction_counter.hpp"
+#include "platform/text_line.hpp"
+
+// What in.bin costs the product, as instructions: mean and most of the bytes that complete a sample
+// (all stages, frames, health and self-test; without the line itself), and of any kSensorFrameBytes
+// bytes in a row, which is what comes in the time of a sample, frames or not. For QEMU's
+// netduinoplus2 with `-icount shift=0,sleep=off` (tests/target/sample_cost.sh).
+namespace fog::app {
+namespace {
+
+namespace semihosting = platform::semihosting;
+
+class Cost {
+ public:
+  void add(std::uint32_t ticks) {
+    total_ += ticks;
+    ++count_;
+    if (ticks > most_) most_ = ticks;
+  }
+  void report(const char* what) const {
+    platform::TextLine line;
+    line.text(what).text(": count ").decimal(count_).text(" mean ");
+    line.decimal(count_ > 0 ? static_cast<std::uint32_t>(total_ / count_) : 0);
+    hal::write_console(line.text(" most ").decimal(most_).text("\r\n").c_str());
+  }
+
+ private:
+  std::uint64_t total_ = 0;
+  std::uint32_t count_ = 0;
+  std::uint32_t most_ = 0;
+};
+
+std::array<std::uint8_t, 16384> chunk;
+
+[[gnu::noinline]] bool answer(std::uint8_t byte) {
+  std::array<std::uint8_t, kMostOutputBytes> frames;
+  if (pipeline().feed(byte, frames.data()) == 0) return false;
+  count_health(pipeline().last());
+  continue_self_test();
+  return true;
+}
+
+}  // namespace
+
+void run() {
+  platform::start_board();
+  start_self_test();
+  platform::start_instruction_counter();
+  const semihosting::File input = semihosting::open("in.bin", semihosting::Mode::kRead);
+  Cost samples;
+  Cost any_frame;
+  std::array<std::uint32_t, kSensorFrameBytes> last_ticks{};  // of the bytes before, in a ring
+  std::uint32_t last_sum = 0;
+  std::size_t place = 0;
+  std::size_t size = input == semihosting::kNoFile ? 0 : chunk.size();
+  while (size == chunk.size()) {
+    size = semihosting::read(input, chunk.data(), chunk.size());
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::uint32_t start = platform::instruction_count();
+      const bool answered = answer(chunk[i]);
+      const std::uint32_t ticks = platform::instruction_count() - start;
+      if (answered) samples.add(ticks);
+      last_sum += ticks - last_ticks[place];
+      last_ticks[place] = ticks;
+      place = (place + 1) % kSensorFrameBytes;
+      any_frame.add(last_sum);
+    }
+  }
+  samples.report("samples");
+  any_frame.report("any 16 bytes");
+  semihosting::exit(0);
+}
+
+}  // namespace fog::app

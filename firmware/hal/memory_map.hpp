@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fog::hal {
+
+/// What the built-in tests look at, as the linker placed it; whole words.
+struct MemoryMap {
+  const std::uint8_t* image_start;  ///< in flash: vector table to seal
+  const std::uint8_t* image_end;
+  std::uint32_t* ram_start;  ///< all that is in use: stack, variables, what outlives a restart
+  std::uint32_t* ram_end;
+  std::uint32_t* stack_top;  ///< within the RAM; the stack grows down from it
+};
+
+MemoryMap memory_map();
+
+}  // namespace fog::hal

@@ -1,0 +1,36 @@
+#include "hal/request_source.hpp"
+
+#include "platform/cortex_m/event.hpp"
+#include "platform/cortex_m/system_control.hpp"
+#include "platform/ports.hpp"
+#include "platform/ring_buffer.hpp"
+#include "platform/stm32f405/usart_line.hpp"
+
+namespace fog {
+namespace platform {
+namespace {
+
+RingBuffer<16> requested;
+
+}  // namespace
+
+void open_request_port() {
+  open_receiver(usart1(), kRequestRx);
+  enable_interrupt(kUsart1Interrupt);
+}
+
+// Reading status, then data, also clears an overrun, which would otherwise interrupt for ever.
+void on_request_interrupt() {
+  const bool has_byte = usart1().status.any(Usart::kReceived);
+  const auto byte = static_cast<std::uint8_t>(usart1().data.read());
+  if (has_byte) requested.push(byte);
+  signal_event();
+}
+
+}  // namespace platform
+
+std::size_t hal::read_requests(std::uint8_t* destination, std::size_t capacity) {
+  return platform::requested.pop(destination, capacity);
+}
+
+}  // namespace fog

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace fogcomp {
+
+/// A connection to a board's output port: a serial device, a pseudo-terminal, or the socket of an
+/// emulator.
+class BoardPort {
+ public:
+  /// Opens `path`; a serial device at 921600 baud, 8N1. Throws InputError.
+  explicit BoardPort(const std::string& path);
+  ~BoardPort();
+  BoardPort(const BoardPort&) = delete;
+  BoardPort& operator=(const BoardPort&) = delete;
+
+  /// Throws InputError where the bytes are not taken within a second.
+  void write(const std::uint8_t* bytes, std::size_t size);
+
+  /// Waits up to `patience_ms` for bytes, and takes at most `capacity`; 0 where none came. Throws
+  /// InputError where the other side is gone.
+  std::size_t read(std::uint8_t* bytes, std::size_t capacity, int patience_ms);
+
+ private:
+  std::string path_;
+  int descriptor_ = -1;
+};
+
+}  // namespace fogcomp

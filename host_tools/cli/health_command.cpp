@@ -1,0 +1,117 @@
+// fogcomp health: asks a board what its built-in tests have found.
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "board/health_query.hpp"
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "support/json.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+// In the order of the bits (firmware/SPEC.md, "Status flags").
+constexpr const char* kFlagNames[] = {
+    "gyro_invalid",        "rate_out_of_range",   "gyro_stuck",       "sequence_gap",
+    "temperature_invalid", "temperature_clamped", "drift_held",       "drift_given_up",
+    "thermal_settling",    "denoiser_filling",    "model_refused",    "denoised_invalid",
+    "input_missing",       "rate_jump",           "temperature_jump", "temperature_frozen",
+    "self_test_failed"};
+
+std::vector<std::string> flag_names(fog::Status status) {
+  std::vector<std::string> names;
+  for (std::size_t bit = 0; bit < std::size(kFlagNames); ++bit) {
+    if (any(status, static_cast<fog::Status>(1U << bit))) names.emplace_back(kFlagNames[bit]);
+  }
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "none" : text;
+}
+
+bool is_healthy(const fog::HealthRecord& record) {
+  return record.image_intact && record.memory_good && record.model_good &&
+         !any(record.status_last, fog::Status::self_test_failed);
+}
+
+void print_words(const fog::HealthRecord& r) {
+  std::printf("image         %s\n",
+              r.image_intact ? "intact" : "DAMAGED: no rate is valid; flash it again");
+  std::printf("memory        %s\n",
+              r.memory_good ? "good" : "FAILS: no rate is valid; replace the processor");
+  std::printf("model         %s, CRC-32 %08x\n",
+              r.model_good ? "good" : "REFUSED: no rate is valid; export it again", r.model);
+  std::printf("checked       image %u times, memory %u times since the start\n", r.image_passes,
+              r.memory_passes);
+  std::printf("last start    %s\n", r.reset_cause.data());
+  std::printf("samples       %u, %u without a valid rate, %u after a gap or late\n", r.samples,
+              r.invalid_rates, r.sequence_gaps);
+  std::printf("sensor line   %u bytes that were no frame\n", r.discarded_bytes);
+  std::printf("flags now     %s\n", joined(flag_names(r.status_last)).c_str());
+  std::printf("flags so far  %s\n", joined(flag_names(r.status_seen)).c_str());
+  std::printf("stack         %d of %d bytes never used\n", r.stack_unused_bytes, r.stack_bytes);
+}
+
+Json names_json(fog::Status status) {
+  Json array = Json::array();
+  for (const std::string& name : flag_names(status)) array.push(name);
+  return array;
+}
+
+Json as_json(const fog::HealthRecord& r) {
+  Json object = Json::object();
+  object.set("healthy", is_healthy(r))
+      .set("image_intact", r.image_intact)
+      .set("memory_good", r.memory_good)
+      .set("model_good", r.model_good)
+      .set("model_crc32", format("%08x", r.model))
+      .set("image_checks", static_cast<std::int64_t>(r.image_passes))
+      .set("memory_tests", static_cast<std::int64_t>(r.memory_passes))
+      .set("reset_cause", r.reset_cause.data())
+      .set("samples", static_cast<std::int64_t>(r.samples))
+      .set("invalid_rates", static_cast<std::int64_t>(r.invalid_rates))
+      .set("sequence_gaps", static_cast<std::int64_t>(r.sequence_gaps))
+      .set("discarded_bytes", static_cast<std::int64_t>(r.discarded_bytes))
+      .set("flags_now", names_json(r.status_last))
+      .set("flags_seen", names_json(r.status_seen))
+      .set("stack_bytes", static_cast<std::int64_t>(r.stack_bytes))
+      .set("stack_unused_bytes", static_cast<std::int64_t>(r.stack_unused_bytes));
+  return object;
+}
+
+int run_health(const Arguments& arguments) {
+  const std::string& path = arguments.positionals().front();
+  const double patience_s = arguments.number("timeout", 0.1, 600);
+  BoardPort port(path);
+  const fog::HealthRecord record = query_health(port, path, patience_s);
+  if (arguments.has("json")) {
+    std::puts(as_json(record).text().c_str());
+  } else {
+    print_words(record);
+  }
+  return is_healthy(record) ? 0 : 1;
+}
+
+}  // namespace
+
+Command health_command() {
+  Command command;
+  command.name = "health";
+  command.positionals = "PORT";
+  command.least_positionals = command.most_positionals = 1;
+  command.summary =
+      "asks a board what its built-in tests have found; exit code 1 if it is not healthy";
+  command.example = "fogcomp health /dev/ttyUSB0";
+  command.options = {{"timeout", "S", "seconds to wait for an answer", "3"},
+                     {"json", "", "print one JSON object", ""}};
+  command.run = run_health;
+  return command;
+}
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,285 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "core/health/health_record.hpp"
+#include "core/health/health_request.hpp"
+#include "core/health/image_proof.hpp"
+#include "core/health/image_seal.hpp"
+#include "core/health/memory_scan.hpp"
+#include "core/health/sealed_scan.hpp"
+#include "core/protocol/compact_frame.hpp"
+#include "core/protocol/kvh_frame.hpp"
+
+namespace {
+
+using fog::Status;
+
+std::vector<std::uint8_t> sealed(std::size_t size, std::uint32_t start, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<std::uint8_t> bytes(size);
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
+  const auto seal = fog::seal_of(fog::crc32(bytes.data(), bytes.size(), start));
+  bytes.insert(bytes.end(), seal.begin(), seal.end());
+  return bytes;
+}
+
+// ---- image ----
+
+TEST(SealedScan, EndsIntactForEverySizeOfPieceAndOfParts) {
+  for (const std::size_t size : {0U, 1U, 63U, 1000U}) {
+    const auto image = sealed(size, fog::kImageCrcStart, 1);
+    const auto constants = sealed(37, fog::kIntactImage, 2);
+    for (const std::size_t piece : {1U, 7U, 34U, 5000U}) {
+      fog::SealedScan scan({image.data(), image.size()}, {constants.data(), constants.size()});
+      for (int pass = 0; pass < 3; ++pass) {
+        std::size_t steps = 1;
+        while (!scan.step(piece)) ++steps;
+        EXPECT_EQ(scan.crc(), fog::kIntactImage);
+        EXPECT_EQ(steps, (scan.size() + piece - 1) / piece);
+      }
+    }
+  }
+}
+
+TEST(SealedScan, FindsEveryFlippedBitOfImageConstantsAndSeals) {
+  auto image = sealed(200, fog::kImageCrcStart, 3);
+  auto constants = sealed(50, fog::kIntactImage, 4);
+  for (auto* part : {&image, &constants}) {
+    for (std::size_t bit = 0; bit < 8 * part->size(); ++bit) {
+      std::uint8_t& byte = (*part)[bit / 8];
+      byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8)));
+      fog::SealedScan scan({image.data(), image.size()}, {constants.data(), constants.size()});
+      while (!scan.step(11)) {
+      }
+      EXPECT_NE(scan.crc(), fog::kIntactImage) << bit;
+      byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8)));
+    }
+  }
+}
+
+TEST(ImageProof, LastsOnlyAsLongAsChecksAreGiven) {
+  fog::ImageProof proof(10);
+  EXPECT_NE(proof.take(), fog::kIntactImage);  // none given yet
+  proof.give(fog::kIntactImage);
+  for (int i = 1; i < 10; ++i) EXPECT_NE(proof.take(), fog::kIntactImage) << i;
+  for (int round = 0; round < 5; ++round) {
+    for (int i = 0; i < 10; ++i) {
+      EXPECT_EQ(proof.take(), fog::kIntactImage) << i;
+      if (i == 4) proof.give(fog::kIntactImage);
+    }
+  }
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(proof.take(), fog::kIntactImage);
+  for (int i = 0; i < 100; ++i) EXPECT_NE(proof.take(), fog::kIntactImage);  // the check stopped
+  proof.give(0x12345678);
+  for (int i = 0; i < 10; ++i) EXPECT_NE(proof.take(), fog::kIntactImage);
+}
+
+// A frame of a damaged image is of no use, whether or not its status admits it.
+TEST(Frames, OfADamagedImageAreRefusedOrSayNotValid) {
+  fog::OutputSample good;
+  good.denoised = fog::Rate::from_raw(12345);
+  fog::OutputSample admitted = good;
+  admitted.status = Status::self_test_failed;
+  std::mt19937 random(1);
+  fog::OutputSample read;
+  std::uint16_t delay = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const std::uint32_t image_crc = i == 0 ? fog::kImageCrcStart : static_cast<std::uint32_t>(random());
+    const fog::KvhFrame wrong = fog::encode_kvh_frame(good, 0, image_crc);
+    EXPECT_NE(fog::crc32(wrong.data(), wrong.size()), 0U);
+    const fog::KvhFrame right = fog::encode_kvh_frame(admitted, 0, image_crc);
+    EXPECT_EQ(fog::crc32(right.data(), right.size()), 0U);
+    EXPECT_EQ(right[28], 0);
+    const fog::CompactFrame compact = fog::encode_compact_frame(good, 465, image_crc);
+    EXPECT_FALSE(fog::decode_compact_frame(compact.data(), read, delay));
+    const fog::CompactFrame said = fog::encode_compact_frame(admitted, 465, image_crc);
+    ASSERT_TRUE(fog::decode_compact_frame(said.data(), read, delay));
+    EXPECT_FALSE(read.compensated_valid() || read.denoised_valid());
+  }
+}
+
+// ---- memory ----
+
+/// A memory whose writes go wrong in a way of its own.
+struct FaultyMemory {
+  std::vector<std::uint32_t> cells;
+  std::function<void(std::vector<std::uint32_t>&, std::size_t written, std::uint32_t before)> fault;
+
+  std::uint32_t read(std::size_t i) const { return cells[i]; }
+  void write(std::size_t i, std::uint32_t value) {
+    const std::uint32_t before = cells[i];
+    cells[i] = value;
+    if (fault) fault(cells, i, before);
+  }
+};
+
+constexpr std::size_t kWords = fog::MemoryScan::kBlockWords;
+
+bool any_pattern_fails(FaultyMemory memory) {
+  bool failed = false;
+  for (const std::uint32_t pattern : fog::kMarchPatterns) {
+    FaultyMemory copy = memory;
+    failed = failed || !fog::march(copy, kWords, pattern);
+  }
+  return failed;
+}
+
+TEST(March, PassesAGoodMemoryAndLeavesItAsItWas) {
+  std::mt19937 random(1);
+  FaultyMemory memory{std::vector<std::uint32_t>(kWords), {}};
+  for (std::uint32_t& cell : memory.cells) cell = static_cast<std::uint32_t>(random());
+  const auto before = memory.cells;
+  for (const std::uint32_t pattern : fog::kMarchPatterns) {
+    EXPECT_TRUE(fog::march_and_restore<kWords>(memory, pattern));
+    EXPECT_EQ(memory.cells, before);
+  }
+}
+
+TEST(March, FindsEveryStuckCellWithEachPattern) {
+  for (std::size_t bit = 0; bit < 32 * kWords; ++bit) {
+    const std::uint32_t mask = 1U << (bit % 32);
+    for (const bool high : {false, true}) {
+      FaultyMemory memory{
+          std::vector<std::uint32_t>(kWords), [&](auto& cells, std::size_t, std::uint32_t) {
+            cells[bit / 32] = high ? cells[bit / 32] | mask : cells[bit / 32] & ~mask;
+          }};
+      for (const std::uint32_t pattern : fog::kMarchPatterns) {
+        FaultyMemory copy = memory;
+        EXPECT_FALSE(fog::march(copy, kWords, pattern)) << bit << " " << high;
+      }
+    }
+  }
+}
+
+TEST(March, FindsEveryCellThatCannotRiseOrFall) {
+  for (std::size_t bit = 0; bit < 32 * kWords; ++bit) {
+    const std::uint32_t mask = 1U << (bit % 32);
+    for (const bool rises : {false, true}) {
+      EXPECT_TRUE(any_pattern_fails({std::vector<std::uint32_t>(kWords),
+                                     [&](auto& cells, std::size_t written, std::uint32_t before) {
+                                       if (written != bit / 32) return;
+                                       if (rises && (before & mask) == 0U) cells[written] &= ~mask;
+                                       if (!rises && (before & mask) != 0U) cells[written] |= mask;
+                                     }}))
+          << bit;
+    }
+  }
+}
+
+// A transition of one cell, up or down, inverts another one, in the same word or in another.
+TEST(March, FindsEveryPairOfCoupledCells) {
+  int missed = 0;
+  for (std::size_t from = 0; from < 32 * kWords; ++from) {
+    for (std::size_t to = 0; to < 32 * kWords; ++to) {
+      if (from == to) continue;
+      const std::uint32_t mask = 1U << (from % 32);
+      for (const bool rising : {false, true}) {
+        missed += !any_pattern_fails({std::vector<std::uint32_t>(kWords),
+                                      [&](auto& cells, std::size_t written, std::uint32_t before) {
+                                        if (written != from / 32) return;
+                                        const bool was = (before & mask) != 0U;
+                                        const bool is = (cells[written] & mask) != 0U;
+                                        if (was != is && is == rising)
+                                          cells[to / 32] ^= 1U << (to % 32);
+                                      }});
+      }
+    }
+  }
+  EXPECT_EQ(missed, 0);
+}
+
+TEST(MemoryScan, GoesOverAllBlocksButThoseInUseAndRestoresThem) {
+  std::vector<std::uint32_t> memory(10 * kWords + 3);
+  std::mt19937 random(1);
+  for (std::uint32_t& word : memory) word = static_cast<std::uint32_t>(random());
+  const auto before = memory;
+  volatile std::uint32_t* const start = memory.data();
+  fog::MemoryScan scan({start, memory.size()});
+  EXPECT_EQ(scan.blocks(), 10U);
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(scan.step({start + 5, 3 * kWords}));
+  EXPECT_EQ(memory, before);
+}
+
+// ---- record ----
+
+fog::HealthRecord some_record() {
+  fog::HealthRecord record;
+  record.image_intact = record.model_good = true;
+  record.model = 0x01020304;
+  record.image_crc = 0xFFFFFFFF;
+  record.samples = 1000;
+  record.invalid_rates = 3;
+  record.sequence_gaps = 2;
+  record.discarded_bytes = 77;
+  record.status_last = Status::drift_held;
+  record.status_seen = Status::drift_held | Status::rate_jump;
+  record.image_passes = 12;
+  record.memory_passes = 11;
+  record.stack_bytes = 2048;
+  record.stack_unused_bytes = 900;
+  record.reset_cause = {'w', 'a', 't', 'c', 'h', 'd', 'o', 'g'};
+  return record;
+}
+
+TEST(HealthRecord, ReturnsWhatWasPutInAndRefusesDamage) {
+  const fog::HealthRecord sent = some_record();
+  const fog::HealthResponse response = fog::encode_health_response(sent);
+  fog::HealthRecord got;
+  ASSERT_TRUE(fog::decode_health_response(response.data(), got));
+  EXPECT_EQ(fog::encode_health_response(got), response);
+  EXPECT_TRUE(got.image_intact && !got.memory_good && got.model_good);
+  EXPECT_EQ(got.samples, 1000U);
+  EXPECT_EQ(got.memory_passes, 11U);
+  EXPECT_STREQ(got.reset_cause.data(), "watchdog");
+  for (std::size_t bit = 0; bit < 8 * response.size(); ++bit) {
+    fog::HealthResponse damaged = response;
+    damaged[bit / 8] = static_cast<std::uint8_t>(damaged[bit / 8] ^ (1U << (bit % 8)));
+    EXPECT_FALSE(fog::decode_health_response(damaged.data(), got)) << bit;
+  }
+}
+
+TEST(HealthRecord, CountsWhatIsWrongWithSamples) {
+  fog::HealthRecord record;
+  fog::OutputSample sample;
+  record.count(sample);
+  sample.status = Status::gyro_stuck | Status::sequence_gap;
+  record.count(sample);
+  sample.status = Status::drift_held;
+  record.count(sample);
+  EXPECT_EQ(record.samples, 3U);
+  EXPECT_EQ(record.invalid_rates, 1U);
+  EXPECT_EQ(record.sequence_gaps, 1U);
+  EXPECT_EQ(record.status_last, Status::drift_held);
+  EXPECT_EQ(record.status_seen, sample.status | Status::gyro_stuck | Status::sequence_gap);
+}
+
+TEST(HealthRequest, HasTheCrcOfItsSpecification) {
+  const std::uint16_t crc = fog::crc16(fog::kHealthRequest.data() + 1, 3);
+  EXPECT_EQ(fog::kHealthRequest[4], crc & 0xFFU);
+  EXPECT_EQ(fog::kHealthRequest[5], crc >> 8U);
+}
+
+TEST(HealthRequest, IsFoundBetweenOtherBytesAndNotWithOneWrong) {
+  fog::HealthRequestParser parser;
+  const auto found = [&](const std::vector<std::uint8_t>& bytes) {
+    int times = 0;
+    for (const std::uint8_t byte : bytes) times += parser.feed(byte);
+    return times;
+  };
+  const std::vector<std::uint8_t> request(fog::kHealthRequest.begin(), fog::kHealthRequest.end());
+  EXPECT_EQ(found(request), 1);
+  EXPECT_EQ(found({0xA5, 0xA5, 0x99, 0x00}), 0);
+  EXPECT_EQ(found(request), 1);
+  for (std::size_t i = 0; i < request.size(); ++i) {
+    auto wrong = request;
+    wrong[i] ^= 1U;
+    EXPECT_EQ(found(wrong), 0) << i;
+  }
+  EXPECT_EQ(found(request), 1);
+}
+
+}  // namespace
