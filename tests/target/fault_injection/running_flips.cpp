@@ -1,0 +1,145 @@
+// running_flips MACHINE ELF SEED LIMIT AREA...: flips bits in the memory of a board while it
+// answers good sensor samples, one bit a run, and says after how many samples the board let it be
+// known: by a rate that is not valid, a frame that no driver accepts, or a restart. Areas as in
+// flip_plan.hpp. Exit code 1 if any flip stayed unseen for LIMIT samples.
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "emulated_board.hpp"
+#include "flip_plan.hpp"
+#include "healthy_stream.hpp"
+#include "output_reader.hpp"
+
+namespace {
+
+using namespace std::chrono_literals;
+using fogcomp::injection::EmulatedBoard;
+using fogcomp::injection::Flip;
+using fogcomp::injection::HealthyStream;
+using fogcomp::injection::OutputReader;
+
+constexpr auto kPatience = 12s;     // without a byte: the board promises 10 s
+constexpr std::size_t kAhead = 32;  // samples on their way
+constexpr double kSamplesPerS = 200;
+
+const std::string kInvalid = "rate not valid, or no frame";
+const std::string kRestart = "restart";
+const std::string kLockUp = "processor locked up (QEMU gives up; the watchdog restarts a board)";
+const std::string kHang = "NO ANSWER, NO RESTART";
+const std::string kUnseen = "NOT SEEN";
+
+struct Outcome {
+  const std::string& what;
+  std::size_t samples;  ///< answered with a valid rate after the flip
+};
+
+/// A board that is kept busy.
+class Session {
+ public:
+  explicit Session(EmulatedBoard& board) : board_(board) {
+    board_.drain();
+    board_.reset();
+    board_.resume();
+    while (!says("image: ")) {
+      if (!board_.exchange(kPatience)) throw std::runtime_error("the board does not start");
+    }
+  }
+
+  bool says(const char* word) const { return board_.console.find(word) != std::string::npos; }
+
+  /// Samples answered with a valid rate so far.
+  std::size_t valid() const { return reader_.valid(); }
+
+  /// Feeds and reads until `valid` samples were answered well or anything else happened.
+  const std::string& feed_until(std::size_t valid) {
+    for (;;) {
+      if (sent_ < reader_.valid() + kAhead && board_.unsent() == 0) {
+        board_.send_to_sensor_port(stream_.next(kAhead / 2));
+        sent_ += kAhead / 2;
+      }
+      const bool came = board_.exchange(kPatience);
+      reader_.read(board_.output);
+      if (says("restarting")) return kRestart;
+      if (reader_.saw_fault()) return kInvalid;
+      if (!came) return kHang;
+      if (reader_.valid() >= valid) return kUnseen;
+    }
+  }
+
+ private:
+  EmulatedBoard& board_;
+  HealthyStream stream_;
+  OutputReader reader_;
+  std::size_t sent_ = 0;
+};
+
+Outcome run_with(EmulatedBoard& board, const Flip& flip, std::size_t healthy, std::size_t limit) {
+  Session session(board);
+  if (session.feed_until(healthy) != kUnseen) throw std::runtime_error("the board is not healthy");
+  board.stop();
+  const std::uint8_t byte = board.read_byte(flip.address);
+  board.write_byte(flip.address, static_cast<std::uint8_t>(byte ^ (1U << flip.bit)));
+  const std::size_t before = session.valid();
+  board.resume();
+  try {
+    const std::string& what = session.feed_until(before + limit);
+    board.stop();
+    board.write_byte(flip.address, byte);
+    return {what, session.valid() - before};
+  } catch (const std::runtime_error&) {  // QEMU ended
+    board.replace();
+    return {kLockUp, session.valid() - before};
+  }
+}
+
+int run(const std::vector<std::string>& words) {
+  if (words.size() < 5) {
+    std::fputs("usage: running_flips MACHINE ELF SEED LIMIT AREA...\n", stderr);
+    return 2;
+  }
+  std::mt19937 random(static_cast<std::mt19937::result_type>(std::stoul(words[2])));
+  const std::size_t limit = std::stoul(words[3]);
+  const auto flips = fogcomp::injection::plan_flips({words.begin() + 4, words.end()}, random);
+  EmulatedBoard board(words[0], words[1]);
+  std::map<std::string, std::map<std::string, int>> outcomes;
+  std::size_t worst = 0;
+  int unseen = 0;
+  for (const Flip& flip : flips) {
+    const std::size_t healthy = 10 + random() % 600U;  // so that it meets the scan anywhere
+    const Outcome outcome = run_with(board, flip, healthy, limit);
+    ++outcomes[flip.area][outcome.what];
+    if (outcome.what == kUnseen || outcome.what == kHang) {
+      ++unseen;
+      std::printf("not seen: bit %u of %08x (%s)\n", flip.bit, flip.address, flip.area.c_str());
+    } else {
+      worst = std::max(worst, outcome.samples);
+    }
+  }
+  for (const auto& [area, of_area] : outcomes) {
+    for (const auto& [what, times] : of_area) {
+      std::printf("%-18s %6d %s\n", area.c_str(), times, what.c_str());
+    }
+  }
+  std::printf(
+      "%zu bits flipped while running, %d not seen within %.1f s; the latest after %.1f s\n",
+      flips.size(), unseen, static_cast<double>(limit) / kSamplesPerS,
+      static_cast<double>(worst) / kSamplesPerS);
+  return unseen == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "running_flips: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# health_answer.sh MACHINE ELF FOGCOMP IN.bin DIR: the product image, asked by `fogcomp health` on its output port while it
+# answers the sensor stream IN.bin, tells how it is, between its frames; and an image with a flipped bit says that it is damaged.
+set -euo pipefail
+machine=$1 elf=$2 fogcomp=$3 input=$4 folder=$5
+mkdir -p "$folder"
+scratch=$(mktemp -d)
+clean_up() {
+  jobs -p | xargs -r kill 2>/dev/null || true
+  wait
+  rm -rf "$scratch"
+}
+trap clean_up EXIT
+trap 'exit 143' TERM INT HUP
+
+wait_for() {
+  local deadline=$((SECONDS + 60))
+  until "$@"; do
+    ((SECONDS < deadline)) || { echo "gave up waiting for: $*" >&2; cat "$scratch/console" >&2; exit 1; }
+    sleep 0.02
+  done
+}
+booted() { grep -q '^image: ' "$scratch/console"; }
+
+# start ELF: boots it in $scratch, its output port a socket there.
+start() {
+  rm -f "$scratch"/{output,sensor.in,sensor.out,console}
+  mkfifo "$scratch/sensor.in" "$scratch/sensor.out"
+  : >"$scratch/console"
+  timeout --kill-after=1 120 qemu-system-arm -M "$machine" -display none -monitor none \
+    -serial "unix:$scratch/output,server=on,wait=off" -serial "pipe:$scratch/sensor" \
+    -serial "file:$scratch/console" -kernel "$1" </dev/null >"$scratch/log" 2>&1 &
+  qemu=$!
+  wait_for booted
+}
+
+start "$elf"
+cat "$input" >"$scratch/sensor.in" &
+"$fogcomp" health "$scratch/output" --timeout 30 | tee "$folder/good.txt"
+"$fogcomp" health "$scratch/output" --timeout 30 --json | tee "$folder/good.json"
+grep -q '^image  *intact' "$folder/good.txt"
+grep -q '"healthy":true' <(tr -d ' ' <"$folder/good.json")
+kill "$qemu"
+wait "$qemu" || true
+
+# One bit of the boot message's text: harmless to run, and found all the same.
+cp "$elf" "$scratch/damaged.elf"
+at=$(LC_ALL=C grep -abo 'no rate is valid' "$elf" | head -n 1 | cut -d: -f1)
+printf 'N' | dd of="$scratch/damaged.elf" bs=1 seek="$at" conv=notrunc status=none
+start "$scratch/damaged.elf"
+cat "$input" >"$scratch/sensor.in" &
+status=0
+"$fogcomp" health "$scratch/output" --timeout 30 | tee "$folder/damaged.txt" || status=$?
+((status == 1))
+grep -q '^image  *DAMAGED' "$folder/damaged.txt"
