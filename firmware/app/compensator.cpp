@@ -15,8 +15,9 @@
 namespace fog::app {
 namespace {
 
-// The second line says whether the weights are good, the third whether the image is. Without them the board still answers every
-// sample, with a rate that is not valid: a user sees a fault rather than silence.
+// The second line says whether the weights are good, the third whether the image is. Without them
+// the board still answers every sample, with a rate that is not valid: a user sees a fault rather
+// than silence.
 void announce(const platform::BoardDescription& board) {
   platform::TextLine line;
   line.text("fogcomp ").text(board.name).text(" ready, clock ").decimal(board.core_clock_hz);

@@ -23,8 +23,8 @@ std::int32_t board_value(double value, const NetworkInputFormat& format) {
 }  // namespace
 
 NetworkError verify_network(const Model& model, const fog::ModelParameters& parameters) {
-  const double block_s =
-      static_cast<double>(parameters.acquisition.sample_period_us) * 1e-6 * parameters.samples_per_block;
+  const double block_s = static_cast<double>(parameters.acquisition.sample_period_us) * 1e-6 *
+                         parameters.samples_per_block;
   NetworkError error;
   const std::vector<RealInput>& inputs = model.network.inputs;
   if (!model.network.present()) return error;

@@ -60,8 +60,8 @@ class ExpressionCheck {
 }  // namespace
 
 QuantizationError verify_quantization(const Model& model, const fog::ModelParameters& parameters) {
-  const double block_s =
-      static_cast<double>(parameters.acquisition.sample_period_us) * 1e-6 * parameters.samples_per_block;
+  const double block_s = static_cast<double>(parameters.acquisition.sample_period_us) * 1e-6 *
+                         parameters.samples_per_block;
   fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs> board(
       parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
       parameters.policy);

@@ -88,7 +88,8 @@ TEST(Frames, OfADamagedImageAreRefusedOrSayNotValid) {
   fog::OutputSample read;
   std::uint16_t delay = 0;
   for (int i = 0; i < 1000; ++i) {
-    const std::uint32_t image_crc = i == 0 ? fog::kImageCrcStart : static_cast<std::uint32_t>(random());
+    const std::uint32_t image_crc =
+        i == 0 ? fog::kImageCrcStart : static_cast<std::uint32_t>(random());
     const fog::KvhFrame wrong = fog::encode_kvh_frame(good, 0, image_crc);
     EXPECT_NE(fog::crc32(wrong.data(), wrong.size()), 0U);
     const fog::KvhFrame right = fog::encode_kvh_frame(admitted, 0, image_crc);
