@@ -1,6 +1,8 @@
 // boot_flips MACHINE ELF SEED SAMPLES AREA...: boots the image once for each bit flipped in it,
 // feeds the board SAMPLES good sensor samples, and says what became of each boot. Areas as in
-// flip_plan.hpp. Exit code 1 if any damaged image had a frame accepted that marks a rate valid.
+// flip_plan.hpp. Exit code 1 if any damaged image had a frame accepted that marks a rate valid, or
+// if a signal stopped it, after which it tells of those it has done.
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -93,6 +95,8 @@ const std::string& boot_with(EmulatedBoard& board, const Flip& flip, std::size_t
   return *outcome;
 }
 
+volatile std::sig_atomic_t stopped = 0;
+
 int run(const std::vector<std::string>& words) {
   if (words.size() < 5) {
     std::fputs("usage: boot_flips MACHINE ELF SEED SAMPLES AREA...\n", stderr);
@@ -109,7 +113,10 @@ int run(const std::vector<std::string>& words) {
   std::map<std::string, std::map<std::string, int>> outcomes;
   int accepted = 0;
   board.stop();
+  std::size_t done = 0;
   for (const Flip& flip : flips) {
+    if (stopped != 0) break;
+    ++done;
     const std::string& outcome = boot_with(board, flip, samples);
     ++outcomes[flip.area][outcome];
     if (outcome != kValid) continue;
@@ -122,13 +129,15 @@ int run(const std::vector<std::string>& words) {
       std::printf("%-18s %6d %s\n", area.c_str(), times, outcome.c_str());
     }
   }
-  std::printf("%zu bits flipped, %d images gave a rate marked valid\n", flips.size(), accepted);
-  return accepted == 0 ? 0 : 1;
+  std::printf("%zu of %zu bits flipped, %d images gave a rate marked valid\n", done, flips.size(),
+              accepted);
+  return accepted == 0 && done == flips.size() ? 0 : 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  for (const int which : {SIGINT, SIGTERM}) std::signal(which, [](int) { stopped = 1; });
   try {
     return run({argv + 1, argv + argc});
   } catch (const std::exception& error) {
