@@ -41,11 +41,15 @@ class Cost {
 
 std::array<std::uint8_t, 16384> chunk;
 
+Cost self_tests;
+
 [[gnu::noinline]] bool answer(std::uint8_t byte) {
   std::array<std::uint8_t, kMostOutputBytes> frames;
   if (pipeline().feed(byte, frames.data()) == 0) return false;
   count_health(pipeline().last());
+  const std::uint32_t start = platform::instruction_count();
   continue_self_test();
+  self_tests.add(platform::instruction_count() - start);
   return true;
 }
 
@@ -76,6 +80,7 @@ void run() {
     }
   }
   samples.report("samples");
+  self_tests.report("self-test");
   any_frame.report("any 16 bytes");
   semihosting::exit(0);
 }
