@@ -32,8 +32,9 @@ struct Model {
 
   ModelParameters parameters;
   ModelError error;
-  std::array<std::uint8_t, 4> seal{};  // last
+  alignas(4) std::array<std::uint8_t, 4> seal{};  // last
 };
+static_assert(sizeof(Model) == sizeof(ModelParameters) + 8, "nothing lies behind the seal");
 
 inline const Model& model() {
   static const Model instance;
