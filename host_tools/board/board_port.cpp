@@ -47,7 +47,7 @@ int open_device(const std::string& path) {
   termios line{};
   if (tcgetattr(device, &line) != 0) {
     close(device);
-    throw InputError(path, "is neither a serial device nor a socket");
+    throw InputError(path, "is neither a serial device nor a socket; give the board's output port");
   }
   cfmakeraw(&line);
   line.c_cflag |= static_cast<tcflag_t>(CLOCAL | CREAD);
@@ -64,7 +64,7 @@ int open_device(const std::string& path) {
 
 BoardPort::BoardPort(const std::string& path) : path_(path) {
   struct stat about {};
-  if (stat(path.c_str(), &about) != 0) fail(path, "cannot open");
+  if (stat(path.c_str(), &about) != 0) fail(path, "cannot open (is the board connected?)");
   descriptor_ = S_ISSOCK(about.st_mode) ? connect_to_socket(path) : open_device(path);
 }
 

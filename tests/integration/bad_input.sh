@@ -37,6 +37,12 @@ trap 'rm -rf "$scratch" "$scratch.out" "$scratch.err"' EXIT
 echo "kept" >kept
 fit=(fit -o kept --effects bias)
 
+# Ports.
+refuses '^no_port: .*connected' health no_port
+refuses '^kept: .*neither a serial device nor a socket' health kept
+refuses 'expects PORT' health
+refuses 'timeout' health kept --timeout never
+
 # Recordings.
 : >empty.csv
 echo "time_s,temperature_degc,rate_dph" >header_only.csv
