@@ -21,7 +21,7 @@ address_of() { awk -v name="$1" '$3 == name { print "0x" $1 }' <(arm-none-eabi-n
 
 start=$(address_of fog_image_start)
 end=$(address_of fog_image_end)
-checkers='fog::app::SelfTest::|fog::SealedScan::|fog::app::\(anonymous namespace\)::(crc_of|is_damaged)|fog::crc|fog::\(anonymous namespace\)::(kTable|frame_crc|sealed_crc)|fog::encode_(kvh|compact)_frame|fog::app::run\(|fog_reset_handler'
+checkers='fog::app::SelfTest::|fog::SealedScan::|fog::crc|fog::\(anonymous namespace\)::(kTable|frame_crc|sealed_crc)|fog::encode_(kvh|compact)_frame|fog::app::run\(|fog_reset_handler'
 mapfile -t planned < <(
   areas "model" "$model" '(.*::)?fog_model$'
   areas "checker's code" "$checker" "$checkers"

@@ -18,18 +18,17 @@ class SealedScan {
 
   std::size_t size() const { return image_.size + constants_.size; }
 
-  /// Takes the next `bytes` (>= 1), fewer at the end. Returns whether that was the end: crc() is
-  /// then that of a whole pass, and the next call begins anew.
-  bool step(std::size_t bytes) {
-    if (position_ == size()) {
-      position_ = 0;
-      crc_ = kImageCrcStart;
-    }
+  /// Takes the next `bytes` (>= 1), fewer at the end. Returns whether that was the end; `crc` is
+  /// then that of the whole pass, and the next call begins anew. No finished CRC is kept: it could
+  /// be read again by a scan that has stopped.
+  bool step(std::size_t bytes, volatile std::uint32_t& crc) {
     while (bytes > 0 && position_ < size()) bytes -= take(bytes);
-    return position_ == size();
+    if (position_ != size()) return false;
+    crc = crc_;
+    position_ = 0;
+    crc_ = kImageCrcStart;
+    return true;
   }
-
-  std::uint32_t crc() const { return crc_; }
 
  private:
   // Returns how many bytes it took, none of them from the second part before the first is over.

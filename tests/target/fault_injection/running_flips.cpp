@@ -81,7 +81,8 @@ class Session {
 
 Outcome run_with(EmulatedBoard& board, const Flip& flip, std::size_t healthy, std::size_t limit) {
   Session session(board);
-  if (session.feed_until(healthy) != kUnseen) throw std::runtime_error("the board is not healthy");
+  const std::string& first = session.feed_until(healthy);
+  if (first != kUnseen) throw std::runtime_error("the board is not healthy: " + first);
   board.stop();
   const std::uint8_t byte = board.read_byte(flip.address);
   board.write_byte(flip.address, static_cast<std::uint8_t>(byte ^ (1U << flip.bit)));
