@@ -38,7 +38,7 @@ constexpr std::uint32_t kIdleMs = 8;
 std::uint32_t tested_ms = 0;
 
 void test_on() {
-  continue_self_test();
+  self_test().step();
   tested_ms = hal::milliseconds();
 }
 
@@ -55,7 +55,7 @@ void send_compensated(std::uint8_t byte) {
 
 void run() {
   platform::start_board();
-  start_self_test();
+  self_test().run_all();
   announce(platform::describe_board());
   hal::start_watchdog();
   std::array<std::uint8_t, 64> chunk;

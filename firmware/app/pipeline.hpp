@@ -44,25 +44,15 @@ inline const Model& model() {
 /// The one pipeline of an image, whichever main runs it. Static, because its filters are larger
 /// than the stack. No rate is valid before the self-test has seen the image.
 inline Pipeline& pipeline() {
-  static Pipeline instance(model().parameters, kImageCrcStart);
+  static Pipeline instance(model().parameters,
+                           SelfTest::new_proof(model().parameters.acquisition.sample_period_us));
   return instance;
 }
 
 inline SelfTest& self_test() {
-  static SelfTest instance(model().bytes(), model().parameters.acquisition.sample_period_us);
+  static SelfTest instance(model().bytes(), model().parameters.acquisition.sample_period_us,
+                           pipeline().image_proof());
   return instance;
-}
-
-/// Before the first sample.
-inline void start_self_test() {
-  self_test().run_all();
-  pipeline().trust(self_test().take_proof());
-}
-
-/// After each sample that was answered.
-inline void continue_self_test() {
-  self_test().step();
-  pipeline().trust(self_test().take_proof());
 }
 
 }  // namespace fog::app

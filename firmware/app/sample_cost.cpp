@@ -48,7 +48,7 @@ Cost self_tests;
   if (pipeline().feed(byte, frames.data()) == 0) return false;
   count_health(pipeline().last());
   const std::uint32_t start = platform::instruction_count();
-  continue_self_test();
+  self_test().step();
   self_tests.add(platform::instruction_count() - start);
   return true;
 }
@@ -57,7 +57,7 @@ Cost self_tests;
 
 void run() {
   platform::start_board();
-  start_self_test();
+  self_test().run_all();
   platform::start_instruction_counter();
   const semihosting::File input = semihosting::open("in.bin", semihosting::Mode::kRead);
   Cost samples;

@@ -43,11 +43,16 @@ Span<volatile std::uint32_t> stack_in_use() {
 
 }  // namespace
 
-SelfTest::SelfTest(Span<const std::uint8_t> constants, std::uint32_t sample_period_us)
+SelfTest::SelfTest(Span<const std::uint8_t> constants, std::uint32_t sample_period_us,
+                   ImageProof& proof)
     : sealed_(image(), constants),
       memory_(ram()),
-      proof_(samples_in(kProofUs, sample_period_us)),
+      proof_(proof),
       bytes_a_step_(sealed_.size() / samples_in(kImagePassUs, sample_period_us) + 1) {}
+
+ImageProof SelfTest::new_proof(std::uint32_t sample_period_us) {
+  return ImageProof(samples_in(kProofUs, sample_period_us));
+}
 
 void SelfTest::run_all() {
   memory_good_ = true;

@@ -15,16 +15,17 @@ class SelfTest {
  public:
   /// `sample_period_us` sets the size of a piece: a pass over image and constants takes 2.5 s of
   /// samples. `constants` are what in RAM must not change, with their seal.
-  SelfTest(Span<const std::uint8_t> constants, std::uint32_t sample_period_us);
+  /// What the checks come to goes to `proof`.
+  SelfTest(Span<const std::uint8_t> constants, std::uint32_t sample_period_us, ImageProof& proof);
+
+  /// As long as a proof must last for the next one to be there.
+  static ImageProof new_proof(std::uint32_t sample_period_us);
 
   /// Everything once. Where image or memory is damaged, no sample will have a proof.
   void run_all();
 
   /// The next piece, after a sample was answered.
   void step();
-
-  /// For the next sample: see ImageProof.
-  std::uint32_t take_proof() { return proof_.take(); }
 
   bool memory_good() const { return memory_good_; }
   std::uint32_t start_crc() const { return start_crc_; }  ///< of image and constants
@@ -36,7 +37,7 @@ class SelfTest {
 
   SealedScan sealed_;
   MemoryScan memory_;
-  ImageProof proof_;
+  ImageProof& proof_;
   std::size_t bytes_a_step_;
   bool memory_good_ = false;
   std::uint32_t start_crc_ = kImageCrcStart;

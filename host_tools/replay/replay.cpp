@@ -5,7 +5,7 @@
 namespace fogcomp {
 
 Replay::Replay(const fog::ModelParameters& parameters)
-    : compensator_(std::make_unique<HostCompensator>(parameters, fog::kIntactImage)) {}
+    : compensator_(std::make_unique<HostCompensator>(parameters, fog::ImageProof::not_needed())) {}
 
 fog::Span<const std::uint8_t> Replay::feed(fog::Span<const std::uint8_t> bytes) {
   output_.clear();

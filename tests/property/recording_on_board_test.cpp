@@ -51,7 +51,7 @@ std::map<std::int64_t, double> board_drift(const fogcomp::Model& model,
   const fogcomp::BoardTable table =
       fogcomp::make_board_table(model, {1 / kPeriodS, fog::OutputSelection::kvh, true});
   const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
-  fogcomp::HostCompensator board(parameters, fog::kIntactImage);
+  fogcomp::HostCompensator board(parameters, fog::ImageProof::not_needed());
   std::array<std::uint8_t, fog::kMostOutputBytes> frames;
   std::map<std::int64_t, double> drift;
   std::size_t row = 0;

@@ -27,7 +27,7 @@ class SensorFaults : public testing::Test {
  protected:
   SensorFaults() {
     parameters_ = fogcomp::read_board_table(table_, "test");
-    board_ = std::make_unique<fogcomp::HostCompensator>(parameters_, fog::kIntactImage);
+    board_ = std::make_unique<fogcomp::HostCompensator>(parameters_, fog::ImageProof::not_needed());
   }
 
   SensorSample healthy() {

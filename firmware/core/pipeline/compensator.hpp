@@ -9,6 +9,7 @@
 #include "core/acquisition/stream_parser.hpp"
 #include "core/compensation/drift_model.hpp"
 #include "core/denoise/denoiser.hpp"
+#include "core/health/image_proof.hpp"
 #include "core/health/image_seal.hpp"
 #include "core/pipeline/block_clock.hpp"
 #include "core/pipeline/model_parameters.hpp"
@@ -39,10 +40,11 @@ class Compensator {
                                    expression_check<kExpressions>()};
 
   /// `parameters` must have been read with this class's room; parameters of a refused table make a
-  /// pipeline that answers every sample and marks none valid. `image_crc` as in trust().
-  Compensator(const ModelParameters& parameters, std::uint32_t image_crc)
+  /// pipeline that answers every sample and marks none valid. `proof` of the image's integrity is
+  /// asked for at every sample.
+  Compensator(const ModelParameters& parameters, const ImageProof& proof)
       : fault_(parameters.fault),
-        image_crc_(image_crc),
+        proof_(proof),
         calibration_(parameters.calibration),
         output_(parameters.output),
         monitor_(parameters.acquisition),
@@ -76,10 +78,10 @@ class Compensator {
     pending_.add(record.input, record.value);
   }
 
-  /// What the image's CRC was found to be: unless it is kIntactImage, no rate is valid from here
-  /// on. A frame that says otherwise, because the code that should know better is itself damaged,
-  /// has a wrong CRC.
-  void trust(std::uint32_t image_crc) { image_crc_ = image_crc; }
+  /// Where the checks of the image leave what they came to: unless that is kIntactImage, and
+  /// lately, no rate is valid. A frame that says otherwise, because the code that should know
+  /// better is itself damaged, has a wrong CRC.
+  ImageProof& image_proof() { return proof_; }
 
   /// The values behind the frames last written.
   const OutputSample& last() const { return last_; }
@@ -89,6 +91,7 @@ class Compensator {
 
   /// One sample through all stages.
   OutputSample process(const SensorSample& sample) {
+    image_crc_ = proof_.take();
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
@@ -167,7 +170,8 @@ class Compensator {
   }
 
   Status fault_;
-  std::uint32_t image_crc_;
+  ImageProof proof_;
+  std::uint32_t image_crc_ = kImageCrcStart;
   const CalibrationParameters& calibration_;
   OutputSelection output_;
   StreamParser parser_;

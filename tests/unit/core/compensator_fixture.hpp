@@ -21,7 +21,8 @@ class CompensatorTest : public testing::Test {
   void restart() {
     table_ = fogcomp::make_board_table(model_, {});
     parameters_ = fogcomp::read_board_table(table_, "test");
-    pipeline_ = std::make_unique<fogcomp::HostCompensator>(parameters_, fog::kIntactImage);
+    pipeline_ =
+        std::make_unique<fogcomp::HostCompensator>(parameters_, fog::ImageProof::not_needed());
   }
 
   OutputSample send(SensorSample sample) { return pipeline_->process(sample); }

@@ -27,7 +27,8 @@ class ExtensionTest : public CompensatorTest {
     }
     table_ = fogcomp::make_board_table(model_, {200, fog::OutputSelection::kvh, true});
     parameters_ = fogcomp::read_board_table(table_, "test");
-    pipeline_ = std::make_unique<fogcomp::HostCompensator>(parameters_, fog::kIntactImage);
+    pipeline_ =
+        std::make_unique<fogcomp::HostCompensator>(parameters_, fog::ImageProof::not_needed());
   }
 
   void take(fog::Input input, double value) {

@@ -150,7 +150,8 @@ TEST_F(CompensatorTest, AnswersEverySampleWithTheFramesOfItsModel) {
        {fog::OutputSelection::kvh, fog::OutputSelection::compact, fog::OutputSelection::both}) {
     const fogcomp::BoardTable table = fogcomp::make_board_table(model_, {200, selection});
     const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
-    const auto pipeline = std::make_unique<fogcomp::HostCompensator>(parameters, fog::kIntactImage);
+    const auto pipeline =
+        std::make_unique<fogcomp::HostCompensator>(parameters, fog::ImageProof::not_needed());
     std::vector<std::uint8_t> out(fog::kMostOutputBytes);
     std::size_t size = 0;
     for (const std::uint8_t byte : frame) {
