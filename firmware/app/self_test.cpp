@@ -62,12 +62,12 @@ void SelfTest::run_all() {
   volatile std::uint32_t crc = kImageCrcStart;
   sealed_.step(sealed_.size(), crc);
   start_crc_ = crc;
-  if (memory_good_) proof_.give(crc & crc);
+  if (memory_good_) proof_.give(crc, crc);
 }
 
 // The CRC is volatile, so that each use of it loads it anew: one flipped bit can make one of them
-// load something else that happens to look good. What two loads have in common is good only if both
-// are, and the restart judges by a third.
+// load something else that happens to look good. The proof keeps two of them apart, and the restart
+// judges by a third.
 //
 // What is damaged at the start stays so, and is not worth another restart.
 void SelfTest::step() {
@@ -76,7 +76,7 @@ void SelfTest::step() {
   volatile std::uint32_t crc = kImageCrcStart;
   if (!sealed_.step(bytes_a_step_, crc)) return;
   ++image_passes_;
-  if (memory_good_) proof_.give(crc & crc);
+  if (memory_good_) proof_.give(crc, crc);
   if (crc != kIntactImage && start_crc_ == kIntactImage) {
     restart_because("self-test: image damaged, restarting\r\n");
   }

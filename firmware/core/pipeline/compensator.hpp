@@ -91,7 +91,7 @@ class Compensator {
 
   /// One sample through all stages.
   OutputSample process(const SensorSample& sample) {
-    image_crc_ = proof_.take();
+    proof_.take();
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
@@ -104,7 +104,7 @@ class Compensator {
     result.sequence = sample.sequence;
     result.drift = drift_model_.drift();
     result.status = fault_ | verdict.status | drift_model_.status() | input_missing_ |
-                    status_if(image_crc_ != kIntactImage, Status::self_test_failed);
+                    status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
     result.compensated = saturate_to<Rate>(difference(measured, result.drift));
 
     // A late sample is answered, but time stands: it has no place in what runs at the sample rate.
@@ -160,10 +160,11 @@ class Compensator {
     const auto append = [&](const auto& frame) {
       for (const std::uint8_t byte : frame) out[size++] = byte;
     };
-    if (output_ != OutputSelection::compact) append(encode_kvh_frame(sample, frames_, image_crc_));
+    if (output_ != OutputSelection::compact)
+      append(encode_kvh_frame(sample, frames_, proof_.for_frames()));
     if (output_ != OutputSelection::kvh) {
-      append(
-          encode_compact_frame(sample, static_cast<std::uint16_t>(denoiser_.delay()), image_crc_));
+      append(encode_compact_frame(sample, static_cast<std::uint16_t>(denoiser_.delay()),
+                                  proof_.for_frames()));
     }
     ++frames_;
     return size;
@@ -171,7 +172,6 @@ class Compensator {
 
   Status fault_;
   ImageProof proof_;
-  std::uint32_t image_crc_ = kImageCrcStart;
   const CalibrationParameters& calibration_;
   OutputSelection output_;
   StreamParser parser_;

@@ -58,6 +58,8 @@ void EmulatedBoard::start() {
   for (const char* port : {"output", "sensor", "console"}) {
     words.insert(words.end(), {"-serial", "unix:" + folder_ + "/" + port + ",server=on,wait=off"});
   }
+  // Board time by instructions (32 ns each), or a busy computer makes the watchdog bite.
+  words.insert(words.end(), {"-icount", "shift=5"});
   words.insert(words.end(),
                {"-chardev", "socket,id=debug,server=on,wait=off,path=" + folder_ + "/debug", "-gdb",
                 "chardev:debug"});

@@ -53,6 +53,15 @@ class Session {
 
   bool says(const char* word) const { return board_.console.find(word) != std::string::npos; }
 
+  /// Boot messages: a restart need not have said that it comes.
+  std::size_t boots() const {
+    std::size_t found = 0;
+    for (auto at = board_.console.find("image: "); at != std::string::npos; ++found) {
+      at = board_.console.find("image: ", at + 1);
+    }
+    return found;
+  }
+
   /// Samples answered with a valid rate so far.
   std::size_t valid() const { return reader_.valid(); }
 
@@ -65,7 +74,7 @@ class Session {
       }
       const bool came = board_.exchange(kPatience);
       reader_.read(board_.output);
-      if (says("restarting")) return kRestart;
+      if (says("restarting") || boots() > 1) return kRestart;
       if (reader_.saw_fault()) return kInvalid;
       if (!came) return kHang;
       if (reader_.valid() >= valid) return kUnseen;

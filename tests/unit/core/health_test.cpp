@@ -63,21 +63,30 @@ TEST(SealedScan, FindsEveryFlippedBitOfImageConstantsAndSeals) {
   }
 }
 
+bool next_is_intact(fog::ImageProof& proof) {
+  proof.take();
+  const bool for_status = proof.for_status() == fog::kIntactImage;
+  EXPECT_EQ(for_status, proof.for_frames() == fog::kIntactImage);
+  return for_status;
+}
+
 TEST(ImageProof, LastsOnlyAsLongAsChecksAreGiven) {
   fog::ImageProof proof(10);
-  EXPECT_NE(proof.take(), fog::kIntactImage);  // none given yet
-  proof.give(fog::kIntactImage);
-  for (int i = 1; i < 10; ++i) EXPECT_NE(proof.take(), fog::kIntactImage) << i;
+  EXPECT_FALSE(next_is_intact(proof));  // none given yet
+  proof.give(fog::kIntactImage, fog::kIntactImage);
+  for (int i = 1; i < 10; ++i) EXPECT_FALSE(next_is_intact(proof)) << i;
   for (int round = 0; round < 5; ++round) {
     for (int i = 0; i < 10; ++i) {
-      EXPECT_EQ(proof.take(), fog::kIntactImage) << i;
-      if (i == 4) proof.give(fog::kIntactImage);
+      EXPECT_TRUE(next_is_intact(proof)) << i;
+      if (i == 4) proof.give(fog::kIntactImage, fog::kIntactImage);
     }
   }
-  for (int i = 0; i < 10; ++i) EXPECT_EQ(proof.take(), fog::kIntactImage);
-  for (int i = 0; i < 100; ++i) EXPECT_NE(proof.take(), fog::kIntactImage);  // the check stopped
-  proof.give(0x12345678);
-  for (int i = 0; i < 10; ++i) EXPECT_NE(proof.take(), fog::kIntactImage);
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(next_is_intact(proof));
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(next_is_intact(proof));  // the check stopped
+  proof.give(0x12345678, 0x12345678);
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(next_is_intact(proof));
+  fog::ImageProof no_image = fog::ImageProof::not_needed();
+  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(next_is_intact(no_image));
 }
 
 // A frame of a damaged image is of no use, whether or not its status admits it.
