@@ -22,10 +22,10 @@ class SealedScan {
   /// then that of the whole pass, and the next call begins anew. No finished CRC is kept: it could
   /// be read again by a scan that has stopped.
   bool step(std::size_t bytes, volatile std::uint32_t& crc) {
+    if (position_ == size()) position_ = 0;  // not beside crc_, or one spoilt store would keep both
     while (bytes > 0 && position_ < size()) bytes -= take(bytes);
     if (position_ != size()) return false;
     crc = crc_;
-    position_ = 0;
     crc_ = kImageCrcStart;
     return true;
   }
