@@ -55,6 +55,10 @@ void expect_true_intervals(const std::vector<EffectTerm>& terms, const std::stri
   }
 }
 
+TEST(Uncertainty, OfCoefficientsIsTrue) {
+  expect_true_intervals(fog::test::truth().terms, "bias,bias_temperature:order=3,temperature_rate");
+}
+
 TEST(Uncertainty, OfARipplesPeriodIsTrue) {
   expect_true_intervals({fog::test::natural_term("bias", {}, {0.72}),
                          fog::test::natural_term("temperature_rate", {}, {0.136}),
