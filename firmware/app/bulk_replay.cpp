@@ -5,8 +5,8 @@
 #include "app/pipeline.hpp"
 #include "hal/rate_sink.hpp"
 #include "platform/board.hpp"
-#include "platform/cortex_m/semihosting.hpp"
-#include "platform/cortex_m/stack.hpp"
+#include "platform/shared/semihosting.hpp"
+#include "platform/shared/stack.hpp"
 #include "platform/text_line.hpp"
 
 // The product's pipeline on the board's processor, fed from a file instead of a line: whole

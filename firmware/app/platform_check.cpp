@@ -6,9 +6,9 @@
 #include "hal/rate_sink.hpp"
 #include "hal/watchdog.hpp"
 #include "platform/board.hpp"
-#include "platform/cortex_m/semihosting.hpp"
-#include "platform/cortex_m/stack.hpp"
 #include "platform/cortex_m/system_control.hpp"
+#include "platform/shared/semihosting.hpp"
+#include "platform/shared/stack.hpp"
 #include "platform/text_line.hpp"
 
 // Checks what only the target can show: that start-up prepares memory, and that whatever goes wrong

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "platform/cortex_m/registers.hpp"
+#include "platform/shared/registers.hpp"
 
 // The parts of the ARMv7-M System Control Space that this firmware uses (ARM DDI 0403, B3).
 namespace fog::platform {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "platform/cortex_m/linker_symbols.hpp"
+#include "platform/shared/linker_symbols.hpp"
 
 namespace fog::platform {
 

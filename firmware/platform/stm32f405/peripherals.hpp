@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "platform/cortex_m/registers.hpp"
+#include "platform/shared/registers.hpp"
 
 // The registers of the STM32F405 that this firmware uses (ST RM0090).
 namespace fog::platform {
