@@ -9,8 +9,11 @@ build_packages=(
 )
 # The plots of reports come from npm, whoever has installed it.
 command -v npm >/dev/null || build_packages+=(npm)
-# What the tests need beside that.
-test_packages=(libgtest-dev clang-format chromium)
+# What the tests need beside that: the last line compiles and runs the core for another instruction set.
+test_packages=(
+  libgtest-dev clang-format chromium
+  gcc-riscv64-unknown-elf qemu-system-misc
+)
 
 # What tests/bench/run.sh needs beside the first.
 bench_packages=(libbenchmark-dev)

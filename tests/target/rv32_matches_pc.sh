@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# rv32_matches_pc.sh IMAGES FOGCOMP IN.bin DIR: the bulk image compiled for RV32 sends, on QEMU's virt
+# machine, what fogcomp replay predicts, to the byte. Skipped without the second cross compiler or
+# emulator: it is no board of ours, but what holds on a third instruction set is the code's own doing.
+set -euo pipefail
+images=$1
+here=$(realpath "$(dirname "$0")")
+for program in riscv64-unknown-elf-g++ qemu-system-riscv32; do
+  command -v "$program" >/dev/null || { echo "skipped: no $program"; exit 77; }
+done
+"$here/build_firmware.sh" rv32_virt "$images"
+"$here/bulk_matches_pc.sh" virt "$images/rv32_virt" "${@:2}"
