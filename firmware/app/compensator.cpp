@@ -2,9 +2,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "app/crash_line.hpp"
 #include "app/pipeline.hpp"
 #include "hal/clock.hpp"
 #include "hal/rate_sink.hpp"
+#include "hal/reset_report.hpp"
 #include "hal/sample_source.hpp"
 #include "hal/watchdog.hpp"
 #include "platform/board.hpp"
@@ -14,14 +16,16 @@
 namespace fog::app {
 namespace {
 
-// The second line says whether the weights are good. Without them the board still answers every
+// The last line says whether the weights are good. Without them the board still answers every
 // sample, with a rate that is not valid: a user sees a fault rather than silence.
-void announce(const platform::BoardDescription& board) {
+void announce(const platform::BoardDescription& board, const hal::ResetReport& reset) {
   platform::TextLine line;
   line.text("fogcomp ").text(board.name).text(" ready, clock ").decimal(board.core_clock_hz);
-  line.text(" Hz, reset cause ").text(board.reset_cause);
-  line.text(", clock from ").text(board.clock_source).text("\r\n");
-  hal::write_console(line.c_str());
+  line.text(" Hz, reset cause ").text(describe(reset.cause));
+  line.text(", clock from ").text(board.clock_source);
+  if (!board.restarts_when_power_dips) line.text(", NO BROWN-OUT RESET");
+  hal::write_console(line.text("\r\n").c_str());
+  announce_crash(reset.last_crash);
   platform::TextLine weights;
   weights.text("model ").hex(model().parameters.provenance).text(": ");
   hal::write_console(weights.text(describe(model().error)).text("\r\n").c_str());
@@ -37,7 +41,7 @@ void send_compensated(std::uint8_t byte) {
 
 void run() {
   platform::start_board();
-  announce(platform::describe_board());
+  announce(platform::describe_board(), hal::reset_report());
   hal::start_watchdog();
   std::array<std::uint8_t, 64> chunk;
   for (;;) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "platform/cortex_m/memory_protection.hpp"
 #include "platform/cortex_m/system_control.hpp"
 #include "platform/shared/linker_symbols.hpp"
 
@@ -12,6 +13,7 @@ void prepare_processor() {
   // The reset value 0 works only where the flash is mirrored there, not behind a boot loader.
   control.vector_table_offset.write(reinterpret_cast<std::uintptr_t>(fog_image_start));
   control.configuration.set(SystemControlBlock::kTrapDivisionByZero);
+  protect_memory();
 }
 
 }  // namespace fog::platform

@@ -19,6 +19,7 @@ void fog_tick_handler();
 }
 
 constexpr std::size_t kReset = 1;
+constexpr std::size_t kNmi = 2;
 constexpr std::size_t kSysTick = 15;
 constexpr std::size_t kExceptions = 16;
 

@@ -69,10 +69,17 @@ static_assert(offsetof(Rcc, ahb1_enable) == 0x30 && offsetof(Rcc, apb1_enable) =
 
 struct Flash {
   Register access_control;
+  std::array<Register, 4> unused_04;
+  Register options;
 
+  // access_control
   static constexpr std::uint32_t kLatency = 7U << 0U;
   static constexpr std::uint32_t kPrefetchAndCaches = 7U << 8U;
+  // options: 0 resets below 2.7 V, 1 below 2.4 V, 2 below 2.1 V, 3 not at all
+  static constexpr std::uint32_t kBrownOutLevel = 3U << 2U;
+  static constexpr std::uint32_t kBrownOutOff = 3U << 2U;
 };
+static_assert(offsetof(Flash, options) == 0x14);
 
 struct Gpio {
   Register mode;
