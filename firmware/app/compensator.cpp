@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "app/crash_line.hpp"
+#include "app/own_temperature.hpp"
 #include "app/pipeline.hpp"
 #include "hal/clock.hpp"
 #include "hal/rate_sink.hpp"
@@ -33,7 +34,7 @@ void announce(const platform::BoardDescription& board, const hal::ResetReport& r
 
 void send_compensated(std::uint8_t byte) {
   std::array<std::uint8_t, kMostOutputBytes> frames;
-  const std::size_t size = pipeline().feed(byte, frames.data());
+  const std::size_t size = pipeline().feed(byte, frames.data(), with_own_temperature);
   hal::write_output_stream(frames.data(), size);
 }
 
@@ -42,12 +43,14 @@ void send_compensated(std::uint8_t byte) {
 void run() {
   platform::start_board();
   announce(platform::describe_board(), hal::reset_report());
+  start_own_thermometer();
   hal::start_watchdog();
   std::array<std::uint8_t, 64> chunk;
   for (;;) {
     const std::size_t size = hal::read_sensor_stream(chunk.data(), chunk.size());
     if (size == 0) hal::wait_for_event();
     for (std::size_t i = 0; i < size; ++i) send_compensated(chunk[i]);
+    advance_own_thermometer();
     hal::kick_watchdog();  // here and nowhere else: kicked means that the loop went round
   }
 }

@@ -28,6 +28,7 @@ class Ds18b20Model {
     bits_ = 0;
     busy_ = 0;
     reading_ = false;
+    finished_ = false;
   }
 
   /// Returns whether a sensor shows itself.
@@ -35,6 +36,7 @@ class Ds18b20Model {
     command_.clear();
     bits_ = 0;
     reading_ = false;
+    finished_ = false;
     return connected;
   }
 
@@ -44,10 +46,13 @@ class Ds18b20Model {
     if (++bits_ % 8 == 0) obey();
   }
 
+  /// Whether a short low of the master is a question, not a 1.
+  bool is_talking() const { return connected && (reading_ || busy_ > 0 || finished_); }
+
   bool read() {
     if (!connected) return true;
     if (reading_) return scratchpad_bit();
-    if (busy_ == 0) return true;
+    if (busy_ == 0) return true;  // also the bit that says that a conversion is over
     if (!never_ready && --busy_ == 0) finish_conversion();
     return false;
   }
@@ -68,6 +73,7 @@ class Ds18b20Model {
   }
 
   void finish_conversion() {
+    finished_ = true;
     scratchpad_[0] = static_cast<std::uint8_t>(sixteenths & 0xFF);
     scratchpad_[1] = static_cast<std::uint8_t>((sixteenths >> 8) & 0xFF);
   }
@@ -85,6 +91,7 @@ class Ds18b20Model {
   std::size_t bits_ = 0;
   int busy_ = 0;
   bool reading_ = false;
+  bool finished_ = false;
   std::size_t at_ = 0;
 };
 

@@ -8,7 +8,7 @@
 
 namespace fog {
 
-/// One time slot of a 1-Wire line, as the master makes it.
+/// One time slot of a 1-Wire line, as the master makes it; none: the line rests.
 enum class OneWireSlot : std::uint8_t { none, reset, write_0, write_1, read };
 
 constexpr std::size_t kScratchpadBytes = 9;
@@ -23,7 +23,7 @@ using Scratchpad = std::array<std::uint8_t, kScratchpadBytes>;
 /// command the sensor was seen to be busy, then ready. (Maxim 19-7487: memory, "Convert T".)
 class Ds18b20 {
  public:
-  /// `none` while there is nothing to do. After any other, slot_made() must follow.
+  /// What the line is to do next, never `none`. slot_made() or line_failed() must follow.
   OneWireSlot next_slot() const;
 
   /// What the line showed in the slot of next_slot(). After `reset`: whether a sensor pulled it low

@@ -15,7 +15,7 @@ class ResistanceThermometer {
   static constexpr std::uint32_t kCodes = 512;  ///< of one reading
 
   /// `code_range`: codes of the converter, 4096 for 12 bits. `reference`: see divider_ratio().
-  ResistanceThermometer(std::uint32_t code_range, ResistanceRatio reference)
+  constexpr ResistanceThermometer(std::uint32_t code_range, ResistanceRatio reference)
       : full_scale_(kCodes * code_range), reference_(reference) {}
 
   /// One conversion's code, less than the code range.
