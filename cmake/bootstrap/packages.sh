@@ -9,10 +9,12 @@ build_packages=(
 )
 # The plots of reports come from npm, whoever has installed it.
 command -v npm >/dev/null || build_packages+=(npm)
-# What the tests need beside that: the last line compiles and runs the core for another instruction set.
+# What the tests need beside that: the second line compiles and runs the core for another instruction set, the third is
+# told how to flash a board.
 test_packages=(
   libgtest-dev clang-format chromium
   gcc-riscv64-unknown-elf qemu-system-misc
+  openocd stlink-tools dfu-util
 )
 
 # What tests/bench/run.sh needs beside the first.
