@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# board_variants.sh SOURCE IMAGES FOGCOMP UART.in DIR: every choice of the STM32F405 build makes an image that keeps the
-# rules, and the default image holds nothing of those it did not choose. What the emulator lacks (DMA, converter,
-# DS18B20) must not stop a board: without its sensor it answers every sample, and marks none valid.
+# board_variants.sh SOURCE IMAGES FOGCOMP DS18B20 UART.in DIR: every choice of the STM32F405 build makes an image that keeps the
+# rules, and the default image holds nothing of those it did not choose. What the emulator lacks (DMA, converter) must
+# not stop a board: without its sensor it answers every sample, and marks none valid. A DS18B20 at USART 6 it believes.
 set -euo pipefail
-source=$1 images=$2 fogcomp=$3 input=$4 folder=$5
+source=$1 images=$2 fogcomp=$3 ds18b20=$4 input=$5 folder=$6
 mkdir -p "$folder"
 
 symbols=$(arm-none-eabi-nm -C "$images/stm32f405/fogcomp.elf")
@@ -33,6 +33,16 @@ for sensor in ds18b20 pt1000; do
   echo "status bytes of the frames without a sensor: $validity"
   [[ $validity =~ ^\ *$frames\ 0$ ]]
 done
+
+# The stream says 20 degC; the sensor at the line 42. Rates are valid once it has been read, with its temperature.
+mkfifo "$folder/line.in" "$folder/line.out" 2>/dev/null || true
+"$ds18b20" "$folder/line.out" "$folder/line.in" 42 &
+trap 'kill $! 2>/dev/null || true' EXIT
+"$source/tests/target/run_uart.sh" netduinoplus2 "$folder/polled_ds18b20/fogcomp.elf" "$input" "$folder/out.bin" \
+  $((36 * frames)) -serial null -serial null -serial "pipe:$folder/line"
+temperatures=$(od -An -v -t u1 -w36 "$folder/out.bin" | awk '$29 == 4 { print 256 * $31 + $32 }' | sort | uniq -c)
+echo "temperatures of valid frames with a sensor of 42 degC: $temperatures"
+[[ $temperatures =~ ^\ *[0-9]+\ 42$ ]]
 
 if cmake -S "$source" -B "$folder/refused" --preset mps2_an386 -DFOG_OUTPUT=dma >"$folder/refused.log" 2>&1; then
   echo "a board without DMA was built for it" >&2

@@ -22,8 +22,8 @@ constexpr std::uint32_t kSlotBaud = 115'200;
 constexpr std::uint8_t kShortLow = 0xFF;
 constexpr std::uint8_t kLongLow = 0x00;
 
-// The longest slot is a reset, 1 ms.
-constexpr std::uint32_t kLostAfterMs = 5;
+// The longest slot is a reset, 1 ms. What is not heard long after that will not be.
+constexpr std::uint32_t kLostAfterMs = 100;
 
 Ds18b20 sensor;
 OneWireSlot slot = OneWireSlot::none;  // under way
