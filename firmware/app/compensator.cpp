@@ -23,9 +23,9 @@ void announce(const platform::BoardDescription& board, const hal::ResetReport& r
   platform::TextLine line;
   line.text("fogcomp ").text(board.name).text(" ready, clock ").decimal(board.core_clock_hz);
   line.text(" Hz, reset cause ").text(describe(reset.cause));
-  line.text(", clock from ").text(board.clock_source);
-  if (!board.restarts_when_power_dips) line.text(", NO BROWN-OUT RESET");
-  hal::write_console(line.text("\r\n").c_str());
+  line.text(", clock from ").text(board.clock_source).text("\r\n");
+  hal::write_console(line.c_str());
+  if (!board.restarts_when_power_dips) hal::write_console("NO BROWN-OUT RESET\r\n");
   announce_crash(reset.last_crash);
   platform::TextLine weights;
   weights.text("model ").hex(model().parameters.provenance).text(": ");
