@@ -25,6 +25,7 @@ void announce(const platform::BoardDescription& board, const hal::ResetReport& r
   line.text(" Hz, reset cause ").text(describe(reset.cause));
   line.text(", clock from ").text(board.clock_source).text("\r\n");
   hal::write_console(line.c_str());
+  if (board.clock_is_fallback) hal::write_console("FALLBACK CLOCK\r\n");
   if (!board.restarts_when_power_dips) hal::write_console("NO BROWN-OUT RESET\r\n");
   announce_crash(reset.last_crash);
   platform::TextLine weights;
