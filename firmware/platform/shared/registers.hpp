@@ -2,18 +2,20 @@
 
 #include <cstdint>
 
+#include "platform/shared/bus.hpp"
+
 namespace fog::platform {
 
 /// One 32-bit peripheral register: each call is exactly one bus access (two for set and clear,
 /// which are therefore not for registers that an interrupt handler changes as well).
 class Register {
  public:
-  std::uint32_t read() const { return value_; }
-  bool any(std::uint32_t mask) const { return (value_ & mask) != 0; }
-  void write(std::uint32_t value) { value_ = value; }
-  void set(std::uint32_t mask) { value_ = value_ | mask; }
-  void clear(std::uint32_t mask) { value_ = value_ & ~mask; }
-  void replace(std::uint32_t mask, std::uint32_t bits) { value_ = (value_ & ~mask) | bits; }
+  std::uint32_t read() const { return bus::read(value_); }
+  bool any(std::uint32_t mask) const { return (read() & mask) != 0; }
+  void write(std::uint32_t value) { bus::write(value_, value); }
+  void set(std::uint32_t mask) { write(read() | mask); }
+  void clear(std::uint32_t mask) { write(read() & ~mask); }
+  void replace(std::uint32_t mask, std::uint32_t bits) { write((read() & ~mask) | bits); }
 
  private:
   volatile std::uint32_t value_;
@@ -22,8 +24,8 @@ static_assert(sizeof(Register) == 4);
 
 /// A peripheral's registers, as the struct `Block` lays them out, at its address.
 template <typename Block>
-Block& peripheral_at(std::uintptr_t address) {
-  return *reinterpret_cast<Block*>(address);
+Block& peripheral_at(std::uint32_t address) {
+  return *static_cast<Block*>(bus::at(address));
 }
 
 /// Polls until `(register & mask) == expected`, at most `polls` times. Every wait on hardware goes

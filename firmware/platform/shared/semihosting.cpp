@@ -1,6 +1,8 @@
-#include "platform/cortex_m/semihosting.hpp"
+#include "platform/shared/semihosting.hpp"
 
 #include <array>
+
+#include "platform/shared/semihosting_call.hpp"
 
 namespace fog::platform::semihosting {
 namespace {
@@ -22,10 +24,7 @@ std::uint32_t address(const void* pointer) {
 }
 
 std::int32_t call(Operation operation, const Arguments& arguments) {
-  register auto r0 asm("r0") = static_cast<std::uint32_t>(operation);
-  register const std::uint32_t* r1 asm("r1") = arguments.data();
-  asm volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
-  return static_cast<std::int32_t>(r0);
+  return semihosting_call(static_cast<std::uint32_t>(operation), arguments.data());
 }
 
 }  // namespace

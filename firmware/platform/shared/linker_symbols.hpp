@@ -15,7 +15,9 @@ extern std::uint32_t fog_data_end[];
 extern std::uint32_t fog_bss_start[];
 extern std::uint32_t fog_bss_end[];
 
-/// The stack grows down from fog_stack_top; below fog_stack_bottom there is no memory.
+/// The stack grows down from fog_stack_top to fog_stack_bottom; below it is the guard, which starts
+/// the RAM and which nothing may touch, and below that there is no memory.
+extern std::uint32_t fog_stack_guard[];
 extern std::uint32_t fog_stack_bottom[];
 extern std::uint32_t fog_stack_top[];
 }

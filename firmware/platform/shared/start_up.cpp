@@ -1,10 +1,9 @@
 #include <cstdint>
 
 #include "platform/board.hpp"
-#include "platform/cortex_m/linker_symbols.hpp"
-#include "platform/cortex_m/stack.hpp"
-#include "platform/cortex_m/system_control.hpp"
-#include "platform/cortex_m/vector_table.hpp"
+#include "platform/shared/linker_symbols.hpp"
+#include "platform/shared/processor.hpp"
+#include "platform/shared/stack.hpp"
 
 namespace fog::platform {
 namespace {
@@ -20,13 +19,10 @@ void initialise_memory() {
 // No static constructors run here: every object at namespace scope is constant-initialised, so
 // there is no order to get wrong and nothing to pay for. The linker refuses an image that needs
 // one.
-void fog_reset_handler() {
+extern "C" [[noreturn]] void fog_reset_handler() {
   paint_stack();
   initialise_memory();
-  SystemControlBlock& control = system_control_block();
-  // The reset value 0 works only where the flash is mirrored there, not behind a boot loader.
-  control.vector_table_offset.write(reinterpret_cast<std::uintptr_t>(fog_image_start));
-  control.configuration.set(SystemControlBlock::kTrapDivisionByZero);
+  prepare_processor();
   app::run();
 }
 

@@ -1,8 +1,8 @@
-#include "platform/cortex_m/stack.hpp"
+#include "platform/shared/stack.hpp"
 
 #include <cstdint>
 
-#include "platform/cortex_m/linker_symbols.hpp"
+#include "platform/shared/linker_symbols.hpp"
 
 namespace fog::platform {
 namespace {
@@ -10,12 +10,16 @@ namespace {
 // Not zero, not a small number, not an address: nothing the firmware is likely to push.
 constexpr std::uint32_t kPaint = 0xC5C5C5C5U;
 
+// More than the frame of paint_stack(), and less than whatever runs after it will take.
+constexpr std::uintptr_t kFrameBytes = 64;
+
 }  // namespace
 
 void paint_stack() {
-  const std::uint32_t* stack_pointer;
-  asm volatile("mov %0, sp" : "=r"(stack_pointer));
-  for (volatile std::uint32_t* word = fog_stack_bottom; word < stack_pointer; ++word) {
+  const volatile std::uint32_t here = 0;  // in this function's frame, which is to stay as it is
+  const std::uintptr_t end = reinterpret_cast<std::uintptr_t>(&here) - kFrameBytes;
+  for (volatile std::uint32_t* word = fog_stack_bottom;
+       reinterpret_cast<std::uintptr_t>(word) < end; ++word) {
     *word = kPaint;
   }
 }
