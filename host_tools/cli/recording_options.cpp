@@ -26,15 +26,18 @@ double earth_rate_dph(const Arguments& arguments) {
 
 }  // namespace
 
-void add_recording_options(Command& command) {
-  const std::vector<Option> options{
+std::vector<Option> recording_options() {
+  return {
       {"scale-factor", "C", "counts per deg/s of a `counts` column or a sensor stream", ""},
       {"skip-bad-rows", "", "leave bad rows out and count them instead of stopping", ""},
       {"latitude", "DEG", "subtract the Earth rate there, for a file without input_rate_dph", ""},
       {"axis", "up|down", "where the input axis points, with --latitude", "up"},
       {"rate", "HZ", "sample rate of a captured sensor stream", "200"},
   };
-  command.options.insert(command.options.end(), options.begin(), options.end());
+}
+
+void add_recording_options(Command& command) {
+  for (Option& option : recording_options()) command.options.push_back(std::move(option));
 }
 
 ReadOptions read_options(const Arguments& arguments) {
