@@ -8,7 +8,7 @@ const std::vector<Command>& all_commands() {
   static const std::vector<Command> commands{
       simulate_command(), info_command(),   denoise_command(), fit_command(),     compare_command(),
       diagnose_command(), add_command(),    history_command(), effects_command(), export_command(),
-      stream_command(),   replay_command(), paper_command()};
+      stream_command(),   replay_command(), batch_command(),   paper_command()};
   return commands;
 }
 

@@ -32,6 +32,7 @@ struct Command {
 constexpr std::size_t kAnyNumber = 1000;
 
 Command add_command();
+Command batch_command();
 Command compare_command();
 Command denoise_command();
 Command diagnose_command();
