@@ -173,7 +173,7 @@ Command add_command() {
       "fogcomp add gyro.model thermal_lag run.csv --holdout reversed.csv -o better.model";
   command.options = {
       {"o", "MODEL", "model file to write", ""},
-      {kExpression, "NAME = EXPRESSION",
+      {kExpression, "EXPR",
        "a term of your own instead of EFFECT, e.g. 'burst = T*T*dTdt' or 'x = tanh(T/?w[2,30])'",
        ""},
       {"holdout", "RUN", "a run to judge by instead of leaving parts out; may be repeated", "",
@@ -185,6 +185,7 @@ Command add_command() {
       {"json", "", "one JSON object on stdout", ""},
   };
   add_recording_options(command);
+  command.words = effect_names();
   command.run = run_add;
   return command;
 }

@@ -261,7 +261,10 @@ Command batch_command() {
       {"reports", "", "a page of plots for every gyro too (needs hold-outs)", ""},
       {"json", "", "one JSON object on stdout", ""},
   };
-  for (Option& option : calibration_options()) command.options.push_back(std::move(option));
+  for (Option& option : calibration_options()) {
+    option.rare = option.name != "effects" && option.name != "network";
+    command.options.push_back(std::move(option));
+  }
   command.run = run_batch;
   return command;
 }

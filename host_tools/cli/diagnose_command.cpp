@@ -69,7 +69,7 @@ Command diagnose_command() {
   command.summary = "where and why the model fails: which effect is missing";
   command.example = "fogcomp diagnose gyro.model run.csv --max-effects 4";
   command.options = {
-      {"effect-expr", "NAME = EXPRESSION",
+      {"effect-expr", "EXPR",
        "a candidate of your own beside the catalogue's, e.g. 'burst = T*T*dTdt'", "", true},
       {"static", "RUN", "recording at rest: the noise is taken from there", ""},
       {"max-effects", "N", "add what is found, refit, look again, up to N times", "0"},

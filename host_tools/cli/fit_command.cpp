@@ -181,13 +181,12 @@ Command fit_command() {
   command.most_positionals = kAnyNumber;
   command.summary = "identifies the effects, then trains the network on what they leave";
   command.example =
-      "fogcomp fit run.csv -o gyro.model --effects bias,bias_temperature:order=2,temperature_rate "
-      "--network 6";
+      "fogcomp fit run.csv -o gyro.model --effects bias,bias_temperature,temperature_rate";
   command.options = {{"o", "MODEL", "model file to write", ""}};
   for (Option& option : fit_options()) command.options.push_back(std::move(option));
   command.options.push_back(report_option());
   command.options.push_back({"json", "", "one JSON object on stdout", ""});
-  add_recording_options(command);
+  for (Option& option : rarely(recording_options())) command.options.push_back(std::move(option));
   command.run = run_fit;
   return command;
 }

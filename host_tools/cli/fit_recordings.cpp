@@ -10,6 +10,7 @@
 #include "cli/training_options.hpp"
 #include "dataset/recording_writer.hpp"
 #include "identification/effect_list.hpp"
+#include "model/catalogue.hpp"
 #include "refinement/network_inputs.hpp"
 #include "refinement/training_runs.hpp"
 #include "support/text.hpp"
@@ -20,15 +21,13 @@ namespace {
 
 // Nothing where the rows are to stay as they are.
 std::optional<DenoiseMethod> row_denoising(const Arguments& arguments) {
-  std::vector<std::string> rules = threshold_rule_names();
-  rules.emplace_back("none");
-  const std::string rule = arguments.choice("denoise-rows", rules);
+  const std::string rule = arguments.choice("denoise-rows");
   if (rule == "none") return std::nullopt;
   DenoiseMethod method;
-  method.wavelet = arguments.choice("wavelet", wavelet_names());
+  method.wavelet = arguments.choice("wavelet");
   method.levels = static_cast<int>(arguments.integer("levels", 1, 10));
   method.rule = threshold_rule(rule);
-  method.hard = arguments.choice("mode", {"soft", "hard"}) == "hard";
+  method.hard = arguments.choice("mode") == "hard";
   return method;
 }
 
@@ -55,37 +54,49 @@ Model model_settings(const Arguments& arguments, const std::string& effects) {
   }
   model.average_s = arguments.number("average", 1e-3, 1e6);
   model.derivative_tau_s = arguments.number("derivative-tau", 1e-3, 1e5);
-  model.denoise.wavelet = arguments.choice("wavelet", wavelet_names());
+  model.denoise.wavelet = arguments.choice("wavelet");
   model.denoise.levels = static_cast<int>(arguments.integer("levels", 0, 10));
-  const std::string rule = arguments.choice("threshold", kBoardRules);
+  const std::string rule = arguments.choice("threshold");
   model.denoise.rule = static_cast<fog::ThresholdRule>(
       std::find(kBoardRules.begin(), kBoardRules.end(), rule) - kBoardRules.begin());
-  model.denoise.hard = arguments.choice("mode", {"soft", "hard"}) == "hard";
+  model.denoise.hard = arguments.choice("mode") == "hard";
   return model;
 }
 
 }  // namespace
 
 std::vector<Option> fit_options() {
+  std::vector<std::string> row_rules = threshold_rule_names();
+  row_rules.emplace_back("none");
   std::vector<Option> options{
-      {"model", "NAME", fit_model_help(), ""},
-      {"effects", "LIST", "a,b:p=value,c:p=?[1,9] (? identifies p; fogcomp effects lists them)",
-       ""},
-      {"effect-expr", "NAME = EXPRESSION",
-       "a term of your own, e.g. 'burst = T*T*dTdt' or 'late = lag(T,?tau[60,900]) - T'", "", true},
-      {"inputs", "LIST", "of the network: also lagged_temperature:tau=S, elapsed, input_rate",
-       "temperature,temperature_rate"},
+      {"effects", "LIST", "a,b:p=value,c:p=?[1,9] (? identifies p; fogcomp effects lists them)", "",
+       false, effect_names()},
+      {"effect-expr", "EXPR",
+       "a term of your own: 'burst = T*T*dTdt', 'late = lag(T,?tau[60,900]) - T'", "", true},
+      {"model", "NAME", "a usual one instead of --effects and --network: " + fit_model_list(), "",
+       false, fit_model_names()},
       {"average", "S", "rows of the fit, seconds", "10"},
       {"run-offsets", "", "every recording has a bias of its own; the model keeps the first's", ""},
-      {"derivative-tau", "S", "time constant of the two lags behind dT/dt", "30"},
-      {"wavelet", "NAME", "of the board's denoiser", "sym8"},
-      {"levels", "N", "of the board's denoiser, 0 for none", "5"},
-      {"threshold", "RULE", "of the board: heursure and sqtwolog follow the noise; or fixed",
-       "heursure"},
-      {"mode", "NAME", "soft or hard thresholds", "soft"},
-      {"denoise-rows", "RULE", "denoise what the network is trained on, by heursure, ...", "none"},
   };
   for (Option& option : training_options()) options.push_back(std::move(option));
+  for (Option& option : rarely({
+           {"inputs",
+            "LIST",
+            "of the network: also lagged_temperature:tau=S, elapsed, input_rate",
+            "temperature,temperature_rate",
+            false,
+            {"temperature", "temperature_rate", "lagged_temperature", "elapsed", "input_rate"}},
+           {"derivative-tau", "S", "time constant of the two lags behind dT/dt", "30"},
+           {"wavelet", "NAME", "of the board's denoiser", "sym8", false, wavelet_names()},
+           {"levels", "N", "of the board's denoiser, 0 for none", "5"},
+           {"threshold", "RULE", "of the board: heursure and sqtwolog follow the noise; or fixed",
+            "heursure", false, kBoardRules},
+           {"mode", "NAME", "soft or hard thresholds", "soft", false, {"soft", "hard"}},
+           {"denoise-rows", "RULE", "denoise what the network is trained on, by heursure, ...",
+            "none", false, row_rules},
+       })) {
+    options.push_back(std::move(option));
+  }
   return options;
 }
 

@@ -21,7 +21,7 @@ double earth_rate_dph(const Arguments& arguments) {
   }
   const double latitude_deg = arguments.number("latitude", -90, 90);
   const double up_dph = kEarthRateDph * std::sin(latitude_deg * kRadiansPerDegree);
-  return arguments.choice("axis", {"up", "down"}) == "up" ? up_dph : -up_dph;
+  return arguments.choice("axis") == "up" ? up_dph : -up_dph;
 }
 
 }  // namespace
@@ -31,7 +31,12 @@ std::vector<Option> recording_options() {
       {"scale-factor", "C", "counts per deg/s of a `counts` column or a sensor stream", ""},
       {"skip-bad-rows", "", "leave bad rows out and count them instead of stopping", ""},
       {"latitude", "DEG", "subtract the Earth rate there, for a file without input_rate_dph", ""},
-      {"axis", "up|down", "where the input axis points, with --latitude", "up"},
+      {"axis",
+       "up|down",
+       "where the input axis points, with --latitude",
+       "up",
+       false,
+       {"up", "down"}},
       {"rate", "HZ", "sample rate of a captured sensor stream", "200"},
   };
 }
