@@ -10,7 +10,7 @@ build_packages=(
 # The plots of reports come from npm, whoever has installed it.
 command -v npm >/dev/null || build_packages+=(npm)
 # What the tests need beside that.
-test_packages=(libgtest-dev clang-format chromium)
+test_packages=(libgtest-dev clang-format chromium dpkg-dev man-db)
 
 # What tests/bench/run.sh needs beside the first.
 bench_packages=(libbenchmark-dev)
