@@ -15,6 +15,7 @@
 #include "report/add_report.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
+#include "support/progress.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -148,7 +149,12 @@ int run_add(const Arguments& arguments) {
   for (const std::string& file : arguments.all("holdout")) {
     holdouts.push_back(run_in_blocks(read_recording(file, reading), model.average_s));
   }
-  const Addition addition = add_effect(model, change, training, holdouts, settings);
+  Addition addition;
+  {
+    Progress progress("training");
+    settings.progress = [&](double done) { progress.update(done); };
+    addition = add_effect(model, change, training, holdouts, settings);
+  }
   const bool written = addition.accepted || arguments.has("force");
   if (written) save_model(addition.model, output);
   if (page.wanted()) page.write(report::add_report(addition, words[0], written ? output : ""));

@@ -10,6 +10,7 @@
 #include "identification/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "report/diagnose_report.hpp"
+#include "support/progress.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -44,7 +45,12 @@ int run_diagnose(const Arguments& arguments) {
     settings.noise =
         noise_of_static(model, read_recording(arguments.text("static"), options), data);
   }
-  const Ladder ladder = walk_ladder(model, data, most_effects, settings);
+  Ladder ladder;
+  {
+    Progress progress("diagnosing");
+    settings.progress = [&](double done) { progress.update(done); };
+    ladder = walk_ladder(model, data, most_effects, settings);
+  }
   if (page.wanted()) {
     page.write(report::diagnose_report(ladder, most_effects > 0, data, files));
   }
