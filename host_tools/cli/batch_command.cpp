@@ -165,8 +165,9 @@ batch::Summary write_tables(const Batch& batch, const std::vector<batch::Limit>&
   for (const GyroFolder& gyro : batch.gyros) results.push_back(result_of(batch, gyro));
   batch::Summary summary = summarise(std::move(results), limits);
   write_file(batch.output + "/gyros.csv", csv_text(summary));
-  write_file(batch.output + "/index.html",
-             report::batch_report(summary, batch.input, batch.arguments.has("reports")).html());
+  write_file(batch.output + "/index.html", report::batch_report(summary, batch.input, batch.output,
+                                                                batch.arguments.has("reports"))
+                                               .html());
   return summary;
 }
 
@@ -211,6 +212,7 @@ int run_batch(const Arguments& arguments) {
                            ? static_cast<std::size_t>(arguments.integer("jobs", 1, 1024))
                            : processors;
   settings.time_limit_s = arguments.number("time-limit", 0, 1e7);
+  check_calibration_options(arguments);
   const std::vector<std::string> figures = figure_names(arguments);
   std::vector<batch::Limit> limits;
   if (arguments.has("limits")) {

@@ -63,6 +63,33 @@ Model model_settings(const Arguments& arguments, const std::string& effects) {
   return model;
 }
 
+// All that the options say, before any recording is read.
+struct FitPlan {
+  WantedModel wanted;
+  FitSettings settings;
+  Model model;  // without coefficients
+  ReadOptions reading;
+};
+
+FitPlan plan_fit(const Arguments& arguments) {
+  FitPlan plan;
+  plan.wanted = wanted_model(arguments);
+  FitSettings& settings = plan.settings;
+  settings.identify.run_offsets = arguments.has("run-offsets");
+  settings.row_denoising = row_denoising(arguments);
+  settings.network = plan.wanted.network;
+  settings.force_network = plan.wanted.network_is_the_model || arguments.has("force-network");
+  settings.network_inputs = parse_network_inputs(arguments.text("inputs"));
+  plan.model = model_settings(arguments, plan.wanted.effects);
+  // Runs need these.
+  if (plan.wanted.network.hidden > 0) plan.model.network.inputs = settings.network_inputs;
+  // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
+  plan.reading = read_options(arguments);
+  plan.model.scale_factor = plan.reading.scale_factor.value_or(kDefaultScaleFactor);
+  std::swap(plan.reading.scale_factor, plan.reading.model_scale_factor);
+  return plan;
+}
+
 }  // namespace
 
 std::vector<Option> fit_options() {
@@ -100,25 +127,17 @@ std::vector<Option> fit_options() {
   return options;
 }
 
+void check_fit_options(const Arguments& arguments) {
+  plan_fit(arguments);
+}
+
 Fit fit_recordings(const Arguments& arguments, const std::vector<std::string>& files,
                    OnInterrupt on_interrupt) {
-  const WantedModel wanted = wanted_model(arguments);
-  FitSettings settings;
-  settings.identify.run_offsets = arguments.has("run-offsets");
-  settings.row_denoising = row_denoising(arguments);
-  settings.network = wanted.network;
-  settings.force_network = wanted.network_is_the_model || arguments.has("force-network");
-  settings.network_inputs = parse_network_inputs(arguments.text("inputs"));
-
+  auto [wanted, settings, wanted_terms, reading] = plan_fit(arguments);
   Fit fit;
   Model& model = fit.model;
-  model = model_settings(arguments, wanted.effects);
-  if (wanted.network.hidden > 0) model.network.inputs = settings.network_inputs;  // runs need these
+  model = std::move(wanted_terms);
   fit.searched_steps = searches_steps(model.terms);
-  // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
-  ReadOptions reading = read_options(arguments);
-  model.scale_factor = reading.scale_factor.value_or(kDefaultScaleFactor);
-  std::swap(reading.scale_factor, reading.model_scale_factor);
   TrainingRuns training = read_training_runs(files, reading, model.average_s);
   model.noise_dph_rthz = training.noise_dph_rthz;
   SignalSeries series(model);

@@ -30,6 +30,9 @@ enum class OnInterrupt : std::uint8_t {
 /// Everything that decides what a fit finds: effects, network, rows, denoisers.
 std::vector<Option> fit_options();
 
+/// Throws InputError as fit_recordings() does for the options alone.
+void check_fit_options(const Arguments& arguments);
+
 /// Fits what fit_options() and the options of recordings ask for to `files`. Throws InputError for
 /// options that contradict and for recordings that lack what an effect needs.
 Fit fit_recordings(const Arguments& arguments, const std::vector<std::string>& files,

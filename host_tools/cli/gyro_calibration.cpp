@@ -110,6 +110,11 @@ std::vector<Option> calibration_options() {
   return options;
 }
 
+void check_calibration_options(const Arguments& arguments) {
+  check_fit_options(arguments);
+  board_settings(arguments);
+}
+
 std::string fingerprint_of(const batch::GyroFolder& gyro, const Arguments& arguments) {
   batch::Fingerprint fingerprint;
   fingerprint.add(FOGCOMP_VERSION);

@@ -16,8 +16,10 @@ std::vector<Option> calibration_options();
 /// for a recording that cannot be read.
 std::string fingerprint_of(const batch::GyroFolder& gyro, const Arguments& arguments);
 
-/// Every figure that a gyro can have with these options, for limits. Throws InputError for effects
-/// that do not exist.
+/// Throws InputError for options that no gyro can be calibrated with.
+void check_calibration_options(const Arguments& arguments);
+
+/// Every figure that a gyro can have with these options, for limits.
 std::vector<std::string> figure_names(const Arguments& arguments);
 
 /// fit, compare on the hold-outs, export: model, header and, with --reports, report.html in

@@ -36,6 +36,19 @@ std::string limits_of(const std::string& figure, const std::vector<Limit>& limit
   return text.empty() ? "-" : text;
 }
 
+// What an engineer would do with the first that fails.
+void add_next(Report& report, const Summary& summary, const std::string& input,
+              const std::string& output) {
+  const auto failing =
+      std::find_if(summary.gyros.begin(), summary.gyros.end(),
+                   [](const Summary::Gyro& gyro) { return gyro.outcome == Outcome::fail; });
+  if (failing == summary.gyros.end()) return;
+  const std::string& name = failing->result.gyro;
+  report.next("ask which effect " + name + " has that the others have not.",
+              "fogcomp diagnose " + output + "/" + name + "/" + name + ".model " + input + "/" +
+                  name + "/*");
+}
+
 void add_rejected(Report& report, const Summary& summary, bool reports) {
   Table table{{"gyro", "outcome", "reason"}, {}, {}};
   for (const Summary::Gyro& gyro : summary.gyros) {
@@ -130,8 +143,10 @@ void add_all(Report& report, const Summary& summary, bool reports) {
 
 }  // namespace
 
-Report batch_report(const Summary& summary, const std::string& input, bool reports) {
-  Report report("fogcomp batch " + input, headline(summary) + ".");
+Report batch_report(const Summary& summary, const std::string& input, const std::string& output,
+                    bool reports) {
+  Report report("fogcomp batch " + input + " -o " + output, headline(summary) + ".");
+  add_next(report, summary, input, output);
   add_rejected(report, summary, reports);
   if (!summary.figures.empty()) {
     add_spread(report, summary);

@@ -233,6 +233,10 @@ echo 'temperature_rate.k <= 0.2' >limits
 lot "^limits:1: .*did you mean 'temperature_rate.K'" lot -o results --limits limits
 lot '^missing: ' lot -o results --limits missing
 lot '^kept: cannot be made' lot -o kept
+lot "^fogcomp batch: --network '40' is not a number from 0 to 32" lot -o results --network 40
+lot "^fogcomp batch: --wavelet 'sym88' is not one of" lot -o results --wavelet sym88
+lot '^--axis: means nothing without --latitude' lot -o results --axis down
+lot "^fogcomp batch: --sample-rate 'fast'" lot -o results --sample-rate fast
 refuses "^effect 'biass': .*did you mean 'bias'" batch lot -o results --effects biass
 
 # A header for another layout is refused by the compiler.

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# batch.sh FOGCOMP: a lot of gyros is calibrated although one has a bad recording, one has none, one crashes and
+# batch.sh FOGCOMP SOURCE: a lot of gyros is calibrated although one has a bad recording, one has none, one crashes and
 # one hangs; what is done is not done again, what changed is; parts and a merge give the same table; Ctrl-C leaves
 # no half file and no process.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
-fogcomp=$(realpath "${1:?usage: batch.sh FOGCOMP}")
+fogcomp=$(realpath "${1:?usage: batch.sh FOGCOMP SOURCE}")
+submit=$(realpath "$2/host_tools/batch/slurm/submit.sh")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
@@ -69,6 +70,29 @@ for part in 1/2 2/2; do batch 0 gyros -o parts --shard "$part"; done
 [[ ! -e parts/gyros.csv ]] || fail "a part wrote the table"
 batch 0 gyros -o parts --merge
 cmp whole/gyros.csv parts/gyros.csv
+
+# The same as a job array, with an sbatch that does at once what it is given.
+mkdir bin
+cat >bin/sbatch <<'END'
+#!/usr/bin/env bash
+set -euo pipefail
+cat >job.sh
+tasks=0
+for word in "$@"; do
+  [[ $word == --array=1-* ]] && tasks=${word#--array=1-}
+done
+[[ $1 != --cpus-per-task=* ]] || export SLURM_CPUS_PER_TASK=${1#*=}
+((tasks > 0)) || exec bash job.sh >merge.txt
+for ((task = 1; task <= tasks; ++task)); do
+  SLURM_ARRAY_TASK_ID=$task SLURM_ARRAY_TASK_MAX=$tasks bash job.sh >&2
+done
+echo 17
+END
+chmod +x bin/sbatch
+PATH=$PWD/bin:$PATH FOGCOMP=$fogcomp SBATCH_OPTIONS="--cpus-per-task=2 --partition=lab" \
+  "$submit" 2 gyros array "${options[@]:0:2}" >said.txt 2>tasks.txt || fail "$(cat tasks.txt)"
+grep -q '^part 2/2: 1 gyros calibrated' tasks.txt || fail "$(cat tasks.txt)"
+cmp whole/gyros.csv array/gyros.csv
 rm parts/A2/result.txt
 batch 1 gyros -o parts --merge
 says '^  A2 +error +not calibrated'
