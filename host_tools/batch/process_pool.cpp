@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
+#include <exception>
 #include <vector>
 
 #include "support/input_error.hpp"
@@ -57,6 +58,19 @@ class WatchedSignals {
   sigset_t before_;
 };
 
+// The child must not go on as a second parent.
+[[noreturn]] void run_and_exit(const std::function<void(std::size_t)>& work, std::size_t job) {
+  int code = 0;
+  try {
+    work(job);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    code = 1;
+  }
+  std::fflush(nullptr);
+  ::_exit(code);
+}
+
 std::string death_of(const Running& running, int status, double time_limit_s) {
   if (running.overdue) return format("took longer than %g s and was ended", time_limit_s);
   if (WIFSIGNALED(status)) {
@@ -84,9 +98,7 @@ int run_in_processes(std::size_t jobs, const PoolSettings& settings,
     }
     if (process == 0) {
       signals.restore();
-      work(next);
-      std::fflush(nullptr);
-      ::_exit(0);
+      run_and_exit(work, next);
     }
     running.push_back({process, next++, Clock::now()});
   };

@@ -22,7 +22,7 @@ struct PoolEvents {
 
 /// Runs `work(job)` for every job from 0 to `jobs` - 1, each in a child process of this one, which
 /// is a copy of it: whatever happens to one, out of memory included, the others do not notice. What
-/// `work` has to say it writes to files.
+/// `work` has to say it writes to files; what it throws ends its process with code 1.
 ///
 /// SIGINT, SIGTERM or SIGHUP ends the children and the call, which then returns the signal; else 0.
 /// To be called from a program with a single thread.

@@ -4,7 +4,9 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <new>
+#include <set>
 #include <thread>
 
 #include "batch/limits.hpp"
@@ -110,9 +112,22 @@ struct Work {
   std::size_t already = 0;  // were done
   std::size_t done = 0;
   std::size_t errors = 0;
+  std::set<std::string> current;            // gyros whose results are known to be of these inputs
+  std::map<std::string, std::string> lost;  // why a gyro could not even leave a result
 };
 
+// A process that cannot say anything itself is spoken for.
+void record_death(const Batch& batch, const GyroFolder& gyro, const std::string& death,
+                  Work& work) {
+  try {
+    batch::save_result({gyro.name, "", death, {}}, batch.folder_of(gyro));
+  } catch (const InputError& error) {
+    work.lost[gyro.name] = death + "; " + error.what();
+  }
+}
+
 Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
+  Work work;
   std::vector<GyroFolder> to_do;
   {
     Progress progress("looking at recordings");
@@ -122,20 +137,27 @@ Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
         done = is_done(batch, batch.gyros[i]);
       } catch (const InputError&) {  // its own process will say so
       }
-      if (!done) to_do.push_back(batch.gyros[i]);
+      if (done) {
+        work.current.insert(batch.gyros[i].name);
+      } else {
+        to_do.push_back(batch.gyros[i]);
+      }
       progress.update(static_cast<double>(i + 1) / static_cast<double>(batch.gyros.size()));
     }
   }
-  Work work{batch.gyros.size() - to_do.size(), 0, 0};
+  work.already = work.current.size();
   Progress progress("calibrating");
   batch::PoolEvents events;
   events.ended = [&](std::size_t job, const std::string& death) {
     const GyroFolder& gyro = to_do[job];
-    const std::string folder = batch.folder_of(gyro);
-    if (!death.empty()) batch::save_result({gyro.name, "", death, {}}, folder);
-    const auto result = batch::load_result(gyro.name, folder);
+    if (!death.empty()) record_death(batch, gyro, death, work);
+    const auto result = batch::load_result(gyro.name, batch.folder_of(gyro));
     ++work.done;
-    if (!result || !result->error.empty()) ++work.errors;
+    if (result && result->error.empty()) {
+      work.current.insert(gyro.name);
+    } else {
+      ++work.errors;
+    }
   };
   events.tick = [&] {
     progress.update(static_cast<double>(work.done) / static_cast<double>(to_do.size()));
@@ -152,17 +174,25 @@ Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
   return work;
 }
 
-GyroResult result_of(const Batch& batch, const GyroFolder& gyro) {
-  const GyroResult missing{gyro.name, "", "not calibrated with these recordings and options", {}};
-  auto result = batch::load_result(gyro.name, batch.folder_of(gyro));
-  if (!result) return missing;
-  if (!result->error.empty()) return *result;
-  return is_done(batch, gyro) ? *result : missing;
+GyroResult result_of(const Batch& batch, const GyroFolder& gyro, const Work& work) {
+  GyroResult missing{gyro.name, "", "not calibrated with these recordings and options", {}};
+  const auto lost = work.lost.find(gyro.name);
+  if (lost != work.lost.end()) missing.error = lost->second;
+  try {
+    const auto result = batch::load_result(gyro.name, batch.folder_of(gyro));
+    if (!result) return missing;
+    const bool current = work.current.count(gyro.name) > 0 || !result->error.empty();
+    return current || is_done(batch, gyro) ? *result : missing;
+  } catch (const InputError& error) {
+    missing.error = error.what();
+  }
+  return missing;
 }
 
-batch::Summary write_tables(const Batch& batch, const std::vector<batch::Limit>& limits) {
+batch::Summary write_tables(const Batch& batch, const Work& work,
+                            const std::vector<batch::Limit>& limits) {
   std::vector<GyroResult> results;
-  for (const GyroFolder& gyro : batch.gyros) results.push_back(result_of(batch, gyro));
+  for (const GyroFolder& gyro : batch.gyros) results.push_back(result_of(batch, gyro, work));
   batch::Summary summary = summarise(std::move(results), limits);
   write_file(batch.output + "/gyros.csv", csv_text(summary));
   write_file(batch.output + "/index.html", report::batch_report(summary, batch.input, batch.output,
@@ -231,7 +261,7 @@ int run_batch(const Arguments& arguments) {
                 arguments.text("shard").c_str(), work.done, work.already, work.errors);
     return work.errors == 0 ? 0 : 1;
   }
-  const batch::Summary summary = write_tables(batch, limits);
+  const batch::Summary summary = write_tables(batch, work, limits);
   if (arguments.has("json")) {
     print_json(summary, work, batch.output);
   } else {

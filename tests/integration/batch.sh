@@ -64,6 +64,13 @@ says '\(1 calibrated now, 2 before\)'
 batch 0 gyros -o out --average 20
 says '\(3 calibrated now, 0 before\)'
 
+# A gyro whose folder cannot be made does not stop the others either.
+mkdir blocked
+echo "in the way" >blocked/A2
+batch 1 gyros -o blocked
+says '^3 gyros: 2 pass, 0 fail, 1 without a result'
+says '^  A2 +error +its process ended with code 1; blocked/A2/result.txt: cannot be written'
+
 # Parts of the work on several computers, then the table: the same bytes.
 batch 0 gyros -o whole
 for part in 1/2 2/2; do batch 0 gyros -o parts --shard "$part"; done
@@ -100,14 +107,21 @@ says '^  A2 +error +not calibrated'
 # One hangs (its recording is a pipe into which nobody writes) and is ended; one crashes: the rest goes on.
 mkdir gyros/C1
 mkfifo gyros/C1/run.csv
+cp -r whole hang # so that on a slow machine the limit ends nobody else
 batch 1 gyros -o hang --time-limit 1
 says '^  C1 +error +took longer than 1 s'
-says '^4 gyros: 3 pass'
+says '^4 gyros: 3 pass.*\(1 calibrated now, 3 before\)'
 mv gyros/A1 gyros/Z1 # after C1
+
+# only_C1_runs FOLDER: waits until it is the last child of $pool; $child is then its number.
+only_C1_runs() {
+  until [[ -e $1/C1/log.txt && -e $1/Z1/result.txt && $(pgrep -cP "$pool") == 1 ]]; do sleep 0.05; done
+  child=$(pgrep -P "$pool")
+}
 "$fogcomp" batch "${options[@]}" gyros -o crash >said.txt 2>errors.txt &
 pool=$!
-until [[ -e crash/C1/log.txt && -e crash/Z1/result.txt ]]; do sleep 0.05; done
-kill -SEGV "$(pgrep -P "$pool")"
+only_C1_runs crash
+kill -SEGV "$child"
 wait "$pool" && fail "exit code 0 with a crash"
 says '^  C1 +error +its process died of signal 11'
 says '^4 gyros: 3 pass'
@@ -115,8 +129,7 @@ says '^4 gyros: 3 pass'
 # Ctrl-C (env: a shell that is not interactive has it ignored in the background).
 env --default-signal=INT "$fogcomp" batch "${options[@]}" gyros -o stopped >said.txt 2>errors.txt &
 pool=$!
-until [[ -e stopped/C1/log.txt && -e stopped/Z1/result.txt ]]; do sleep 0.05; done
-child=$(pgrep -P "$pool")
+only_C1_runs stopped
 kill -INT "$pool"
 status=0
 wait "$pool" || status=$?
