@@ -1,6 +1,6 @@
 # Cortex-M4, soft-float calling convention: the firmware is integer-only, so the FPU stays off.
 set(CMAKE_SYSTEM_NAME Generic)
-set(CMAKE_SYSTEM_PROCESSOR cortex-m4)
+set(CMAKE_SYSTEM_PROCESSOR cortex_m) # a folder of firmware/platform
 
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)

@@ -3,8 +3,8 @@
 #include "app/pipeline.hpp"
 #include "hal/rate_sink.hpp"
 #include "platform/board.hpp"
-#include "platform/cortex_m/semihosting.hpp"
 #include "platform/instruction_counter.hpp"
+#include "platform/shared/semihosting.hpp"
 #include "platform/text_line.hpp"
 
 // What the drift model costs: ticks of the timer (in QEMU: instructions) for one block, over a

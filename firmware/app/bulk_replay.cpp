@@ -2,11 +2,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "app/crash_line.hpp"
 #include "app/pipeline.hpp"
 #include "hal/rate_sink.hpp"
 #include "platform/board.hpp"
-#include "platform/cortex_m/semihosting.hpp"
-#include "platform/cortex_m/stack.hpp"
+#include "platform/shared/semihosting.hpp"
+#include "platform/shared/stack.hpp"
 #include "platform/text_line.hpp"
 
 // The product's pipeline on the board's processor, fed from a file instead of a line: whole
@@ -19,7 +20,7 @@ namespace semihosting = platform::semihosting;
 // Large, because every call stops the emulator: its cost is per call, not per byte.
 constexpr std::size_t kChunkBytes = 16384;
 
-enum ExitStatus : std::uint32_t { kDone = 0, kNoInput = 1, kNoOutput = 2 };
+enum ExitStatus : std::uint32_t { kDone = 0, kNoInput = 1, kNoOutput = 2, kCrashed = 3 };
 
 [[noreturn]] void give_up(const char* reason, ExitStatus status) {
   hal::write_console(reason);
@@ -83,6 +84,10 @@ void replay(semihosting::File input, semihosting::File output_file) {
 
 void run() {
   platform::start_board();
+  // Else a replay that crashes would begin anew for ever.
+  if (announce_crash(hal::reset_report().last_crash)) {
+    give_up("bulk replay: crashed\r\n", kCrashed);
+  }
   pipeline().image_proof() = ImageProof::not_needed();  // nobody flies a replay
   const semihosting::File input = semihosting::open("in.bin", semihosting::Mode::kRead);
   if (input == semihosting::kNoFile) give_up("bulk replay: no in.bin here\r\n", kNoInput);

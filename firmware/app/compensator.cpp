@@ -2,10 +2,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "app/crash_line.hpp"
 #include "app/health.hpp"
+#include "app/own_temperature.hpp"
 #include "app/pipeline.hpp"
 #include "hal/clock.hpp"
 #include "hal/rate_sink.hpp"
+#include "hal/reset_report.hpp"
 #include "hal/sample_source.hpp"
 #include "hal/watchdog.hpp"
 #include "platform/board.hpp"
@@ -15,15 +18,18 @@
 namespace fog::app {
 namespace {
 
-// The second line says whether the weights are good, the third whether the image is. Without them
-// the board still answers every sample, with a rate that is not valid: a user sees a fault rather
-// than silence.
-void announce(const platform::BoardDescription& board) {
+// The last but one line says whether the weights are good, the last whether the image is. Without
+// them the board still answers every sample, with a rate that is not valid: a user sees a fault
+// rather than silence.
+void announce(const platform::BoardDescription& board, const hal::ResetReport& reset) {
   platform::TextLine line;
   line.text("fogcomp ").text(board.name).text(" ready, clock ").decimal(board.core_clock_hz);
-  line.text(" Hz, reset cause ").text(board.reset_cause);
+  line.text(" Hz, reset cause ").text(describe(reset.cause));
   line.text(", clock from ").text(board.clock_source).text("\r\n");
   hal::write_console(line.c_str());
+  if (board.clock_is_fallback) hal::write_console("FALLBACK CLOCK\r\n");
+  if (!board.restarts_when_power_dips) hal::write_console("NO BROWN-OUT RESET\r\n");
+  announce_crash(reset.last_crash);
   platform::TextLine weights;
   weights.text("model ").hex(model().parameters.provenance).text(": ");
   hal::write_console(weights.text(describe(model().error)).text("\r\n").c_str());
@@ -44,7 +50,7 @@ void test_on() {
 
 void send_compensated(std::uint8_t byte) {
   std::array<std::uint8_t, kMostOutputBytes> frames;
-  const std::size_t size = pipeline().feed(byte, frames.data());
+  const std::size_t size = pipeline().feed(byte, frames.data(), with_own_temperature);
   if (size == 0) return;
   hal::write_output_stream(frames.data(), size);
   count_health(pipeline().last());
@@ -56,7 +62,8 @@ void send_compensated(std::uint8_t byte) {
 void run() {
   platform::start_board();
   self_test().run_all();
-  announce(platform::describe_board());
+  announce(platform::describe_board(), hal::reset_report());
+  start_own_thermometer();
   hal::start_watchdog();
   std::array<std::uint8_t, 64> chunk;
   for (;;) {
@@ -65,6 +72,7 @@ void run() {
     for (std::size_t i = 0; i < size; ++i) send_compensated(chunk[i]);
     answer_requests();
     if (hal::milliseconds() - tested_ms >= kIdleMs) test_on();
+    advance_own_thermometer();
     hal::kick_watchdog();  // here and nowhere else: kicked means that the loop went round
   }
 }

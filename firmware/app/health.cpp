@@ -6,8 +6,8 @@
 #include "core/health/health_request.hpp"
 #include "hal/rate_sink.hpp"
 #include "hal/request_source.hpp"
-#include "platform/board.hpp"
-#include "platform/cortex_m/stack.hpp"
+#include "hal/reset_report.hpp"
+#include "platform/shared/stack.hpp"
 
 namespace fog::app {
 namespace {
@@ -27,7 +27,7 @@ HealthRecord health_now() {
   record.memory_passes = self_test().memory_passes();
   record.stack_bytes = static_cast<std::uint16_t>(platform::stack_bytes_reserved());
   record.stack_unused_bytes = static_cast<std::uint16_t>(platform::stack_bytes_unused());
-  const char* cause = platform::describe_board().reset_cause;
+  const char* cause = describe(hal::reset_report().cause);
   for (std::size_t i = 0; i + 1 < record.reset_cause.size() && cause[i] != '\0'; ++i) {
     record.reset_cause[i] = cause[i];
   }

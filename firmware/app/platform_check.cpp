@@ -2,13 +2,16 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "app/crash_line.hpp"
 #include "hal/clock.hpp"
 #include "hal/rate_sink.hpp"
+#include "hal/reset_report.hpp"
 #include "hal/watchdog.hpp"
 #include "platform/board.hpp"
-#include "platform/cortex_m/semihosting.hpp"
-#include "platform/cortex_m/stack.hpp"
 #include "platform/cortex_m/system_control.hpp"
+#include "platform/shared/linker_symbols.hpp"
+#include "platform/shared/semihosting.hpp"
+#include "platform/shared/stack.hpp"
 #include "platform/text_line.hpp"
 
 // Checks what only the target can show: that start-up prepares memory, and that whatever goes wrong
@@ -16,14 +19,6 @@
 // over each restart how far it got, and exits by semihosting: 0, or 1 after naming what failed.
 namespace fog::app {
 namespace {
-
-bool same(const char* left, const char* right) {
-  while (*left != '\0' && *left == *right) {
-    ++left;
-    ++right;
-  }
-  return *left == *right;
-}
 
 void say(const char* what, const char* result) {
   platform::TextLine line;
@@ -55,6 +50,29 @@ void check_stack_and_tick() {
   say("the millisecond tick runs", "ok");
 }
 
+// ---- progress over the restarts ----
+
+struct Progress {
+  std::uint32_t steps;
+  std::uint32_t complement;
+  std::uint32_t hung_at_ms;
+};
+[[gnu::noinit]] Progress progress;
+
+std::uint32_t steps_taken() {
+  return progress.steps == ~progress.complement ? progress.steps : 0;
+}
+
+void count_steps(std::uint32_t steps) {
+  progress.steps = steps;
+  progress.complement = ~steps;
+}
+
+[[noreturn]] void finish() {
+  count_steps(0);
+  platform::semihosting::exit(0);
+}
+
 // ---- failures ----
 
 void execute_undefined_instruction() {
@@ -76,6 +94,22 @@ void overflow_stack() {
   exhaust_stack(1);
 }
 
+void touch_guard() {
+  *static_cast<volatile std::uint32_t*>(fog_stack_guard) = 0;
+}
+
+// 4770 is "bx lr": were it executed, the check would go on and fail.
+void execute_from_ram() {
+  static volatile std::uint16_t code = 0x4770;
+  const auto thumb = reinterpret_cast<std::uintptr_t>(&code) | 1U;
+  reinterpret_cast<void (*)()>(thumb)();
+}
+
+void write_to_image() {
+  volatile std::uint8_t* image = const_cast<std::uint8_t*>(fog_image_start);
+  *image = 0;
+}
+
 // The highest line of both parts: nothing is connected to it here.
 void raise_unused_interrupt() {
   constexpr std::uint32_t kUnused = 31;
@@ -84,44 +118,67 @@ void raise_unused_interrupt() {
   asm volatile("isb");
 }
 
-// The emulated STM32 has no watchdog: there this returns, which is said, and the next step follows.
-void stop_kicking_watchdog() {
+// The emulated STM32 has no watchdog: there this returns, which is said, and the check ends.
+void stop_main_loop() {
   hal::start_watchdog();
   const std::uint32_t start_ms = hal::milliseconds();
+  progress.hung_at_ms = start_ms;
   while (hal::milliseconds() - start_ms < 5000) hal::wait_for_event();
   say("the watchdog", "ABSENT");
-  platform::restart_board();
+  finish();
 }
+
+void stop_everything() {
+  hal::start_watchdog();
+  asm volatile("cpsid i");
+  for (;;) {
+  }
+}
+
+constexpr std::uint32_t kHardFault = 3;
+constexpr std::uint32_t kUnusedInterrupt = 16 + 31;
+constexpr std::uint32_t kWatchdogNmi = 2;  // where the watchdog warns before it resets
+constexpr std::uint32_t kAny = 0;
+
+using hal::ResetCause;
 
 struct Step {
   const char* name;
   void (*fail)();
-  const char* reset_cause;
+  ResetCause cause;
+  std::uint32_t exception;  ///< that the crash record must name
 };
 
 constexpr Step kSteps[] = {
-    {"an undefined instruction restarts", execute_undefined_instruction, "fault"},
-    {"a division by zero restarts", divide_by_zero, "fault"},
-    {"a stack overflow restarts", overflow_stack, "fault"},
-    {"an unused interrupt restarts", raise_unused_interrupt, "fault"},
-    {"a request restarts", platform::restart_board, "request"},
+    {"an undefined instruction", execute_undefined_instruction, ResetCause::fault, kHardFault},
+    {"a division by zero", divide_by_zero, ResetCause::fault, kHardFault},
+    {"a stack overflow", overflow_stack, ResetCause::fault, kHardFault},
+    {"a write below the stack", touch_guard, ResetCause::fault, kHardFault},
+    {"code in RAM", execute_from_ram, ResetCause::fault, kHardFault},
+    {"a write to the image", write_to_image, ResetCause::fault, kHardFault},
+    {"an unused interrupt", raise_unused_interrupt, ResetCause::fault, kUnusedInterrupt},
+    {"a request", platform::restart_board, ResetCause::request, kUnusedInterrupt},  // the last one
+    {"a main loop that stops", stop_main_loop, ResetCause::watchdog, kAny},
+    {"a processor that hangs with interrupts off", stop_everything, ResetCause::watchdog, kAny},
 };
 constexpr std::uint32_t kStepCount = sizeof kSteps / sizeof kSteps[0];
 
-// ---- progress over the restarts ----
-
-struct Progress {
-  std::uint32_t steps;
-  std::uint32_t complement;
-};
-[[gnu::noinit]] Progress progress;
-
-std::uint32_t steps_taken() {
-  return progress.steps == ~progress.complement ? progress.steps : 0;
-}
-
-void count_steps(std::uint32_t steps) {
-  progress = {steps, ~steps};
+void check_restart(const Step& step) {
+  const hal::ResetReport& report = hal::reset_report();
+  announce_crash(report.last_crash);
+  const bool recorded = step.exception == kAny || report.last_crash.exception == step.exception;
+  require(report.cause == step.cause && recorded, step.name);
+  if (step.fail == touch_guard) {
+    const auto guard = reinterpret_cast<std::uintptr_t>(fog_stack_guard);
+    require(report.last_crash.fault_address == guard, "the crash record has the fault's address");
+  }
+  if (step.fail == stop_main_loop && report.last_crash.exception == kWatchdogNmi) {
+    const std::uint32_t elapsed_ms = report.last_crash.uptime_ms - progress.hung_at_ms;
+    platform::TextLine line;
+    line.text("check: from hang to restart: ").decimal(elapsed_ms).text(" ms\r\n");
+    hal::write_console(line.c_str());
+    require(elapsed_ms <= 100, "the watchdog bites within 100 ms");
+  }
 }
 
 }  // namespace
@@ -131,18 +188,13 @@ void run() {
   check_memory();
   const std::uint32_t taken = steps_taken();
   if (taken == 0) check_stack_and_tick();
-  if (taken > 0 && taken <= kStepCount) {
-    const Step& last = kSteps[taken - 1];
-    require(same(platform::describe_board().reset_cause, last.reset_cause), last.name);
-  }
+  if (taken > 0 && taken <= kStepCount) check_restart(kSteps[taken - 1]);
+  if (taken >= kStepCount) finish();
   count_steps(taken + 1);
-  if (taken < kStepCount) {
-    kSteps[taken].fail();
-    require(false, kSteps[taken].name);
-  }
-  if (taken == kStepCount) stop_kicking_watchdog();
-  count_steps(0);
-  platform::semihosting::exit(0);
+  say("provoking", kSteps[taken].name);
+  kSteps[taken].fail();
+  say(kSteps[taken].name, "FAILED: the check went on");
+  platform::semihosting::exit(1);
 }
 
 }  // namespace fog::app

@@ -6,8 +6,8 @@
 #include "app/pipeline.hpp"
 #include "hal/rate_sink.hpp"
 #include "platform/board.hpp"
-#include "platform/cortex_m/semihosting.hpp"
 #include "platform/instruction_counter.hpp"
+#include "platform/shared/semihosting.hpp"
 #include "platform/text_line.hpp"
 
 // What in.bin costs the product, as instructions: mean and most of the bytes that complete a sample

@@ -9,7 +9,8 @@ struct BoardDescription {
   const char* name;
   std::uint32_t core_clock_hz;
   const char* clock_source;
-  const char* reset_cause;
+  bool clock_is_fallback;  ///< neither the clock nor the speed that the board is meant to have
+  bool restarts_when_power_dips;  ///< the brown-out reset is on, so far as the board can tell
 };
 
 /// Clocks, ports and the millisecond tick: after it everything in hal/ works, except that the

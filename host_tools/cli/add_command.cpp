@@ -15,6 +15,7 @@
 #include "report/add_report.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
+#include "support/progress.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -148,7 +149,12 @@ int run_add(const Arguments& arguments) {
   for (const std::string& file : arguments.all("holdout")) {
     holdouts.push_back(run_in_blocks(read_recording(file, reading), model.average_s));
   }
-  const Addition addition = add_effect(model, change, training, holdouts, settings);
+  Addition addition;
+  {
+    Progress progress("training");
+    settings.progress = [&](double done) { progress.update(done); };
+    addition = add_effect(model, change, training, holdouts, settings);
+  }
   const bool written = addition.accepted || arguments.has("force");
   if (written) save_model(addition.model, output);
   if (page.wanted()) page.write(report::add_report(addition, words[0], written ? output : ""));
@@ -173,7 +179,7 @@ Command add_command() {
       "fogcomp add gyro.model thermal_lag run.csv --holdout reversed.csv -o better.model";
   command.options = {
       {"o", "MODEL", "model file to write", ""},
-      {kExpression, "NAME = EXPRESSION",
+      {kExpression, "EXPR",
        "a term of your own instead of EFFECT, e.g. 'burst = T*T*dTdt' or 'x = tanh(T/?w[2,30])'",
        ""},
       {"holdout", "RUN", "a run to judge by instead of leaving parts out; may be repeated", "",
@@ -185,6 +191,7 @@ Command add_command() {
       {"json", "", "one JSON object on stdout", ""},
   };
   add_recording_options(command);
+  command.words = effect_names();
   command.run = run_add;
   return command;
 }

@@ -9,10 +9,6 @@
 namespace fogcomp::cli {
 namespace {
 
-std::string dashed(const std::string& name) {
-  return (name.size() == 1 ? "-" : "--") + name;
-}
-
 const Option* find_option(const Command& command, const std::string& name) {
   const auto found = std::find_if(command.options.begin(), command.options.end(),
                                   [&](const Option& option) { return option.name == name; });
@@ -111,9 +107,9 @@ std::int64_t Arguments::integer(const std::string& name, std::int64_t least,
   return static_cast<std::int64_t>(value);
 }
 
-std::string Arguments::choice(const std::string& name,
-                              const std::vector<std::string>& allowed) const {
+std::string Arguments::choice(const std::string& name) const {
   const std::string value = text(name);
+  const std::vector<std::string>& allowed = require_option(command_, name).words;
   if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return value;
   std::string list;
   for (const std::string& word : allowed) list += (list.empty() ? "" : ", ") + word;

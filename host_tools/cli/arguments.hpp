@@ -30,8 +30,8 @@ class Arguments {
   /// A finite number in [least, most]; throws InputError naming option and range.
   double number(const std::string& name, double least, double most) const;
   std::int64_t integer(const std::string& name, std::int64_t least, std::int64_t most) const;
-  /// A value out of `allowed`; throws InputError that lists them.
-  std::string choice(const std::string& name, const std::vector<std::string>& allowed) const;
+  /// One of the option's words; throws InputError that lists them.
+  std::string choice(const std::string& name) const;
   /// A value that must be there; throws InputError naming the option.
   std::string required(const std::string& name) const;
 

@@ -1,27 +1,92 @@
 #include "cli/command.hpp"
 
+#include <algorithm>
+
+#include "support/input_error.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
+namespace {
+
+constexpr std::size_t kLeftColumn = 22;
+constexpr std::size_t kMostColumns = 100;
+
+// Words in lines of at most kMostColumns, all but the first indented.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  std::string lines;
+  std::size_t column = indent;
+  for (const std::string& word : split(text, ' ')) {
+    if (column + word.size() > kMostColumns && column > indent) {
+      lines.back() = '\n';
+      lines += std::string(indent, ' ');
+      column = indent;
+    }
+    lines += word + " ";
+    column += word.size() + 1;
+  }
+  if (!lines.empty()) lines.pop_back();
+  return lines;
+}
+
+std::string option_text(const Option& option) {
+  std::string left = "  " + dashed(option.name);
+  if (!option.value_name.empty()) left += " " + option.value_name;
+  std::string right = option.help;
+  if (!option.default_value.empty()) right += " [" + option.default_value + "]";
+  const std::size_t indent = kLeftColumn + 2;
+  if (left.size() < indent) {
+    left.resize(indent, ' ');
+  } else {
+    left += "\n" + std::string(indent, ' ');
+  }
+  return left + wrapped(right, indent) + "\n";
+}
+
+}  // namespace
 
 const std::vector<Command>& all_commands() {
   static const std::vector<Command> commands{
-      simulate_command(), info_command(),   denoise_command(), fit_command(),     compare_command(),
-      diagnose_command(), add_command(),    history_command(), effects_command(), export_command(),
-      stream_command(),   replay_command(), health_command(),  paper_command()};
+      simulate_command(), info_command(),     denoise_command(),    fit_command(),
+      compare_command(),  diagnose_command(), add_command(),        history_command(),
+      effects_command(),  export_command(),   stream_command(),     replay_command(),
+      health_command(),   batch_command(),    paper_command(),      completion_command(),
+      man_command()};
   return commands;
 }
 
-std::string help_text(const Command& command) {
+const Command& find_command(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Command& command : all_commands()) {
+    if (command.name == name) return command;
+    names.push_back(command.name);
+  }
+  throw InputError("fogcomp", "no command '" + name + "'" + did_you_mean(name, names) +
+                                  "; fogcomp --help lists them");
+}
+
+std::vector<Option> rarely(std::vector<Option> options) {
+  for (Option& option : options) option.rare = true;
+  return options;
+}
+
+std::string dashed(const std::string& option_name) {
+  return (option_name.size() == 1 ? "-" : "--") + option_name;
+}
+
+std::string help_text(const Command& command, bool complete) {
   std::string text = "fogcomp " + command.name + " - " + command.summary + "\n\n";
   text += "usage: fogcomp " + command.name +
           (command.positionals.empty() ? "" : " " + command.positionals) + " [options]\n\n";
+  std::string further;
   for (const Option& option : command.options) {
-    std::string left = (option.name.size() == 1 ? "-" : "--") + option.name;
-    if (!option.value_name.empty()) left += " " + option.value_name;
-    std::string right = option.help;
-    if (!option.default_value.empty()) right += " [" + option.default_value + "]";
-    text += format("  %-24s %s\n", left.c_str(), right.c_str());
+    if (complete || !option.rare) {
+      text += option_text(option);
+    } else {
+      further += " " + dashed(option.name);
+    }
+  }
+  if (!further.empty()) {
+    text += "  " + wrapped("more (fogcomp help " + command.name + "):" + further, 4) + "\n";
   }
   text += "\nexample: " + command.example + "\n";
   return text;

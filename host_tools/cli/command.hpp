@@ -14,7 +14,14 @@ struct Option {
   std::string help;           ///< one line
   std::string default_value;  ///< "" where there is none
   bool repeatable = false;    ///< may be given several times
+  /// Its values, as far as they can be listed: completion offers them, Arguments::choice() demands
+  /// one of them.
+  std::vector<std::string> words{};
+  bool rare = false;  ///< in `fogcomp help COMMAND` and the manual, not in --help
 };
+
+/// The same options, left out of --help, which is to fit a screen.
+std::vector<Option> rarely(std::vector<Option> options);
 
 /// One `fogcomp COMMAND`: what its help, its completion and its parser are made from.
 struct Command {
@@ -25,6 +32,7 @@ struct Command {
   std::string summary;  ///< one line
   std::string example;  ///< one command line that works
   std::vector<Option> options;
+  std::vector<std::string> words{};  ///< positionals that are no files, for completion
   /// Returns the exit code: 0 done, 1 the answer is no. Bad input throws InputError (exit code 2).
   int (*run)(const Arguments&) = nullptr;
 };
@@ -32,7 +40,9 @@ struct Command {
 constexpr std::size_t kAnyNumber = 1000;
 
 Command add_command();
+Command batch_command();
 Command compare_command();
+Command completion_command();
 Command denoise_command();
 Command diagnose_command();
 Command effects_command();
@@ -41,6 +51,7 @@ Command fit_command();
 Command health_command();
 Command history_command();
 Command info_command();
+Command man_command();
 Command paper_command();
 Command replay_command();
 Command simulate_command();
@@ -49,7 +60,14 @@ Command stream_command();
 /// Every command, in the order in which a user meets them.
 const std::vector<Command>& all_commands();
 
-/// The text of `fogcomp COMMAND --help`.
-std::string help_text(const Command& command);
+/// The command of that name. Throws InputError naming the nearest.
+const Command& find_command(const std::string& name);
+
+/// "--name", "-o"
+std::string dashed(const std::string& option_name);
+
+/// What `fogcomp COMMAND --help` prints: a screen. `complete`: `fogcomp help COMMAND`, with every
+/// option.
+std::string help_text(const Command& command, bool complete);
 
 }  // namespace fogcomp::cli

@@ -17,7 +17,7 @@ namespace {
 std::vector<ModelOnRuns> load_models(const Arguments& arguments) {
   std::vector<std::string> files{arguments.positionals()[0]};
   for (const std::string& file : arguments.all("model")) files.push_back(file);
-  const bool physics_alone = arguments.choice("network", {"on", "off"}) == "off";
+  const bool physics_alone = arguments.choice("network") == "off";
   std::vector<ModelOnRuns> models;
   for (const std::string& file : files) {
     models.push_back({file, load_model(file), {}});
@@ -71,7 +71,7 @@ Command compare_command() {
       {"details", "", "effects, dependences, Allan deviation, autocorrelation", ""},
       {"average", "S", "rows of the residual, seconds (default: as the first model was fitted)",
        ""},
-      {"network", "on|off", "off shows the physical effects alone", "on"},
+      {"network", "on|off", "off shows the physical effects alone", "on", false, {"on", "off"}},
       report_option(),
       {"json", "", "one JSON object on stdout", ""},
   };

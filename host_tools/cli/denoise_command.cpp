@@ -12,6 +12,7 @@
 #include "dataset/recording.hpp"
 #include "dataset/segments.hpp"
 #include "support/json.hpp"
+#include "support/progress.hpp"
 #include "support/text.hpp"
 #include "wavelet/denoise_parts.hpp"
 
@@ -61,7 +62,14 @@ void write_recording(const Recording& recording, const std::string& path) {
   }
   RecordingWriter writer(path, RecordingFormat::csv, columns, kDefaultScaleFactor,
                          kDefaultStreamRateHz);
-  writer.append(values, recording.rows());
+  Progress progress("writing " + path);
+  constexpr std::size_t kRowsAtOnce = 100'000;
+  for (std::size_t first = 0; first < recording.rows(); first += kRowsAtOnce) {
+    const std::size_t rows = std::min(kRowsAtOnce, recording.rows() - first);
+    writer.append(values, rows);
+    for (const double*& column : values) column += rows;
+    progress.update(static_cast<double>(first + rows) / static_cast<double>(recording.rows()));
+  }
   writer.commit();
 }
 

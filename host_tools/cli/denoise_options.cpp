@@ -16,18 +16,23 @@ void refuse(const Arguments& arguments, const std::string& method, const std::st
 }  // namespace
 
 std::vector<Option> denoise_options() {
-  return {
-      {"method", "NAME",
-       "wavelet; lifting: wavelet (2,2) in lifting form; kalman: smoother, ARMA noise", "wavelet"},
-      {"wavelet", "NAME", "haar, db2 to db10, sym2 to sym10 or coif1 to coif5", "sym8"},
-      {"levels", "N", "of the decomposition, 1 to 20", "5"},
-      {"threshold", "RULE", "heursure, sqtwolog, rigrsure or minimaxi", "heursure"},
-      {"mode", "NAME", "soft or hard thresholds", "soft"}};
+  return {{"method",
+           "NAME",
+           "wavelet; lifting: wavelet (2,2) in lifting form; kalman: smoother, ARMA noise",
+           "wavelet",
+           false,
+           {"wavelet", "lifting", "kalman"}},
+          {"wavelet", "NAME", "haar, db2 to db10, sym2 to sym10 or coif1 to coif5", "sym8", false,
+           wavelet_names()},
+          {"levels", "N", "of the decomposition, 1 to 20", "5"},
+          {"threshold", "RULE", "heursure, sqtwolog, rigrsure or minimaxi", "heursure", false,
+           threshold_rule_names()},
+          {"mode", "NAME", "soft or hard thresholds", "soft", false, {"soft", "hard"}}};
 }
 
 DenoiseMethod denoise_method(const Arguments& arguments) {
   DenoiseMethod method;
-  const std::string name = arguments.choice("method", {"wavelet", "lifting", "kalman"});
+  const std::string name = arguments.choice("method");
   method.by = name == "wavelet"   ? DenoiseBy::wavelet
               : name == "lifting" ? DenoiseBy::lifting
                                   : DenoiseBy::kalman;
@@ -35,10 +40,10 @@ DenoiseMethod denoise_method(const Arguments& arguments) {
   for (const char* option : {"levels", "threshold", "mode"}) {
     refuse(arguments, name, option, method.by == DenoiseBy::kalman);
   }
-  method.wavelet = arguments.choice("wavelet", wavelet_names());
+  method.wavelet = arguments.choice("wavelet");
   method.levels = static_cast<int>(arguments.integer("levels", 1, 20));
-  method.rule = threshold_rule(arguments.choice("threshold", threshold_rule_names()));
-  method.hard = arguments.choice("mode", {"soft", "hard"}) == "hard";
+  method.rule = threshold_rule(arguments.choice("threshold"));
+  method.hard = arguments.choice("mode") == "hard";
   return method;
 }
 

@@ -10,6 +10,7 @@
 #include "identification/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "report/diagnose_report.hpp"
+#include "support/progress.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -44,7 +45,12 @@ int run_diagnose(const Arguments& arguments) {
     settings.noise =
         noise_of_static(model, read_recording(arguments.text("static"), options), data);
   }
-  const Ladder ladder = walk_ladder(model, data, most_effects, settings);
+  Ladder ladder;
+  {
+    Progress progress("diagnosing");
+    settings.progress = [&](double done) { progress.update(done); };
+    ladder = walk_ladder(model, data, most_effects, settings);
+  }
   if (page.wanted()) {
     page.write(report::diagnose_report(ladder, most_effects > 0, data, files));
   }
@@ -69,7 +75,7 @@ Command diagnose_command() {
   command.summary = "where and why the model fails: which effect is missing";
   command.example = "fogcomp diagnose gyro.model run.csv --max-effects 4";
   command.options = {
-      {"effect-expr", "NAME = EXPRESSION",
+      {"effect-expr", "EXPR",
        "a candidate of your own beside the catalogue's, e.g. 'burst = T*T*dTdt'", "", true},
       {"static", "RUN", "recording at rest: the noise is taken from there", ""},
       {"max-effects", "N", "add what is found, refit, look again, up to N times", "0"},

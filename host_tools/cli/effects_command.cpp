@@ -73,6 +73,7 @@ Command effects_command() {
   command.example = "fogcomp effects temperature_rate";
   command.options = {{"json", "", "one JSON object on stdout", ""},
                      {"markdown", "", "the document host_tools/EFFECTS.md", ""}};
+  command.words = effect_names();
   command.run = run_effects;
   return command;
 }

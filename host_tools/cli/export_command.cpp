@@ -3,23 +3,16 @@
 #include <cstdio>
 
 #include "cli/arguments.hpp"
+#include "cli/board_header.hpp"
 #include "cli/board_options.hpp"
-#include "export/header.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
-#include "quantization/verification.hpp"
-#include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
 namespace {
-
-std::string file_name(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  return slash == std::string::npos ? path : path.substr(slash + 1);
-}
 
 // What the board does without, a sentence each.
 std::vector<std::string> left_out(const Model& model) {
@@ -31,37 +24,18 @@ std::vector<std::string> left_out(const Model& model) {
   return notes;
 }
 
-std::uint32_t data_hash(const Model& model) {
-  return model.history.empty() ? 0 : model.history.back().data_hash;
-}
-
 int run_export(const Arguments& arguments) {
   const std::string& model_path = arguments.positionals()[0];
   const std::string output = arguments.required("o");
   const Model model = load_model(model_path);
-  const BoardTable table = make_board_table(model, board_settings(arguments));
-  const fog::ModelParameters parameters = read_board_table(table, model_path);
-  const QuantizationError error = verify_quantization(model, parameters);
-  const NetworkError network = verify_network(model, parameters);
-  if (network.worst_dph > kQuantizationLimitDph && !arguments.has("allow-error")) {
-    throw InputError(
-        model_path,
-        format("the network's integers would be %.4f deg/h off somewhere among its inputs (limit "
-               "%.4f); train it with fewer neurons or another --seed, or give --allow-error",
-               network.worst_dph, kQuantizationLimitDph));
-  }
-  if (error.worst_dph > kQuantizationLimitDph && !arguments.has("allow-error")) {
-    throw InputError(
-        model_path,
-        format("the board's integers would be %.4f deg/h off at %.1f degC, %.1f degC/min "
-               "(limit %.4f); lower the drift's size or give --allow-error",
-               error.worst_dph, error.at_temperature_degc, error.at_temperature_rate,
-               kQuantizationLimitDph));
-  }
-  write_file(output, header_text(table, file_name(model_path), data_hash(model)));
+  const BoardHeader header =
+      board_header(model, model_path, arguments, arguments.has("allow-error"));
+  const QuantizationError& error = header.error;
+  const NetworkError& network = header.network;
+  write_file(output, header.text);
   if (arguments.has("json")) {
     Json result = Json::object();
-    result.set("header", output).set("words", table.words.size());
+    result.set("header", output).set("words", header.words);
     result.set("quantization_error_dph", error.worst_dph).set("blocks_compared", error.blocks);
     Json expressions = Json::array();
     for (const auto& expression : error.expressions) {
@@ -80,7 +54,7 @@ int run_export(const Arguments& arguments) {
   }
   std::printf(
       "%s: %zu words; integers against double: at most %.5f deg/h over %zu blocks (limit %.5f)\n",
-      output.c_str(), table.words.size(), error.worst_dph, error.blocks, kQuantizationLimitDph);
+      output.c_str(), header.words, error.worst_dph, error.blocks, kQuantizationLimitDph);
   for (const auto& expression : error.expressions) {
     std::printf("  %s: at most %.2g deg/h from double there, %.2g by its bound\n",
                 expression.name.c_str(), expression.worst_dph, expression.bound_dph);

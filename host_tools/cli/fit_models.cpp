@@ -78,12 +78,16 @@ WantedModel wanted_model(const Arguments& arguments) {
   return model;
 }
 
-std::string fit_model_help() {
-  std::string names;
-  for (const Preset& preset : kPresets)
-    names += std::string(names.empty() ? "" : ", ") + preset.name;
-  return "instead of --effects and --network: " + names +
-         "; the firmware carries all of these (fogcomp paper compares others)";
+std::vector<std::string> fit_model_names() {
+  std::vector<std::string> names;
+  for (const Preset& preset : kPresets) names.emplace_back(preset.name);
+  return names;
+}
+
+std::string fit_model_list() {
+  std::string list;
+  for (const std::string& name : fit_model_names()) list += (list.empty() ? "" : ", ") + name;
+  return list;
 }
 
 void choose_order(std::vector<EffectTerm>& terms, const Rows& rows) {

@@ -21,8 +21,9 @@ struct WantedModel {
 /// for a model that only `fogcomp paper` has, and where --model and another option contradict.
 WantedModel wanted_model(const Arguments& arguments);
 
-/// "polynomial, ...", for --help.
-std::string fit_model_help();
+/// The names that --model takes; as a list in words.
+std::vector<std::string> fit_model_names();
+std::string fit_model_list();
 
 /// Sets the polynomial's order from 1 to 9 to the one that predicts best what it was not fitted to.
 void choose_order(std::vector<EffectTerm>& terms, const Rows& rows);

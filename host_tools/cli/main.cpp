@@ -17,10 +17,12 @@ namespace {
 
 using fogcomp::cli::all_commands;
 using fogcomp::cli::Command;
+using fogcomp::cli::find_command;
 
 void print_overview() {
   std::puts("fogcomp - finds and removes the temperature drift of a fibre-optic gyro\n");
-  std::puts("usage: fogcomp COMMAND [ARGUMENTS]   (fogcomp COMMAND --help for each)\n");
+  std::puts(
+      "usage: fogcomp COMMAND [ARGUMENTS]   (fogcomp COMMAND --help, fogcomp help COMMAND)\n");
   for (const Command& command : all_commands()) {
     std::printf("  %-10s %s\n", command.name.c_str(), command.summary.c_str());
   }
@@ -28,7 +30,13 @@ void print_overview() {
 }
 
 int run(const std::vector<std::string>& words) {
-  if (words.empty() || words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
+  const bool asks =
+      !words.empty() && (words[0] == "--help" || words[0] == "-h" || words[0] == "help");
+  if (asks && words.size() > 1) {
+    std::fputs(fogcomp::cli::help_text(find_command(words[1]), true).c_str(), stdout);
+    return 0;
+  }
+  if (asks || words.empty()) {
     print_overview();
     return words.empty() ? 2 : 0;
   }
@@ -36,25 +44,16 @@ int run(const std::vector<std::string>& words) {
     std::puts("fogcomp " FOGCOMP_VERSION);
     return 0;
   }
-  const auto& commands = all_commands();
-  const auto command = std::find_if(commands.begin(), commands.end(),
-                                    [&](const Command& c) { return c.name == words[0]; });
-  if (command == commands.end()) {
-    std::vector<std::string> names;
-    for (const Command& c : commands) names.push_back(c.name);
-    throw fogcomp::InputError("fogcomp", "no command '" + words[0] + "'" +
-                                             fogcomp::did_you_mean(words[0], names) +
-                                             "; fogcomp --help lists them");
-  }
+  const Command& command = find_command(words[0]);
   const std::vector<std::string> rest(words.begin() + 1, words.end());
   const bool wants_help = std::any_of(rest.begin(), rest.end(), [](const std::string& word) {
     return word == "--help" || word == "-h";
   });
   if (wants_help) {
-    std::fputs(fogcomp::cli::help_text(*command).c_str(), stdout);
+    std::fputs(fogcomp::cli::help_text(command, false).c_str(), stdout);
     return 0;
   }
-  return command->run(fogcomp::cli::Arguments(*command, rest));
+  return command.run(fogcomp::cli::Arguments(command, rest));
 }
 
 }  // namespace

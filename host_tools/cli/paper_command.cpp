@@ -73,7 +73,7 @@ Command paper_command() {
   command.options = {
       {"gyros", "N", "how many, with seeds from --seed on; tables show the first", "1"},
       {"figures", "DIR", "writes the data of figures 1, 3, 4, 8, 9, 10 there, as CSV", ""},
-      {"models", "LIST", "all, or some of " + names, "all"},
+      {"models", "LIST", "all, or some of " + names, "all", false, model_names()},
       {"epochs", "N", "of backpropagation", "5000"},
       {"iterations", "N", "of swarm and population, before backpropagation", "300"},
       {"seed", "N", "of the first gyro's noise and its networks", "1"},

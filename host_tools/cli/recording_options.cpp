@@ -21,20 +21,28 @@ double earth_rate_dph(const Arguments& arguments) {
   }
   const double latitude_deg = arguments.number("latitude", -90, 90);
   const double up_dph = kEarthRateDph * std::sin(latitude_deg * kRadiansPerDegree);
-  return arguments.choice("axis", {"up", "down"}) == "up" ? up_dph : -up_dph;
+  return arguments.choice("axis") == "up" ? up_dph : -up_dph;
 }
 
 }  // namespace
 
-void add_recording_options(Command& command) {
-  const std::vector<Option> options{
+std::vector<Option> recording_options() {
+  return {
       {"scale-factor", "C", "counts per deg/s of a `counts` column or a sensor stream", ""},
       {"skip-bad-rows", "", "leave bad rows out and count them instead of stopping", ""},
       {"latitude", "DEG", "subtract the Earth rate there, for a file without input_rate_dph", ""},
-      {"axis", "up|down", "where the input axis points, with --latitude", "up"},
+      {"axis",
+       "up|down",
+       "where the input axis points, with --latitude",
+       "up",
+       false,
+       {"up", "down"}},
       {"rate", "HZ", "sample rate of a captured sensor stream", "200"},
   };
-  command.options.insert(command.options.end(), options.begin(), options.end());
+}
+
+void add_recording_options(Command& command) {
+  for (Option& option : recording_options()) command.options.push_back(std::move(option));
 }
 
 ReadOptions read_options(const Arguments& arguments) {

@@ -5,8 +5,9 @@
 
 namespace fogcomp::cli {
 
-/// Gives a command the options of all that read recordings: --scale-factor, --skip-bad-rows,
-/// --latitude, --axis, --rate.
+/// The options of all that read recordings: --scale-factor, --skip-bad-rows, --latitude, --axis,
+/// --rate.
+std::vector<Option> recording_options();
 void add_recording_options(Command& command);
 
 /// Their values. Throws InputError for a value out of range, or --axis without --latitude.

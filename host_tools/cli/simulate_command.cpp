@@ -42,6 +42,12 @@ const std::vector<ExtraColumn>& extra_columns() {
   return columns;
 }
 
+std::vector<std::string> names_of(const std::vector<EmbeddedFile>& files) {
+  std::vector<std::string> names;
+  for (const EmbeddedFile& file : files) names.push_back(file.name);
+  return names;
+}
+
 GyroDescription gyro_from(const Arguments& arguments) {
   GyroDescription gyro;
   const std::string preset = arguments.text("preset");
@@ -63,13 +69,15 @@ GyroDescription gyro_from(const Arguments& arguments) {
   return gyro;
 }
 
+// In the order of simulation::Axis.
+const std::vector<std::string> kAxes{"up", "down", "north", "south", "east", "west"};
+
 EarthRate earth_from(const Arguments& arguments) {
   EarthRate earth;
   if (arguments.has("latitude")) earth.latitude_deg = arguments.number("latitude", -90, 90);
-  const std::vector<std::string> axes{"up", "down", "north", "south", "east", "west"};
-  const std::string axis = arguments.choice("axis", axes);
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (axes[i] == axis) earth.axis = static_cast<Axis>(i);
+  const std::string axis = arguments.choice("axis");
+  for (std::size_t i = 0; i < kAxes.size(); ++i) {
+    if (kAxes[i] == axis) earth.axis = static_cast<Axis>(i);
   }
   return earth;
 }
@@ -135,7 +143,7 @@ int run_simulate(const Arguments& arguments) {
   const std::string profile = arguments.text("profile");
   const Programme programme =
       parse_profile(find_text(profile, ready_made_profiles(), "profile"), profile, options.seed);
-  const bool stream = arguments.choice("format", {"csv", "stream"}) == "stream";
+  const bool stream = arguments.choice("format") == "stream";
   const auto extras = columns_from(
       arguments, !stream && (options.earth.latitude_deg.has_value() || programme.sets_rate));
   const bool input_rate = std::any_of(extras.begin(), extras.end(), [](const ExtraColumn& extra) {
@@ -196,8 +204,10 @@ Command simulate_command() {
   command.example = "fogcomp simulate -o run.csv --profile paper --effect shupe:peak=0.03 --seed 7";
   command.options = {
       {"o", "FILE", "recording to write", ""},
-      {"profile", "NAME|FILE", "chamber programme; --list shows the ready-made ones", "paper"},
-      {"preset", "NAME|FILE", "gyro: paper, tactical, navigation, or none (ideal)", "paper"},
+      {"profile", "NAME|FILE", "chamber programme; --list shows the ready-made ones", "paper",
+       false, names_of(ready_made_profiles())},
+      {"preset", "NAME|FILE", "gyro: paper, tactical, navigation, or none (ideal)", "paper", false,
+       names_of(ready_made_presets())},
       {"rate", "HZ", "rows per second, 0.01 to 1000; a row is the mean over its period", "0.1"},
       {"effect", "NAME[:k=v,...]", "switches an effect on, or changes it or a part of the gyro", "",
        true},
@@ -205,10 +215,16 @@ Command simulate_command() {
       {"noise", "k=v,...|none", "changes the noise: white, flicker, ... (--list)", "", true},
       {"seed", "N", "of all that is random", "1"},
       {"latitude", "DEG", "adds the Earth's rate; without it, it counts as removed", ""},
-      {"axis", "DIRECTION", "of the sensitive axis, where the profile sets none", "up"},
+      {"axis", "DIRECTION", "of the sensitive axis, where the profile sets none", "up", false,
+       kAxes},
       {"columns", "NAME,...", "further columns: temperature2, magnetic, light_power, ..., all", ""},
       {"hide", "FILE", "writes effects, parameters and contributions there, and only there", ""},
-      {"format", "csv|stream", "CSV, or the sensor stream that the board reads", "csv"},
+      {"format",
+       "csv|stream",
+       "CSV, or the sensor stream that the board reads",
+       "csv",
+       false,
+       {"csv", "stream"}},
       {"list", "", "lists profiles, presets, effects and parameters", ""},
       {"json", "", "prints one JSON object", ""},
   };

@@ -16,32 +16,43 @@ std::string trainer_help() {
 }
 
 fog::Activation activation(const Arguments& arguments) {
-  return arguments.choice("activation", {"logsig", "tansig"}) == "logsig" ? fog::Activation::logsig
-                                                                          : fog::Activation::tansig;
+  return arguments.choice("activation") == "logsig" ? fog::Activation::logsig
+                                                    : fog::Activation::tansig;
 }
 
 }  // namespace
 
 std::vector<Option> training_options() {
-  return {
+  std::vector<Option> options{
       {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
-      {"activation", "NAME", "of the hidden neurons: logsig or tansig", "logsig"},
-      {"trainer", "NAME", trainer_help(), "lm"},
-      {"epochs", "N", "of traingdx, pso-bp and ga-bp; steps of lm, at most 200", "5000"},
-      {"goal", "MSE", "training ends at this mean square of the normalised target (not lm)", "0"},
-      {"learning-rate", "R", "of the gradient trainers at their start", "0.05"},
-      {"particles", "N", "of pso-bp; population of ga-bp", "20"},
-      {"iterations", "N", "of the swarm or the population, before backpropagation", "300"},
-      {"force-network", "", "keep the network even if it does not help out of sample", ""},
+      {"trainer", "NAME", trainer_help(), "lm", false, trainer_names()},
       {"seed", "N", "of all that training draws", "1"},
   };
+  for (Option& option : rarely({
+           {"activation",
+            "NAME",
+            "of the hidden neurons: logsig or tansig",
+            "logsig",
+            false,
+            {"logsig", "tansig"}},
+           {"epochs", "N", "of traingdx, pso-bp and ga-bp; steps of lm, at most 200", "5000"},
+           {"goal", "MSE", "training ends at this mean square of the normalised target (not lm)",
+            "0"},
+           {"learning-rate", "R", "of the gradient trainers at their start", "0.05"},
+           {"particles", "N", "of pso-bp; population of ga-bp", "20"},
+           {"iterations", "N", "of the swarm or the population, before backpropagation", "300"},
+           {"force-network", "", "keep the network even if it does not help out of sample", ""},
+       })) {
+    options.push_back(std::move(option));
+  }
+  return options;
 }
 
 NetworkSettings network_settings(const Arguments& arguments) {
   NetworkSettings settings;
   settings.hidden = static_cast<int>(arguments.integer("network", 0, kMostTrainedHidden));
   settings.hidden_activation = activation(arguments);
-  settings.trainer = arguments.choice("trainer", trainer_names());
+  settings.trainer = arguments.choice("trainer");
   TrainerSettings& training = settings.training;
   training.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, 1LL << 53));
   training.epochs = static_cast<int>(arguments.integer("epochs", 1, 1'000'000));

@@ -17,7 +17,7 @@ constexpr std::size_t kBufferBytes = 1U << 20U;
 
 }  // namespace
 
-InputFile::InputFile(std::string path) : path_(std::move(path)) {
+InputFile::InputFile(std::string path) : path_(std::move(path)), progress_("reading " + path_) {
   descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0) {
     throw InputError(path_,
@@ -51,7 +51,9 @@ void InputFile::fill() {
     }
     at_end_ = got == 0;
     end_ += static_cast<std::size_t>(got);
+    read_bytes_ += static_cast<std::size_t>(got);
   }
+  if (size_ > 0) progress_.update(static_cast<double>(read_bytes_) / static_cast<double>(size_));
 }
 
 std::string_view InputFile::peek() {

@@ -5,10 +5,12 @@
 #include <string_view>
 #include <vector>
 
+#include "support/progress.hpp"
+
 namespace fogcomp {
 
-/// A file or pipe read once from start to end through one buffer, by lines or by blocks.
-/// Errors are InputError with the file's name.
+/// A file or pipe read once from start to end through one buffer, by lines or by blocks; a large
+/// one under a progress bar. Errors are InputError with the file's name.
 class InputFile {
  public:
   /// Throws for a missing file, a directory, or one that may not be read.
@@ -45,6 +47,8 @@ class InputFile {
   std::size_t end_ = 0;
   bool at_end_ = false;
   std::size_t line_number_ = 0;
+  std::size_t read_bytes_ = 0;
+  Progress progress_;
 };
 
 }  // namespace fogcomp

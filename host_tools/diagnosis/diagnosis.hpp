@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -87,6 +88,8 @@ std::string effect_to_add(const Diagnosis& diagnosis);
 struct DiagnosisSettings {
   std::optional<NoiseModel> noise;  ///< from a static record; otherwise from the runs' quiet parts
   std::uint64_t seed = 1;           ///< of the draws that calibrate the test
+  /// Told by walk_ladder() how much of the way it has gone at most, 0..1; or empty.
+  std::function<void(double)> progress{};
 };
 
 /// Finds out whether the effects of `model` leave more than noise, and which effect of the

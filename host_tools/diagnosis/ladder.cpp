@@ -52,6 +52,7 @@ Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effec
   ladder.first = diagnose(grown, data, settings);
   ladder.last = ladder.first;
   for (int i = 0; i < most_effects; ++i) {
+    if (settings.progress) settings.progress((i + 1.0) / (most_effects + 1.0));
     const std::string effect = effect_to_add(ladder.last);
     if (effect.empty()) break;
     Ladder::Step step;

@@ -11,7 +11,7 @@
 namespace fogcomp {
 namespace {
 
-constexpr std::size_t kLeastRows = 5;  // of a class that counts
+constexpr std::size_t kLeastInClass = 5;  // of a class that counts
 constexpr double kStructured = 5;      // standard score
 constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
 
@@ -107,7 +107,7 @@ ClassMeans means_of(const std::vector<std::size_t>& class_of, std::size_t classe
   ClassMeans means;
   Eigen::Index size = 0;
   for (std::size_t i = 0; i < classes; ++i) {
-    means.place.push_back(count[i] >= kLeastRows ? static_cast<std::size_t>(size++) : kNoClass);
+    means.place.push_back(count[i] >= kLeastInClass ? static_cast<std::size_t>(size++) : kNoClass);
   }
   means.rows.setZero(size);
   means.mean_dph.setZero(size);

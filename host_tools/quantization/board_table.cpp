@@ -249,7 +249,8 @@ void write_network(TableWriter& out, const RealNetwork& network, double block_s)
 // taps sum to one half each: a constant then passes exactly.
 std::vector<std::int64_t> rounded_taps(const std::vector<double>& filter, int fraction) {
   std::vector<std::int64_t> taps;
-  std::int64_t missing[2] = {1LL << (fraction - 1), 1LL << (fraction - 1)};
+  const std::int64_t half = std::int64_t{1} << (fraction - 1);
+  std::int64_t missing[2] = {half, half};
   std::size_t largest[2] = {0, 1};
   for (std::size_t i = 0; i < filter.size(); ++i) {
     taps.push_back(std::llround(std::ldexp(filter[i] / std::sqrt(2), fraction)));

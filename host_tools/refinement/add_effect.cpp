@@ -79,8 +79,15 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
 
   SignalSeries series(result.model);
   for (const RunInBlocks& run : training.runs) series.add(run.blocks);
-  const FitSettings fitting = fit_settings(model, settings);
+  // The model as it was, refitted, is half of the work.
+  FitSettings fitting = fit_settings(model, settings);
+  double half = 0;
+  fitting.network.training.go_on = [&](double done) {
+    if (settings.progress) settings.progress((half + done) / 2);
+    return true;
+  };
   fit_model(before, series, fitting);
+  half = 1;
   result.fit = fit_model(result.model, series, fitting);
   result.out_of_sample = judge(before, result, series, holdouts, settings.run_offsets);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace fogcomp {
 struct AddSettings {
   bool run_offsets = false;  ///< as IdentifySettings has it; holdouts too
   std::uint64_t seed = 1;    ///< of the network's first weights
+  /// Told how much of its trainings is done, 0..1; or empty.
+  std::function<void(double)> progress{};
 };
 
 /// A model with one effect more, or one changed, and whether that was worth it.

@@ -8,6 +8,7 @@
 #include "dataset/input_columns.hpp"
 #include "dataset/recording_writer.hpp"
 #include "identification/block_series.hpp"
+#include "support/progress.hpp"
 
 namespace fogcomp {
 namespace {
@@ -23,6 +24,7 @@ std::int32_t rounded(double value) {
 
 void make_sensor_stream(const Recording& recording, double scale_factor, fog::InputMask extension,
                         const ByteSink& sink) {
+  Progress progress("sending " + recording.file);
   std::vector<std::uint8_t> piece;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
     for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
@@ -42,6 +44,7 @@ void make_sensor_stream(const Recording& recording, double scale_factor, fog::In
     if (piece.size() >= kPieceBytes) {
       sink({piece.data(), piece.size()});
       piece.clear();
+      progress.update(static_cast<double>(row) / static_cast<double>(recording.rows()));
     }
   }
   if (!piece.empty()) sink({piece.data(), piece.size()});

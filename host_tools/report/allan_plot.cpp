@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "support/units.hpp"
 
@@ -69,7 +70,7 @@ Plot allan_plot(const std::vector<AllanCurve>& curves, const NoiseCoefficients& 
   for (double& square : sum) square = std::sqrt(square);
   for (Curve& slope : slopes) {
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      if (slope.y[i] < kLeastOfSum * sum[i]) slope.y[i] = NAN;
+      if (slope.y[i] < kLeastOfSum * sum[i]) slope.y[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
   if (slopes.size() > 1) {

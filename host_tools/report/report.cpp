@@ -90,11 +90,17 @@ void Report::table(const Table& table) {
   body_ += "<div class=\"scroll\"><table>\n<thead><tr>";
   for (const std::string& cell : table.head) body_ += "<th>" + words(cell) + "</th>";
   body_ += "</tr></thead>\n<tbody>\n";
-  for (const std::vector<std::string>& row : table.rows) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const std::vector<std::string>& row = table.rows[i];
     body_ += "<tr>";
     for (const std::string& cell : row) {
-      const char* tag = &cell == row.data() ? "th" : "td";
-      body_ += format("<%s>%s</%s>", tag, words(cell).c_str(), tag);
+      const bool is_name = &cell == row.data();
+      std::string content = words(cell);
+      if (is_name && !table.links.empty()) {
+        content = "<a href=\"" + escaped(table.links[i]) + "\">" + content + "</a>";
+      }
+      const char* tag = is_name ? "th" : "td";
+      body_ += format("<%s>%s</%s>", tag, content.c_str(), tag);
     }
     body_ += "</tr>\n";
   }

@@ -12,6 +12,7 @@ namespace fogcomp::report {
 struct Table {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> links{};  ///< of each row's name, relative to the page; empty: none
 };
 
 /// A list of figures drawn to one scale, with words: candidates, steps of a ladder, segments.

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dataset/segments.hpp"
 
 namespace fogcomp::report {
 namespace {
 
-constexpr double kGap = NAN;
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 using Columns = std::vector<const std::vector<double>*>;
 

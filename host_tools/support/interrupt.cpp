@@ -6,21 +6,24 @@ namespace fogcomp {
 namespace {
 
 volatile std::sig_atomic_t g_interrupted = 0;
+// What a second Ctrl-C does: whoever writes files removes half ones.
+void (*g_before)(int) = SIG_DFL;
 
 extern "C" void on_interrupt(int) {
   g_interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGINT, g_before);
 }
 
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
   g_interrupted = 0;
-  std::signal(SIGINT, on_interrupt);
+  g_before = std::signal(SIGINT, on_interrupt);
+  if (g_before == SIG_IGN) std::signal(SIGINT, SIG_IGN);
 }
 
 InterruptGuard::~InterruptGuard() {
-  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGINT, g_before);
 }
 
 bool InterruptGuard::interrupted() const {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 // Loops over packs of doubles that are written once and compiled for each kind of register. What
 // works on packs is forced inline: how a register would be passed between functions is nobody's
@@ -11,29 +12,29 @@
 
 namespace fogcomp {
 
-/// The registers of a processor: doubles, 64-bit integers of the same width, and doubles in memory
-/// at any address.
+/// The registers of a processor: doubles, and 64-bit integers of the same width.
 struct Sse2 {
   using Pack = double __attribute__((vector_size(16)));
   using Bits = std::int64_t __attribute__((vector_size(16)));
-  using InMemory = double __attribute__((vector_size(16), aligned(8), may_alias));
 };
 struct Avx2 {
   using Pack = double __attribute__((vector_size(32)));
   using Bits = std::int64_t __attribute__((vector_size(32)));
-  using InMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
 };
 
 template <class R>
 constexpr std::size_t kLanes = sizeof(typename R::Pack) / sizeof(double);
 
+// Copying is how C++ says "at any address"; it becomes one unaligned move.
 template <class R>
 FOGCOMP_INLINE typename R::Pack load(const double* from) {
-  return *reinterpret_cast<const typename R::InMemory*>(from);
+  typename R::Pack pack;
+  std::memcpy(&pack, from, sizeof pack);
+  return pack;
 }
 template <class R>
 FOGCOMP_INLINE void store(double* to, typename R::Pack pack) {
-  *reinterpret_cast<typename R::InMemory*>(to) = pack;
+  std::memcpy(to, &pack, sizeof pack);
 }
 
 /// Of the processor that this runs on.

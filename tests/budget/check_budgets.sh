@@ -30,7 +30,7 @@ while read -r image flash_budget ram_budget _; do
   [[ -f $build/$image ]] || { echo "$image: not built" >&2; exit 1; }
   sizes=$(arm-none-eabi-size -A "$build/$image")
   flash=$(section_bytes "$sizes" .text .data .seal)
-  static=$(section_bytes "$sizes" .data .bss .noinit)
+  static=$(section_bytes "$sizes" .data .bss .noinit .dma_buffers)
   stack=$(section_bytes "$sizes" .stack)
   ram=$((static + stack))
   printf '%-28s %7d %7d  %7d %7d %7d %7d\n' \

@@ -1,45 +1,29 @@
-// Prints what the whole pipeline sends for a stream that gives every stage something to do: a
-// warming gyro under noise, with lost samples, invalid samples, a temperature that goes missing and
-// a rotation.
+// Prints what the whole pipeline sends for the stream of board_stream.hpp.
 
 #include <cstdio>
 #include <random>
 #include <string>
 
-#include "core/acquisition/sensor_frame.hpp"
 #include "core/protocol/crc.hpp"
+#include "golden/board_stream.hpp"
 #include "replay/replay.hpp"
-#include "support/sample_models.hpp"
 #include "support/text.hpp"
 
 namespace {
 
-constexpr std::uint32_t kSamples = 20000;  // 100 s
 constexpr std::uint32_t kPerLine = 1000;
 
-fog::SensorSample sample_at(std::uint32_t i, std::mt19937& random) {
-  fog::SensorSample sample;
-  sample.sequence = static_cast<std::uint16_t>(i);
-  sample.rate_counts = static_cast<std::int32_t>(random() % 4001U) - 2000;
-  if (i / 3000 == 2) sample.rate_counts += 36000000;  // 10 deg/s
-  sample.temperature_q16 = static_cast<std::int32_t>(55 * 65536 + i * 40 + random() % 2000U);
-  sample.gyro_valid = i % 4999 != 4998;
-  sample.temperature_valid = i / 1500 != 7;
-  return sample;
-}
-
 std::string describe_output() {
-  const fogcomp::BoardTable table =
-      fogcomp::make_board_table(fog::test::paper_like_model(), {200, fog::OutputSelection::both});
+  const fogcomp::BoardTable table = fog::test::stream_table();
   const fog::ModelParameters parameters = fogcomp::read_board_table(table, "golden");
   fogcomp::Replay replay(parameters);
   std::mt19937 random(1);
   std::string text = "# CRC-32 and last 64 bytes of the output for every 1000 sensor samples\n";
   std::uint32_t crc = fog::kCrc32Initial;
   std::string tail;
-  for (std::uint32_t i = 0; i < kSamples; ++i) {
-    const fog::SensorFrame frame = fog::encode_sensor_frame(sample_at(i, random));
-    const bool lost = i % 3777 == 3776;
+  for (std::uint32_t i = 0; i < fog::test::kStreamSamples; ++i) {
+    const fog::SensorFrame frame = fog::encode_sensor_frame(fog::test::stream_sample(i, random));
+    const bool lost = fog::test::is_lost(i);
     const auto bytes =
         lost ? fog::Span<const std::uint8_t>{} : replay.feed({frame.data(), frame.size()});
     if (!lost) {

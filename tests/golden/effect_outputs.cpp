@@ -5,16 +5,12 @@
 #include <string>
 
 #include "core/compensation/drift_model.hpp"
+#include "golden/effect_cases.hpp"
 #include "quantization/verification_programme.hpp"
-#include "support/typical_effects.hpp"
 
 namespace {
 
-constexpr std::size_t kStride = 2003;  // blocks, a prime: falls on every phase of every input
-
-void print_outputs(const std::string& name, const fogcomp::Model& model) {
-  const fogcomp::BoardTable table =
-      fogcomp::make_board_table(model, {200, fog::OutputSelection::kvh, true});
+void print_outputs(const std::string& name, const fogcomp::BoardTable& table) {
   const fog::ModelParameters parameters = fogcomp::read_board_table(table, name);
   fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs> board(
       parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
@@ -24,7 +20,8 @@ void print_outputs(const std::string& name, const fogcomp::Model& model) {
   for (const auto& means :
        fogcomp::verification_programme(parameters.thermal.least, parameters.thermal.most, 1)) {
     board.step(means);
-    if (block++ % kStride == 0) std::printf(" %d", static_cast<int>(board.drift().raw()));
+    if (block++ % fog::test::kGoldenStride == 0)
+      std::printf(" %d", static_cast<int>(board.drift().raw()));
   }
   std::puts("");
 }
@@ -32,12 +29,6 @@ void print_outputs(const std::string& name, const fogcomp::Model& model) {
 }  // namespace
 
 int main() {
-  fogcomp::Model model = fog::test::all_effects_model();
-  print_outputs("all effects and a network", model);
-  model.network = {};
-  for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
-    model.terms = {term};
-    print_outputs(term.name, model);
-  }
+  fog::test::for_each_effect_case(print_outputs);
   return 0;
 }

@@ -10,7 +10,7 @@ cmake --build "$build" --target fogcomp
 "$build/fogcomp" simulate -o "$work/run.bin" --profile paper --preset paper --rate 200 --format stream --seed 1
 "$build/fogcomp" fit "$work/run.bin" -o "$work/gyro.model" --effects bias,bias_temperature:order=2,temperature_rate --network 6
 "$build/fogcomp" export "$work/gyro.model" -o firmware/model/fog_model.h --sample-rate 200
-for name in effect_outputs board_output; do
+for name in effect_outputs board_output core_checks; do
   cmake --build "$build" --target "golden_$name"
   "$build/tests/golden_$name" >"tests/golden/$name.txt"
 done

@@ -221,6 +221,30 @@ refuses 'is a directory' info good.csv --report folder
 refuses 'cannot be written' fit good.csv -o kept --effects bias --report nowhere/x.html
 refuses '^missing\.csv: .*' compare good.model missing.csv --report kept
 
+# Batches.
+mkdir -p lot/G1 empty_lot
+cp good.csv lot/G1
+lot() { refuses "$1" batch "${@:2}" --effects bias,temperature_rate; }
+lot '^missing: cannot be read' missing -o results
+lot '^empty_lot: has no folder in it' empty_lot -o results
+lot '^fogcomp batch: -o is missing' lot
+lot '^lot/results: lies in lot; name a folder beside it' lot -o lot/results
+lot "^--shard: '3/2' is no part of a whole; write I/N" lot -o results --shard 3/2
+lot "^--shard: 'half' is no part" lot -o results --shard half
+echo 'holdout_drift_dph < 0.01' >limits
+lot "^limits:1: 'holdout_drift_dph < 0.01' is no limit; write FIGURE <= NUMBER" lot -o results --limits limits
+printf '# limits\n\nholdout_drft_dph <= 0.01\n' >limits
+lot "^limits:3: there is no figure 'holdout_drft_dph' .did you mean 'holdout_drift_dph'" lot -o results --limits limits
+echo 'temperature_rate.k <= 0.2' >limits
+lot "^limits:1: .*did you mean 'temperature_rate.K'" lot -o results --limits limits
+lot '^missing: ' lot -o results --limits missing
+lot '^kept: cannot be made' lot -o kept
+lot "^fogcomp batch: --network '40' is not a number from 0 to 32" lot -o results --network 40
+lot "^fogcomp batch: --wavelet 'sym88' is not one of" lot -o results --wavelet sym88
+lot '^--axis: means nothing without --latitude' lot -o results --axis down
+lot "^fogcomp batch: --sample-rate 'fast'" lot -o results --sample-rate fast
+refuses "^effect 'biass': .*did you mean 'bias'" batch lot -o results --effects biass
+
 # A header for another layout is refused by the compiler.
 echo "$cases cases, $failures failures"
 ((failures == 0))

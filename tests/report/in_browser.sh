@@ -28,6 +28,11 @@ effects=bias,bias_temperature
 "$fogcomp" diagnose static.model run.csv --max-effects 2 --report diagnose.html >/dev/null
 "$fogcomp" add static.model temperature_rate run.csv --holdout second.csv -o y.model --report add.html >/dev/null
 "$fogcomp" paper --models polynomial --epochs 100 --iterations 3 --report paper.html >/dev/null
+mkdir -p gyros/G1 gyros/G2
+cp run.csv gyros/G1
+cp second.csv gyros/G2
+"$fogcomp" batch gyros -o lot --effects $effects >/dev/null
+mv lot/index.html batch.html
 
 # Columns, not rows, decide how large a page is: 300,000 samples here, as 11.9 million (README, Reports).
 "$fogcomp" simulate -o fast.csv --rate 5 >/dev/null
@@ -38,4 +43,4 @@ for page in *.html; do
 done
 
 node "$here/look_at_pages.mjs" chromium "$shots" info.html=4 fit.html=16 compare.html=16 models.html=8 \
-  diagnose.html=5 add.html=8 paper.html=7 fast.html=5
+  diagnose.html=5 add.html=8 paper.html=7 batch.html=1 fast.html=5

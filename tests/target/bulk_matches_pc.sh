@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # bulk_matches_pc.sh MACHINE IMAGES FOGCOMP IN.bin DIR: the bulk image of the folder IMAGES, run in DIR,
 # sends for IN.bin what fogcomp replay predicts from the header it was built with, to the byte, and
-# keeps to its stack budget.
+# keeps to its stack budget, if it is for a board.
 set -euo pipefail
 machine=$1 images=$2 fogcomp=$3 input=$4 folder=$5
 here=$(realpath "$(dirname "$0")")
@@ -11,6 +11,8 @@ ln -sf "$(realpath "$input")" "$folder/in.bin"
 rm -f "$folder/out.bin"
 "$here/run_bulk.sh" "$machine" "$images/fogcomp_bulk.elf" "$folder" | tee "$folder/console"
 cmp "$folder/expected.bin" "$folder/out.bin"
+echo "$(stat -c %s "$folder/out.bin") bytes compared, 0 differ"
+[[ $machine != virt ]] || exit 0
 
 stack=$(sed -n 's/.*stack \([0-9]*\) of .*/\1/p' "$folder/console")
 budget=$(awk -v image="${images##*/}/fogcomp_bulk.elf" '$1 == image { print $4 }' \

@@ -8,6 +8,8 @@ copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 
 cp -r "$root"/{CMakeLists.txt,CMakePresets.json,cmake,firmware,linker} "$copy"
+mkdir "$copy/tests"
+cp -r "$root/tests/on_target" "$copy/tests"
 cd "$copy"
 cmake --preset "$platform" >/dev/null
 cmake --build --preset "$platform" >/dev/null

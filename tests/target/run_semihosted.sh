@@ -7,7 +7,9 @@ set -euo pipefail
 machine=$1
 elf=$(realpath "$2")
 cd "$3"
+# The console is the boards' third serial port; virt has one port, and a boot loader that is not wanted.
+emulator=(qemu-system-arm -serial null -serial null)
+[[ $machine != virt ]] || emulator=(qemu-system-riscv32 -bios none)
 exec timeout --kill-after=1 "${FOG_QEMU_TIMEOUT_S:-120}" \
-  qemu-system-arm -M "$machine" -display none -monitor none \
-  -semihosting-config enable=on,target=native \
-  -serial null -serial null -serial stdio -kernel "$elf" </dev/null
+  "${emulator[@]}" -M "$machine" -display none -monitor none \
+  -semihosting-config enable=on,target=native -serial stdio -kernel "$elf" </dev/null

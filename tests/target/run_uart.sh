@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# run_uart.sh MACHINE ELF IN.bin OUT.bin EXPECTED_BYTES: boots the product image on QEMU's MACHINE,
+# run_uart.sh MACHINE ELF IN.bin OUT.bin EXPECTED_BYTES [QEMU OPTION...]: boots the product image on QEMU's MACHINE,
 # plays the sensor stream IN.bin into its sensor port and collects its output stream in OUT.bin, its
 # console in OUT.bin.console. Ends when EXPECTED_BYTES have come out, and with exit code 1 if they have
 # not after FOG_QEMU_TIMEOUT_S (default 60).
 set -euo pipefail
-(($# == 5)) || { echo "usage: run_uart.sh MACHINE ELF IN.bin OUT.bin EXPECTED_BYTES" >&2; exit 2; }
+(($# >= 5)) || { echo "usage: run_uart.sh MACHINE ELF IN.bin OUT.bin EXPECTED_BYTES [OPTION...]" >&2; exit 2; }
 machine=$1
 elf=$2
 input=$3
 output=$(realpath "$4")
 expected_bytes=$5
+options=("${@:6}")
 timeout_s=${FOG_QEMU_TIMEOUT_S:-60}
 deadline=$((SECONDS + timeout_s))
 
@@ -48,7 +49,7 @@ mkfifo "$scratch/sensor.in" "$scratch/sensor.out"
 : >"$output.console"
 timeout --kill-after=1 "$((timeout_s + 5))" \
   qemu-system-arm -M "$machine" -display none -monitor none \
-  -serial "file:$output" -serial "pipe:$scratch/sensor" -serial "file:$output.console" \
+  -serial "file:$output" -serial "pipe:$scratch/sensor" -serial "file:$output.console" "${options[@]}" \
   -kernel "$elf" </dev/null >"$scratch/qemu.log" 2>&1 &
 qemu=$!
 

@@ -58,6 +58,13 @@ class Compensator {
   /// Takes one byte of the sensor stream. Where it completes a sample, writes the frames that
   /// answer it to `out` (room for kMostOutputBytes) and returns their size; else returns 0.
   std::size_t feed(std::uint8_t byte, std::uint8_t* out) {
+    return feed(byte, out,
+                [](const SensorSample& sample) -> const SensorSample& { return sample; });
+  }
+
+  /// The same for a board that knows better than the stream: what is judged is `amend(sample)`.
+  template <class Amend>
+  std::size_t feed(std::uint8_t byte, std::uint8_t* out, Amend amend) {
     switch (parser_.feed(byte)) {
       case StreamParser::Found::nothing:
         return 0;
@@ -67,7 +74,7 @@ class Compensator {
       case StreamParser::Found::sample:
         break;
     }
-    last_ = process(parser_.sample());
+    last_ = process(amend(parser_.sample()));
     return encode(last_, out);
   }
 

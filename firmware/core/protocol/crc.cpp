@@ -54,4 +54,17 @@ std::uint32_t crc32(const std::uint8_t* bytes, std::size_t size, std::uint32_t c
   return crc_msb_first(kTable32, bytes, size, crc);
 }
 
+// Least significant bit first, and eight bytes a second: bit by bit.
+std::uint8_t crc8(const std::uint8_t* bytes, std::size_t size) {
+  constexpr unsigned kReflectedPolynomial = 0x8C;
+  unsigned crc = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    crc ^= bytes[i];
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = (crc & 1U) != 0 ? (crc >> 1U) ^ kReflectedPolynomial : crc >> 1U;
+    }
+  }
+  return static_cast<std::uint8_t>(crc);
+}
+
 }  // namespace fog

@@ -15,4 +15,8 @@ std::uint16_t crc16(const std::uint8_t* bytes, std::size_t size, std::uint16_t c
 constexpr std::uint32_t kCrc32Initial = 0xFFFFFFFFU;
 std::uint32_t crc32(const std::uint8_t* bytes, std::size_t size, std::uint32_t crc = kCrc32Initial);
 
+/// CRC-8/MAXIM-DOW of 1-Wire devices: polynomial 31, initial 0, reflected. Check value of
+/// "123456789": A1.
+std::uint8_t crc8(const std::uint8_t* bytes, std::size_t size);
+
 }  // namespace fog

@@ -1,23 +1,20 @@
 #include "platform/cortex_m/restart.hpp"
 
 #include "platform/cortex_m/system_control.hpp"
+#include "platform/shared/restart_record.hpp"
 
-namespace fog::platform {
+namespace fog {
+namespace platform {
 namespace {
-
-// After power-on the memory holds anything; a reason counts only beside its own complement.
-struct RestartRecord {
-  std::uint32_t reason;
-  std::uint32_t complement;
-};
 
 [[gnu::noinit]] RestartRecord record;
 
+hal::ResetReport report{};
+
 }  // namespace
 
-void restart(RestartReason reason) {
-  record.reason = static_cast<std::uint32_t>(reason);
-  record.complement = ~record.reason;
+void restart(hal::ResetCause cause, const hal::CrashRecord& crash) {
+  record.keep(cause, crash);
   asm volatile("dsb" ::: "memory");
   system_control_block().application_interrupt_and_reset.write(
       SystemControlBlock::kResetKeyAndRequest);
@@ -26,11 +23,18 @@ void restart(RestartReason reason) {
   }
 }
 
-RestartReason take_restart_reason() {
-  const RestartRecord found = record;
-  record = {};
-  if (found.reason != ~found.complement) return RestartReason::kNone;
-  return static_cast<RestartReason>(found.reason);
+void restart(hal::ResetCause cause) {
+  restart(cause, report.last_crash);
 }
 
-}  // namespace fog::platform
+void report_reset(hal::ResetCause hardware_cause) {
+  report = record.take(hardware_cause);
+}
+
+}  // namespace platform
+
+const hal::ResetReport& hal::reset_report() {
+  return platform::report;
+}
+
+}  // namespace fog

@@ -1,17 +1,19 @@
 #pragma once
 
-#include <cstdint>
+#include "hal/reset_report.hpp"
 
 namespace fog::platform {
 
-/// Why the firmware restarted itself. It outlives the restart in memory that start-up leaves alone,
-/// because the hardware's own flags only know "software".
-enum class RestartReason : std::uint32_t { kNone, kFault, kRequest };
+/// Restarts from the reset vector. `cause` and `crash` outlive it in memory that start-up leaves
+/// alone, because the hardware's own flags only know "software".
+[[noreturn]] void restart(hal::ResetCause cause, const hal::CrashRecord& crash);
 
-[[noreturn]] void restart(RestartReason reason);
+/// The same without a crash: the record of the last one stays.
+[[noreturn]] void restart(hal::ResetCause cause);
 
-/// The reason given to the restart that led here; kNone after any other reset. Forgets it, so that
-/// it is not taken for the reason of the next one.
-RestartReason take_restart_reason();
+/// Fills hal::reset_report(): with the cause given to the restart that led here, else with
+/// `hardware_cause`. Forgets the former, so that it is not taken for the cause of the next reset.
+/// Once, at the start.
+void report_reset(hal::ResetCause hardware_cause);
 
 }  // namespace fog::platform

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "platform/cortex_m/registers.hpp"
+#include "platform/shared/registers.hpp"
 
 // The parts of the ARMv7-M System Control Space that this firmware uses (ARM DDI 0403, B3).
 namespace fog::platform {
@@ -30,11 +30,43 @@ struct SystemControlBlock {
   Register system_handler_control;
   Register configurable_fault_status;
   Register hard_fault_status;
+  Register debug_fault_status;
+  Register memory_fault_address;
+  Register bus_fault_address;
 
   static constexpr std::uint32_t kResetKeyAndRequest = (0x05FAU << 16U) | (1U << 2U);
   static constexpr std::uint32_t kTrapDivisionByZero = 1U << 4U;
+  // configurable_fault_status: the address registers hold that of the fault
+  static constexpr std::uint32_t kMemoryAddressValid = 1U << 7U;
+  static constexpr std::uint32_t kBusAddressValid = 1U << 15U;
 };
-static_assert(offsetof(SystemControlBlock, configurable_fault_status) == 0x28);
+static_assert(offsetof(SystemControlBlock, configurable_fault_status) == 0x28 &&
+              offsetof(SystemControlBlock, bus_fault_address) == 0x38);
+
+/// B3.5.
+struct MemoryProtectionUnit {
+  Register type;
+  Register control;
+  Register region_number;
+  Register region_base;
+  Register region_attributes;
+
+  // control, region_attributes
+  static constexpr std::uint32_t kEnable = 1U << 0U;
+  // control
+  static constexpr std::uint32_t kDefaultMapElsewhere = 1U << 2U;
+  // region_base: the number written beside the address selects the region
+  static constexpr std::uint32_t kRegionValid = 1U << 4U;
+  // region_attributes
+  static constexpr std::uint32_t size_field(std::uint32_t log2_bytes) {
+    return (log2_bytes - 1U) << 1U;
+  }
+  static constexpr std::uint32_t kNormalMemory = 1U << 17U;  // cacheable, written through
+  static constexpr std::uint32_t kNoAccess = 0U << 24U;
+  static constexpr std::uint32_t kReadWrite = 3U << 24U;
+  static constexpr std::uint32_t kReadOnly = 6U << 24U;
+  static constexpr std::uint32_t kExecuteNever = 1U << 28U;
+};
 
 struct InterruptController {
   std::array<Register, 32> set_enable;
@@ -46,6 +78,9 @@ inline SysTick& systick() {
 }
 inline SystemControlBlock& system_control_block() {
   return peripheral_at<SystemControlBlock>(0xE000ED00U);
+}
+inline MemoryProtectionUnit& memory_protection_unit() {
+  return peripheral_at<MemoryProtectionUnit>(0xE000ED90U);
 }
 inline InterruptController& interrupt_controller() {
   return peripheral_at<InterruptController>(0xE000E100U);

@@ -1,10 +1,10 @@
 #include <cstdint>
 
-#include "hal/rate_sink.hpp"
+#include "hal/clock.hpp"
+#include "platform/cortex_m/nmi.hpp"
 #include "platform/cortex_m/restart.hpp"
 #include "platform/cortex_m/system_control.hpp"
 #include "platform/cortex_m/vector_table.hpp"
-#include "platform/text_line.hpp"
 
 namespace fog::platform {
 namespace {
@@ -23,25 +23,35 @@ std::uint32_t active_exception() {
   return number;
 }
 
-}  // namespace
-
-/// Says what happened and starts again: a gyro that restarts visibly is worth more than one that
-/// hangs. `frame` is null where the stack was unusable.
-extern "C" [[noreturn]] void fog_report_trap(const ExceptionFrame* frame) {
-  TextLine line;
-  line.text("trap: exception ").decimal(active_exception());
-  if (frame != nullptr) {
-    line.text(" at ").hex(frame->program_counter);
-  } else {
-    line.text(", stack exhausted");
+std::uint32_t fault_address(const SystemControlBlock& control, std::uint32_t status) {
+  if ((status & SystemControlBlock::kMemoryAddressValid) != 0) {
+    return control.memory_fault_address.read();
   }
-  line.text(", fault status ").hex(system_control_block().configurable_fault_status.read());
-  hal::write_console(line.text(", restarting\r\n").c_str());
-  restart(RestartReason::kFault);
+  return (status & SystemControlBlock::kBusAddressValid) != 0 ? control.bus_fault_address.read()
+                                                              : 0;
 }
 
-// A stack overflow ends below the start of the memory, where no handler could push anything. So the
-// stack pointer is checked before the first push, and rewound where the report would not fit:
+}  // namespace
+
+/// Keeps what happened and starts again: a gyro that restarts visibly is worth more than one that
+/// hangs. The next start tells it; from here nothing is sent, because that takes time and working
+/// ports. `frame` is null where the stack was unusable.
+extern "C" [[noreturn]] void fog_record_trap(const ExceptionFrame* frame) {
+  const SystemControlBlock& control = system_control_block();
+  hal::CrashRecord crash{};
+  crash.exception = active_exception();
+  crash.fault_status = control.configurable_fault_status.read();
+  crash.fault_address = fault_address(control, crash.fault_status);
+  crash.uptime_ms = hal::milliseconds();
+  if (frame != nullptr) {
+    crash.program_counter = frame->program_counter;
+    crash.link_register = frame->return_address;
+  }
+  restart(crash.exception == kNmi ? kNmiMeans : hal::ResetCause::fault, crash);
+}
+
+// A stack overflow ends in the guard below the stack, where no handler could push anything. So the
+// stack pointer is checked before the first push, and rewound where the record would not fit:
 // nothing returns from here, so nothing on the stack is needed any more but the frame.
 [[gnu::naked]] void fog_trap_handler() {
   asm volatile(
@@ -55,7 +65,7 @@ extern "C" [[noreturn]] void fog_report_trap(const ExceptionFrame* frame) {
       "1: add r2, #32\n"
       "mov sp, r2\n"
       "movs r0, #0\n"
-      "2: b fog_report_trap\n");
+      "2: b fog_record_trap\n");
 }
 
 }  // namespace fog::platform

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "platform/cortex_m/linker_symbols.hpp"
+#include "platform/shared/linker_symbols.hpp"
 
 namespace fog::platform {
 
@@ -19,6 +19,7 @@ void fog_tick_handler();
 }
 
 constexpr std::size_t kReset = 1;
+constexpr std::size_t kNmi = 2;
 constexpr std::size_t kSysTick = 15;
 constexpr std::size_t kExceptions = 16;
 

@@ -6,27 +6,10 @@
 #include "platform/ports.hpp"
 
 namespace fog::platform {
-namespace {
-
-const char* reset_cause = "unknown";
 
 // This machine keeps no record of resets: only the firmware's own restarts are known.
-const char* take_reset_cause() {
-  switch (take_restart_reason()) {
-    case RestartReason::kFault:
-      return "fault";
-    case RestartReason::kRequest:
-      return "request";
-    case RestartReason::kNone:
-      break;
-  }
-  return "unknown";
-}
-
-}  // namespace
-
 void start_board() {
-  reset_cause = take_reset_cause();
+  report_reset(hal::ResetCause::unknown);
   start_tick(kClockHz);
   open_console_port();
   open_output_port();
@@ -35,11 +18,11 @@ void start_board() {
 }
 
 BoardDescription describe_board() {
-  return {"mps2_an386", kClockHz, "fixed oscillator", reset_cause};
+  return {"mps2_an386", kClockHz, "fixed oscillator", false, true};
 }
 
 void restart_board() {
-  restart(RestartReason::kRequest);
+  restart(hal::ResetCause::request);
 }
 
 }  // namespace fog::platform

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "platform/cortex_m/registers.hpp"
+#include "platform/shared/registers.hpp"
 
 // The peripherals of the MPS2 AN386 image that this firmware uses (Arm DDI 0479, DAI 0400).
 namespace fog::platform {

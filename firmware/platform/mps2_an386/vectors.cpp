@@ -1,8 +1,12 @@
+#include "platform/cortex_m/nmi.hpp"
 #include "platform/cortex_m/vector_table.hpp"
 #include "platform/mps2_an386/peripherals.hpp"
 #include "platform/ports.hpp"
 
 namespace fog::platform {
+
+const hal::ResetCause kNmiMeans = hal::ResetCause::watchdog;
+
 namespace {
 
 constexpr InterruptHandler kHandlers[] = {{kRequestInterrupt, on_request_interrupt},

@@ -5,36 +5,12 @@
 #include "platform/ports.hpp"
 #include "platform/stm32f405/clock_tree.hpp"
 #include "platform/stm32f405/peripherals.hpp"
+#include "platform/stm32f405/reset_cause.hpp"
 
 namespace fog::platform {
-namespace {
-
-const char* reset_cause = "unknown";
-
-// A power-on also sets the brown-out flag, and every reset pulls the reset pin: first match counts.
-const char* hardware_reset_cause() {
-  const Register& status = rcc().status;
-  if (status.any(Rcc::kWatchdogReset)) return "watchdog";
-  if (status.any(Rcc::kSoftwareReset)) return "software";
-  if (status.any(Rcc::kPowerOnReset)) return "power-on";
-  if (status.any(Rcc::kBrownOutReset)) return "brown-out";
-  if (status.any(Rcc::kPinReset)) return "reset pin";
-  return "unknown";
-}
-
-const char* take_reset_cause() {
-  const RestartReason reason = take_restart_reason();
-  const char* cause = hardware_reset_cause();
-  rcc().status.set(Rcc::kForgetResetCause);
-  if (reason == RestartReason::kFault) return "fault";
-  if (reason == RestartReason::kRequest) return "request";
-  return cause;
-}
-
-}  // namespace
 
 void start_board() {
-  reset_cause = take_reset_cause();
+  report_reset(take_hardware_reset_cause());
   start_clock_tree();
   start_tick(clock_tree().core_hz);
   open_console_port();
@@ -43,12 +19,16 @@ void start_board() {
   open_sensor_port();
 }
 
+// The brown-out level is an option of the part, written when it is flashed (firmware/README.md).
 BoardDescription describe_board() {
-  return {"stm32f405", clock_tree().core_hz, clock_tree().source, reset_cause};
+  const bool brown_out_reset_on =
+      (flash().options.read() & Flash::kBrownOutLevel) != Flash::kBrownOutOff;
+  return {"stm32f405", clock_tree().core_hz, clock_tree().source, clock_tree().is_fallback,
+          brown_out_reset_on};
 }
 
 void restart_board() {
-  restart(RestartReason::kRequest);
+  restart(hal::ResetCause::request);
 }
 
 }  // namespace fog::platform

@@ -30,12 +30,18 @@ struct PllInput {
   std::uint32_t selection;
   std::uint32_t hz;
   const char* name;
+  bool is_fallback;
 };
 
-constexpr PllInput kCrystal{Rcc::kHseOn, Rcc::kHseReady, Rcc::kPllFromHse, kCrystalHz, "crystal"};
-constexpr PllInput kInternal{Rcc::kHsiOn, Rcc::kHsiReady, 0, kInternalHz, "internal oscillator"};
+constexpr PllInput kCrystal{Rcc::kHseOn, Rcc::kHseReady, Rcc::kPllFromHse,
+                            kCrystalHz,  "crystal",      false};
+constexpr PllInput kInternal{Rcc::kHsiOn, Rcc::kHsiReady,        0,
+                             kInternalHz, "internal oscillator", true};
 
-ClockTree running{kInternalHz, kInternalHz, kInternalHz, "internal oscillator, no PLL"};
+constexpr ClockTree kAsResetLeftIt{kInternalHz, kInternalHz, kInternalHz,
+                                   "internal oscillator, no PLL", true};
+
+ClockTree running = kAsResetLeftIt;
 
 bool lock_pll(const PllInput& input) {
   rcc().control.set(input.on);
@@ -64,13 +70,14 @@ bool switch_to_pll() {
 
 bool run_from(const PllInput& input) {
   if (!lock_pll(input) || !switch_to_pll()) return false;
-  running = {kCoreHz, kCoreHz / 4U, kCoreHz / 2U, input.name};
+  running = {kCoreHz, kCoreHz / 4U, kCoreHz / 2U, input.name, input.is_fallback};
   return true;
 }
 
 }  // namespace
 
 void start_clock_tree() {
+  running = kAsResetLeftIt;
   if (run_from(kCrystal)) {
     rcc().control.set(Rcc::kClockSecurityOn);
     return;

@@ -9,6 +9,7 @@ struct ClockTree {
   std::uint32_t apb1_hz;  ///< USART2, USART3
   std::uint32_t apb2_hz;  ///< USART1
   const char* source;
+  bool is_fallback;  ///< not the crystal at full speed
 };
 
 /// Brings the core to 168 MHz, from the crystal if it starts, else from the internal oscillator.

@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "platform/cortex_m/registers.hpp"
+#include "platform/shared/registers.hpp"
 
-// The registers of the STM32F405 that this firmware uses (ST RM0090).
+// The registers of the STM32F405 that this firmware uses (ST RM0090; sections at each).
 namespace fog::platform {
 
+/// Reset and clock control: 7.3.
 struct Rcc {
   Register control;
   Register pll_configuration;
@@ -21,7 +22,7 @@ struct Rcc {
   std::array<Register, 11> unused_48;
   Register status;
 
-  // control
+  // control (7.3.1)
   static constexpr std::uint32_t kHsiOn = 1U << 0U;
   static constexpr std::uint32_t kHsiReady = 1U << 1U;
   static constexpr std::uint32_t kHseOn = 1U << 16U;
@@ -30,7 +31,7 @@ struct Rcc {
   static constexpr std::uint32_t kPllOn = 1U << 24U;
   static constexpr std::uint32_t kPllReady = 1U << 25U;
 
-  // pll_configuration
+  // pll_configuration (7.3.2)
   static constexpr std::uint32_t kPllFields = 0x0F437FFFU;
   static constexpr std::uint32_t kPllFromHse = 1U << 22U;
   static constexpr std::uint32_t pll_fields(std::uint32_t m, std::uint32_t n, std::uint32_t p,
@@ -38,7 +39,7 @@ struct Rcc {
     return m | (n << 6U) | ((p / 2U - 1U) << 16U) | (q << 24U);
   }
 
-  // configuration
+  // configuration (7.3.3)
   static constexpr std::uint32_t kSwitch = 3U << 0U;
   static constexpr std::uint32_t kSwitchToHsi = 0U << 0U;
   static constexpr std::uint32_t kSwitchToPll = 2U << 0U;
@@ -48,15 +49,17 @@ struct Rcc {
   static constexpr std::uint32_t kApb1By4 = 5U << 10U;
   static constexpr std::uint32_t kApb2By2 = 4U << 13U;
 
-  // ahb1_enable, apb1_enable, apb2_enable
-  static constexpr std::uint32_t kGpioA = 1U << 0U;
-  static constexpr std::uint32_t kGpioB = 1U << 1U;
+  // ahb1_enable (7.3.10), apb1_enable (7.3.13), apb2_enable (7.3.14)
+  static constexpr std::uint32_t kGpioA = 1U << 0U;  // and so on, by port
+  static constexpr std::uint32_t kDma2 = 1U << 22U;
   static constexpr std::uint32_t kTimer2 = 1U << 0U;
   static constexpr std::uint32_t kUsart2 = 1U << 17U;
   static constexpr std::uint32_t kUsart3 = 1U << 18U;
   static constexpr std::uint32_t kUsart1 = 1U << 4U;
+  static constexpr std::uint32_t kUsart6 = 1U << 5U;
+  static constexpr std::uint32_t kAdc1 = 1U << 8U;
 
-  // status
+  // status (7.3.21)
   static constexpr std::uint32_t kForgetResetCause = 1U << 24U;
   static constexpr std::uint32_t kBrownOutReset = 1U << 25U;
   static constexpr std::uint32_t kPinReset = 1U << 26U;
@@ -67,13 +70,22 @@ struct Rcc {
 static_assert(offsetof(Rcc, ahb1_enable) == 0x30 && offsetof(Rcc, apb1_enable) == 0x40 &&
               offsetof(Rcc, status) == 0x74);
 
+/// Flash interface: 3.9.
 struct Flash {
   Register access_control;
+  std::array<Register, 4> unused_04;
+  Register options;
 
+  // access_control (3.9.1)
   static constexpr std::uint32_t kLatency = 7U << 0U;
   static constexpr std::uint32_t kPrefetchAndCaches = 7U << 8U;
+  // options (3.9.9): 0 resets below 2.7 V, 1 below 2.4 V, 2 below 2.1 V, 3 not at all
+  static constexpr std::uint32_t kBrownOutLevel = 3U << 2U;
+  static constexpr std::uint32_t kBrownOutOff = 3U << 2U;
 };
+static_assert(offsetof(Flash, options) == 0x14);
 
+/// General-purpose I/O: 8.4.
 struct Gpio {
   Register mode;
   Register output_type;
@@ -81,38 +93,104 @@ struct Gpio {
   Register pull;
   std::array<Register, 4> unused_10;
   std::array<Register, 2> alternate_function;
+
+  // mode (8.4.1), pull (8.4.4): two bits a pin
+  static constexpr std::uint32_t kAlternateFunction = 2;
+  static constexpr std::uint32_t kAnalog = 3;
+  static constexpr std::uint32_t kPullUp = 1;
 };
 static_assert(offsetof(Gpio, alternate_function) == 0x20);
 
+/// Serial ports: 30.6.
 struct Usart {
   Register status;
   Register data;
   Register baud_rate;
   Register control1;
+  Register control2;
+  Register control3;
 
-  // status
+  // status (30.6.1)
   static constexpr std::uint32_t kReceived = 1U << 5U;
+  static constexpr std::uint32_t kTransmitComplete = 1U << 6U;
   static constexpr std::uint32_t kTransmitReady = 1U << 7U;
-  // control1
+  // control1 (30.6.4)
   static constexpr std::uint32_t kReceiver = 1U << 2U;
   static constexpr std::uint32_t kTransmitter = 1U << 3U;
   static constexpr std::uint32_t kReceiveInterrupt = 1U << 5U;
   static constexpr std::uint32_t kEnable = 1U << 13U;
+  // control3 (30.6.6)
+  static constexpr std::uint32_t kHalfDuplex = 1U << 3U;
+  static constexpr std::uint32_t kTransmitByDma = 1U << 7U;
 };
 
+/// One stream of a DMA controller: 10.5.5 to 10.5.9.
+struct DmaStream {
+  Register configuration;
+  Register count;
+  Register peripheral_address;
+  Register memory_address;
+  std::array<Register, 2> unused_10;
+
+  // configuration
+  static constexpr std::uint32_t kEnable = 1U << 0U;
+  static constexpr std::uint32_t kMemoryToPeripheral = 1U << 6U;
+  static constexpr std::uint32_t kIncrementMemory = 1U << 10U;
+  static constexpr std::uint32_t channel(std::uint32_t number) { return number << 25U; }
+};
+static_assert(sizeof(DmaStream) == 0x18);
+
+struct Dma {
+  std::array<Register, 2> status;
+  std::array<Register, 2> clear;  ///< write 1 to clear the flag of status (10.5.3, 10.5.4)
+  std::array<DmaStream, 8> stream;
+};
+
+/// Analog-to-digital converter: 13.13.
+struct Adc {
+  Register status;
+  Register control1;
+  Register control2;
+  std::array<Register, 2> sample_time;
+  std::array<Register, 6> unused_14;
+  std::array<Register, 3> sequence;
+  std::array<Register, 5> unused_38;
+  Register data;
+
+  // status (13.13.1)
+  static constexpr std::uint32_t kEndOfConversion = 1U << 1U;
+  // control2 (13.13.3)
+  static constexpr std::uint32_t kOn = 1U << 0U;
+  static constexpr std::uint32_t kStart = 1U << 30U;
+  // sample_time (13.13.4): three bits a channel
+  static constexpr std::uint32_t k480Cycles = 7;
+};
+static_assert(offsetof(Adc, sequence) == 0x2C && offsetof(Adc, data) == 0x4C);
+
+/// What all converters share: 13.13.16.
+struct AdcCommon {
+  Register control;
+
+  static constexpr std::uint32_t kPrescaler = 3U << 16U;
+  static constexpr std::uint32_t kPrescaleBy4 = 1U << 16U;
+};
+
+/// Independent watchdog: 21.4.
 struct IndependentWatchdog {
   Register key;
   Register prescaler;
   Register reload;
   Register status;
 
+  // key (21.4.1)
   static constexpr std::uint32_t kStart = 0xCCCC;
   static constexpr std::uint32_t kUnlock = 0x5555;
   static constexpr std::uint32_t kKick = 0xAAAA;
+  // status (21.4.4)
   static constexpr std::uint32_t kUpdating = 3U << 0U;
 };
 
-/// TIM2: 32 bits wide.
+/// TIM2, 32 bits wide: 18.4.
 struct Timer {
   Register control1;
   std::array<Register, 4> unused_04;
@@ -127,6 +205,7 @@ struct Timer {
 };
 static_assert(offsetof(Timer, count) == 0x24);
 
+// Memory map: 2.3.
 inline Rcc& rcc() {
   return peripheral_at<Rcc>(0x40023800U);
 }
@@ -144,6 +223,18 @@ inline Usart& usart2() {
 }
 inline Usart& usart3() {
   return peripheral_at<Usart>(0x40004800U);
+}
+inline Usart& usart6() {
+  return peripheral_at<Usart>(0x40011400U);
+}
+inline Dma& dma2() {
+  return peripheral_at<Dma>(0x40026400U);
+}
+inline Adc& adc1() {
+  return peripheral_at<Adc>(0x40012000U);
+}
+inline AdcCommon& adc_common() {
+  return peripheral_at<AdcCommon>(0x40012304U);
 }
 inline Timer& timer2() {
   return peripheral_at<Timer>(0x40000000U);

@@ -16,7 +16,12 @@ void open_line(Usart& usart, const Pin& pin, std::uint32_t control, std::uint32_
 /// Adds the other direction to an open line: reception on `pin`, with its interrupt.
 void open_receiver(Usart& usart, const Pin& pin);
 
-/// Polled: returns when the last byte is handed to the USART.
+/// The value of the baud rate register: to the nearest.
+constexpr std::uint32_t baud_divisor(std::uint32_t bus_hz, std::uint32_t baud) {
+  return (bus_hz + baud / 2U) / baud;
+}
+
+/// Polled: returns when the byte is handed to the USART, or given up because it never gets ready.
 void send_byte(Usart& usart, std::uint8_t byte);
 
 }  // namespace fog::platform

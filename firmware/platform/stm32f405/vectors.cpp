@@ -1,8 +1,13 @@
+#include "platform/cortex_m/nmi.hpp"
 #include "platform/cortex_m/vector_table.hpp"
 #include "platform/ports.hpp"
 #include "platform/stm32f405/peripherals.hpp"
 
 namespace fog::platform {
+
+// The clock security system (RM0090, 7.2.7).
+const hal::ResetCause kNmiMeans = hal::ResetCause::clock_failure;
+
 namespace {
 
 constexpr InterruptHandler kHandlers[] = {{kUsart1Interrupt, on_request_interrupt},

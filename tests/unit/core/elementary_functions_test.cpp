@@ -97,7 +97,9 @@ TEST(Logarithm, IsWithin1e8ForEveryMagnitude) {
     const auto raw = static_cast<std::int64_t>((random() >> 1U) >> (random() % 62U)) | 1;
     const long double exact = std::log(static_cast<long double>(raw)) - 16 * std::log(2.0L);
     const double value = std::ldexp(fog::natural_logarithm(raw, 16).raw(), -26);
-    if (exact < 31.9L) worst = std::max(worst, static_cast<double>(std::abs(value - exact)));
+    if (exact < 31.9L)
+      worst =
+          std::max(worst, static_cast<double>(std::abs(static_cast<long double>(value) - exact)));
   }
   EXPECT_LE(worst, 1e-8);
   EXPECT_EQ(fog::natural_logarithm(1, 0).raw(), 0);

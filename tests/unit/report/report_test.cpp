@@ -49,7 +49,7 @@ TEST(Report, NothingInThePageNamesAPlaceToLoadFrom) {
 TEST(PlotJson, RoundsFarBelowAPixel) {
   Plot plot;
   plot.x = {0, 1, 2};
-  plot.curves = {{"rate", "model", {15.04106861234567, NAN, 15.0511}}};
+  plot.curves = {{"rate", "model", {15.04106861234567, std::nan(""), 15.0511}}};
   EXPECT_NE(plot_json(plot).text().find("[15.0410686,null,15.0511]"), std::string::npos)
       << plot_json(plot).text();
 }

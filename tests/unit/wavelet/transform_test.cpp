@@ -110,7 +110,7 @@ TEST(Magnitudes, AreExactHoweverTheValuesCrowd) {
     if (sorted.back() > 1e100 || sorted.back() < 1e-100) continue;  // squares leave the range
     const auto count = static_cast<double>(n);
     double squares = 0;
-    double least = INFINITY;
+    double least = HUGE_VAL;
     double best = 0;
     for (std::size_t k = 1; k <= n; ++k) {
       const double square = sorted[k - 1] * sorted[k - 1];

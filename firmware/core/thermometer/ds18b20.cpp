@@ -1,0 +1,122 @@
+#include "core/thermometer/ds18b20.hpp"
+
+#include "core/fixed_point/shift.hpp"
+#include "core/protocol/crc.hpp"
+#include "core/signal/span.hpp"
+
+namespace fog {
+namespace {
+
+constexpr std::uint8_t kSkipRom = 0xCC;
+constexpr std::uint8_t kWriteScratchpad = 0x4E;
+constexpr std::uint8_t kConvert = 0x44;
+constexpr std::uint8_t kReadScratchpad = 0xBE;
+
+// The alarm registers are no alarm here but a mark: neither the factory's values (4B 46) nor
+// anything one would write. They are not copied to the sensor's EEPROM, so a power-on undoes them.
+constexpr std::uint8_t kMarkHigh = 0x5F;
+constexpr std::uint8_t kMarkLow = 0xA6;
+constexpr std::uint8_t kTwelveBits = 0x7F;
+
+constexpr std::array<std::uint8_t, 5> kConfigureCommand{kSkipRom, kWriteScratchpad, kMarkHigh,
+                                                        kMarkLow, kTwelveBits};
+constexpr std::array<std::uint8_t, 2> kConvertCommand{kSkipRom, kConvert};
+constexpr std::array<std::uint8_t, 2> kReadCommand{kSkipRom, kReadScratchpad};
+
+// Twelve bits take 750 ms at most; the rest is the time that slots take.
+constexpr std::uint32_t kLongestConversionMs = 1000;
+
+bool bit_of(Span<const std::uint8_t> bytes, std::size_t bit) {
+  return ((bytes.data[bit / 8U] >> (bit % 8U)) & 1U) != 0;
+}
+
+}  // namespace
+
+bool decode_scratchpad(const Scratchpad& scratchpad, Temperature& temperature) {
+  if (crc8(scratchpad.data(), kScratchpadBytes - 1) != scratchpad[kScratchpadBytes - 1]) {
+    return false;
+  }
+  // All bytes 0, as from a line that is short, have a good CRC: the marks refuse them as well.
+  if (scratchpad[2] != kMarkHigh || scratchpad[3] != kMarkLow || scratchpad[4] != kTwelveBits) {
+    return false;
+  }
+  const auto sixteenths =
+      static_cast<std::int16_t>(static_cast<std::uint16_t>(scratchpad[0] | (scratchpad[1] << 8U)));
+  temperature = round_to<Temperature>(Fixed<std::int32_t, 4>::from_raw(sixteenths));
+  return true;
+}
+
+OneWireSlot Ds18b20::next_slot() const {
+  if (!present_) return OneWireSlot::reset;
+  Span<const std::uint8_t> command{kReadCommand.data(), kReadCommand.size()};
+  if (phase_ == Phase::configure) command = {kConfigureCommand.data(), kConfigureCommand.size()};
+  if (phase_ == Phase::convert) command = {kConvertCommand.data(), kConvertCommand.size()};
+  if (phase_ == Phase::wait || bit_ >= 8U * command.size) return OneWireSlot::read;
+  return bit_of(command, bit_) ? OneWireSlot::write_1 : OneWireSlot::write_0;
+}
+
+void Ds18b20::slot_made(bool line, std::uint32_t now_ms) {
+  if (!present_) {
+    if (line) present_ = true;
+    return;  // no sensor: the next reset asks again
+  }
+  if (phase_ == Phase::wait) return waited(line, now_ms);
+  constexpr std::size_t kReadCommandBits = 8U * kReadCommand.size();
+  if (phase_ == Phase::read && bit_ >= kReadCommandBits) {
+    const std::size_t bit = bit_ - kReadCommandBits;
+    std::uint8_t& byte = scratchpad_[bit / 8U];
+    byte = static_cast<std::uint8_t>((byte >> 1U) | (line ? 0x80U : 0U));
+  }
+  ++bit_;
+  command_sent(now_ms);
+}
+
+void Ds18b20::line_failed() {
+  start(Phase::configure);
+}
+
+TemperatureReading Ds18b20::reading(std::uint32_t now_ms) const {
+  return {temperature_, measured_ && now_ms - measured_at_ms_ <= kOldestReadingMs};
+}
+
+void Ds18b20::start(Phase phase) {
+  phase_ = phase;
+  present_ = phase == Phase::wait;  // which goes on from the command without a reset
+  seen_busy_ = false;
+  bit_ = 0;
+}
+
+// Goes on to the next phase once all bits of this one are through.
+void Ds18b20::command_sent(std::uint32_t now_ms) {
+  switch (phase_) {
+    case Phase::configure:
+      if (bit_ == 8U * kConfigureCommand.size()) start(Phase::convert);
+      break;
+    case Phase::convert:
+      if (bit_ < 8U * kConvertCommand.size()) break;
+      start(Phase::wait);
+      converting_since_ms_ = now_ms;
+      break;
+    case Phase::read:
+      if (bit_ == 8U * (kReadCommand.size() + kScratchpadBytes)) scratchpad_read(now_ms);
+      break;
+    case Phase::wait:
+      break;
+  }
+}
+
+// A sensor that is ready at once has not understood the command: its register holds an old value.
+void Ds18b20::waited(bool ready, std::uint32_t now_ms) {
+  if (ready) return start(seen_busy_ ? Phase::read : Phase::configure);
+  seen_busy_ = true;
+  if (now_ms - converting_since_ms_ > kLongestConversionMs) start(Phase::configure);
+}
+
+void Ds18b20::scratchpad_read(std::uint32_t now_ms) {
+  if (!decode_scratchpad(scratchpad_, temperature_)) return start(Phase::configure);
+  measured_ = true;
+  measured_at_ms_ = now_ms;
+  start(Phase::convert);
+}
+
+}  // namespace fog

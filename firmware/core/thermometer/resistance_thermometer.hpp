@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/thermometer/platinum.hpp"
+#include "core/thermometer/temperature_reading.hpp"
+
+namespace fog {
+
+/// A platinum thermometer on an ADC: means of many codes, because one code of 12 bits is a quarter
+/// of a degree and the drift of a gyro is a matter of hundredths. The converter's own noise, of
+/// about a code, is what makes the mean finer than a code.
+class ResistanceThermometer {
+ public:
+  static constexpr std::uint32_t kCodes = 512;  ///< of one reading
+
+  /// `code_range`: codes of the converter, 4096 for 12 bits. `reference`: see divider_ratio().
+  constexpr ResistanceThermometer(std::uint32_t code_range, ResistanceRatio reference)
+      : full_scale_(kCodes * code_range), reference_(reference) {}
+
+  /// One conversion's code, less than the code range.
+  void add(std::uint32_t code, std::uint32_t now_ms) {
+    sum_ += code;
+    if (++count_ < kCodes) return;
+    const ResistanceRatio ratio = divider_ratio(sum_, full_scale_, reference_);
+    // Beyond what the standard is used for here, the sensor is broken or short: no temperature.
+    valid_ = ratio > kShort && ratio < kBroken;
+    temperature_ = platinum_temperature(ratio);
+    measured_at_ms_ = now_ms;
+    sum_ = 0;
+    count_ = 0;
+  }
+
+  TemperatureReading reading(std::uint32_t now_ms) const {
+    return {temperature_, valid_ && now_ms - measured_at_ms_ <= kOldestReadingMs};
+  }
+
+ private:
+  // 0.65 and 1.65: -88 degC and 171 degC.
+  static constexpr auto kShort = ResistanceRatio::from_raw(174483046);
+  static constexpr auto kBroken = ResistanceRatio::from_raw(442918502);
+
+  std::uint32_t full_scale_;
+  ResistanceRatio reference_;
+  std::uint32_t sum_ = 0;
+  std::uint32_t count_ = 0;
+  Temperature temperature_{};
+  std::uint32_t measured_at_ms_ = 0;
+  bool valid_ = false;
+};
+
+}  // namespace fog

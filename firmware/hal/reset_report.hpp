@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fog::hal {
+
+/// Why the board started.
+enum class ResetCause : std::uint8_t {
+  unknown,
+  power_on,
+  brown_out,
+  reset_pin,
+  watchdog,       ///< the main loop stopped
+  software,       ///< a restart that nobody gave a reason for: a debugger's, a boot loader's
+  clock_failure,  ///< the crystal died while it ran the core
+  fault,          ///< an exception that nothing handles: see the crash record
+  request,
+};
+
+/// One or two words for people.
+const char* describe(ResetCause cause);
+
+/// What the processor knew at the last exception that it could not go on from. It outlives
+/// restarts, not the loss of power.
+struct CrashRecord {
+  std::uint32_t exception;        ///< number of the exception; 0: there was none
+  std::uint32_t program_counter;  ///< 0 where the stack could not be used any more
+  std::uint32_t link_register;    ///< 0 likewise
+  std::uint32_t fault_status;     ///< CFSR: what kind of fault
+  std::uint32_t fault_address;    ///< of the access, where fault_status says that it is known
+  std::uint32_t uptime_ms;
+};
+
+struct ResetReport {
+  ResetCause cause;
+  CrashRecord last_crash;
+};
+
+/// Valid once the board has been started.
+const ResetReport& reset_report();
+
+}  // namespace fog::hal

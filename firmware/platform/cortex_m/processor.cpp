@@ -1,0 +1,19 @@
+#include "platform/shared/processor.hpp"
+
+#include <cstdint>
+
+#include "platform/cortex_m/memory_protection.hpp"
+#include "platform/cortex_m/system_control.hpp"
+#include "platform/shared/linker_symbols.hpp"
+
+namespace fog::platform {
+
+void prepare_processor() {
+  SystemControlBlock& control = system_control_block();
+  // The reset value 0 works only where the flash is mirrored there, not behind a boot loader.
+  control.vector_table_offset.write(reinterpret_cast<std::uintptr_t>(fog_image_start));
+  control.configuration.set(SystemControlBlock::kTrapDivisionByZero);
+  protect_memory();
+}
+
+}  // namespace fog::platform

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+// What linker/common_sections.ld places. Only the addresses mean anything. All are word aligned.
+extern "C" {
+
+/// The image in flash, vector table to seal: what its CRC covers.
+extern const std::uint8_t fog_image_start[];
+extern const std::uint8_t fog_image_end[];
+
+extern const std::uint32_t fog_data_load[];
+extern std::uint32_t fog_data_start[];
+extern std::uint32_t fog_data_end[];
+extern std::uint32_t fog_bss_start[];
+extern std::uint32_t fog_bss_end[];
+
+/// The end of all RAM that is zeroed or set at the start.
+extern std::uint32_t fog_ram_end[];
+
+/// The stack grows down from fog_stack_top to fog_stack_bottom; below it is the guard, which starts
+/// the RAM and which nothing may touch, and below that there is no memory.
+extern std::uint32_t fog_stack_guard[];
+extern std::uint32_t fog_stack_bottom[];
+extern std::uint32_t fog_stack_top[];
+}

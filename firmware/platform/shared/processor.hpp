@@ -1,0 +1,9 @@
+#pragma once
+
+namespace fog::platform {
+
+/// What start-up has to tell the processor before the application runs: where its exceptions go,
+/// which of them it takes. Each processor's own; memory is initialised.
+void prepare_processor();
+
+}  // namespace fog::platform

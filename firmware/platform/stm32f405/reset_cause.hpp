@@ -1,0 +1,10 @@
+#pragma once
+
+#include "hal/reset_report.hpp"
+
+namespace fog::platform {
+
+/// Reads the reset flags and clears them, so that the next reset finds its own alone.
+hal::ResetCause take_hardware_reset_cause();
+
+}  // namespace fog::platform

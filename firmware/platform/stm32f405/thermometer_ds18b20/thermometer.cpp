@@ -1,0 +1,85 @@
+#include "hal/thermometer.hpp"
+#include "core/thermometer/ds18b20.hpp"
+#include "hal/clock.hpp"
+#include "platform/stm32f405/clock_tree.hpp"
+#include "platform/stm32f405/pin_modes.hpp"
+#include "platform/stm32f405/usart_line.hpp"
+
+// A DS18B20 on USART 6 as a half-duplex line: the USART makes the time slots, so no interrupt can
+// spoil one and none has to be held off. A byte is a slot, and what is heard of it says what the
+// sensor did (Maxim, tutorial 214).
+namespace fog {
+namespace platform {
+namespace {
+
+// Reset: 5 bits low, 521 us; a sensor answers in the 5 bits after, which are high.
+constexpr std::uint32_t kResetBaud = 9'600;
+constexpr std::uint8_t kResetByte = 0xF0;
+
+// Other slots: low for a bit, 8.7 us, or for nine, 78 us. A sensor that sends 0 holds the line low
+// for 15 us or more, which is the next bit at least.
+constexpr std::uint32_t kSlotBaud = 115'200;
+constexpr std::uint8_t kShortLow = 0xFF;
+constexpr std::uint8_t kLongLow = 0x00;
+
+// The longest slot is a reset, 1 ms. What is not heard long after that will not be.
+constexpr std::uint32_t kLostAfterMs = 100;
+
+Ds18b20 sensor;
+OneWireSlot slot = OneWireSlot::none;  // under way
+std::uint32_t sent_at_ms = 0;
+
+void send(OneWireSlot next, std::uint32_t now_ms) {
+  const bool reset = next == OneWireSlot::reset;
+  usart6().baud_rate.write(baud_divisor(clock_tree().apb2_hz, reset ? kResetBaud : kSlotBaud));
+  const std::uint8_t low = next == OneWireSlot::write_0 ? kLongLow : kShortLow;
+  usart6().data.write(reset ? kResetByte : low);
+  slot = next;
+  sent_at_ms = now_ms;
+}
+
+// Of a line that is held low nothing is heard but 0: no sensor either.
+bool shown(std::uint8_t heard) {
+  if (slot == OneWireSlot::reset) return heard != kResetByte && heard != 0;
+  return heard == kShortLow;
+}
+
+}  // namespace
+}  // namespace platform
+
+namespace hal {
+
+using namespace platform;
+
+void start_thermometer() {
+  make_open_drain(kOneWire);
+  connect(kOneWire);
+  enable_clock(rcc().apb2_enable, Rcc::kUsart6);
+  usart6().control3.set(Usart::kHalfDuplex);
+  usart6().control1.write(Usart::kEnable | Usart::kTransmitter | Usart::kReceiver);
+}
+
+// The baud rate changes between slots, so the line must have been quiet before: complete, not only
+// received.
+void advance_thermometer() {
+  const std::uint32_t now_ms = milliseconds();
+  if (slot != OneWireSlot::none) {
+    constexpr std::uint32_t kThrough = Usart::kReceived | Usart::kTransmitComplete;
+    if ((usart6().status.read() & kThrough) == kThrough) {
+      sensor.slot_made(shown(static_cast<std::uint8_t>(usart6().data.read())), now_ms);
+    } else if (now_ms - sent_at_ms > kLostAfterMs) {
+      sensor.line_failed();
+    } else {
+      return;
+    }
+  }
+  send(sensor.next_slot(), now_ms);
+}
+
+OwnTemperature own_temperature() {
+  const TemperatureReading reading = sensor.reading(milliseconds());
+  return {reading.temperature.raw(), reading.valid};
+}
+
+}  // namespace hal
+}  // namespace fog

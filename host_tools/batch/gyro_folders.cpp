@@ -1,0 +1,63 @@
+#include "batch/gyro_folders.hpp"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "support/input_error.hpp"
+
+namespace fogcomp::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool matches(const std::string& pattern, const std::string& name) {
+  return ::fnmatch(pattern.c_str(), name.c_str(), FNM_PERIOD) == 0;
+}
+
+GyroFolder read_folder(const fs::path& folder, const FilePatterns& patterns) {
+  GyroFolder gyro{folder.filename().string(), {}, {}};
+  std::error_code unreadable;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, unreadable)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() || !matches(patterns.runs, name)) continue;
+    (matches(patterns.holdouts, name) ? gyro.holdouts : gyro.recordings)
+        .push_back(entry.path().string());
+  }
+  std::sort(gyro.recordings.begin(), gyro.recordings.end());
+  std::sort(gyro.holdouts.begin(), gyro.holdouts.end());
+  return gyro;
+}
+
+}  // namespace
+
+std::vector<GyroFolder> find_gyros(const std::string& parent, const FilePatterns& patterns) {
+  std::error_code error;
+  fs::directory_iterator entries(parent, error);
+  if (error) {
+    throw InputError(parent, "cannot be read (" + error.message() +
+                                 "); name the folder that has a folder per gyro");
+  }
+  std::vector<GyroFolder> gyros;
+  for (const fs::directory_entry& entry : entries) {
+    const bool hidden = entry.path().filename().string().front() == '.';
+    if (entry.is_directory() && !hidden) gyros.push_back(read_folder(entry.path(), patterns));
+  }
+  if (gyros.empty()) {
+    throw InputError(parent,
+                     "has no folder in it; give every gyro one, named by its serial number");
+  }
+  std::sort(gyros.begin(), gyros.end(),
+            [](const GyroFolder& a, const GyroFolder& b) { return a.name < b.name; });
+  return gyros;
+}
+
+std::vector<GyroFolder> shard_of(const std::vector<GyroFolder>& gyros, std::size_t index,
+                                 std::size_t count) {
+  std::vector<GyroFolder> part;
+  for (std::size_t i = index - 1; i < gyros.size(); i += count) part.push_back(gyros[i]);
+  return part;
+}
+
+}  // namespace fogcomp::batch

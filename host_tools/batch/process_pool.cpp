@@ -1,0 +1,135 @@
+#include "batch/process_pool.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <exception>
+#include <vector>
+
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::batch {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::timespec kTick{0, 200'000'000};
+
+struct Running {
+  pid_t process;
+  std::size_t job;
+  Clock::time_point start;
+  bool overdue = false;
+};
+
+// Signals are waited for, not handled: nothing is interrupted at a moment that it did not choose.
+class WatchedSignals {
+ public:
+  WatchedSignals() {
+    sigemptyset(&watched_);
+    sigaddset(&watched_, SIGCHLD);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction action {};
+      sigaction(number, nullptr, &action);
+      if (action.sa_handler != SIG_IGN) sigaddset(&watched_, number);  // nohup stays in force
+    }
+    sigprocmask(SIG_BLOCK, &watched_, &before_);
+  }
+  ~WatchedSignals() { restore(); }
+  WatchedSignals(const WatchedSignals&) = delete;
+  WatchedSignals& operator=(const WatchedSignals&) = delete;
+
+  void restore() const { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  // The signal that asks for the end, or 0 after a tick or the end of a child.
+  int wait() const {
+    const int number = sigtimedwait(&watched_, nullptr, &kTick);
+    return number > 0 && number != SIGCHLD ? number : 0;
+  }
+
+ private:
+  sigset_t watched_;
+  sigset_t before_;
+};
+
+// The child must not go on as a second parent.
+[[noreturn]] void run_and_exit(const std::function<void(std::size_t)>& work, std::size_t job) {
+  int code = 0;
+  try {
+    work(job);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    code = 1;
+  }
+  std::fflush(nullptr);
+  ::_exit(code);
+}
+
+std::string death_of(const Running& running, int status, double time_limit_s) {
+  if (running.overdue) return format("took longer than %g s and was ended", time_limit_s);
+  if (WIFSIGNALED(status)) {
+    return format("its process died of signal %d (%s)", WTERMSIG(status),
+                  strsignal(WTERMSIG(status)));
+  }
+  return WEXITSTATUS(status) == 0 ? ""
+                                  : format("its process ended with code %d", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+int run_in_processes(std::size_t jobs, const PoolSettings& settings,
+                     const std::function<void(std::size_t)>& work, const PoolEvents& events) {
+  const WatchedSignals signals;
+  std::vector<Running> running;
+  std::size_t next = 0;
+
+  const auto start = [&] {
+    std::fflush(nullptr);  // or the child would print it again
+    const pid_t process = ::fork();
+    if (process < 0) {
+      throw InputError("fogcomp batch", std::string("no process can be started (") +
+                                            std::strerror(errno) + "); use fewer --jobs");
+    }
+    if (process == 0) {
+      signals.restore();
+      run_and_exit(work, next);
+    }
+    running.push_back({process, next++, Clock::now()});
+  };
+
+  while (next < jobs || !running.empty()) {
+    while (next < jobs && running.size() < settings.processes) start();
+    const int asked_to_end = signals.wait();
+    if (asked_to_end != 0) {
+      for (const Running& one : running) ::kill(one.process, SIGTERM);
+      for (const Running& one : running) ::waitpid(one.process, nullptr, 0);
+      return asked_to_end;
+    }
+    for (std::size_t i = 0; i < running.size();) {
+      int status = 0;
+      if (::waitpid(running[i].process, &status, WNOHANG) == 0) {
+        const double elapsed_s =
+            std::chrono::duration<double>(Clock::now() - running[i].start).count();
+        if (settings.time_limit_s > 0 && elapsed_s > settings.time_limit_s && !running[i].overdue) {
+          running[i].overdue = true;
+          ::kill(running[i].process, SIGTERM);
+        }
+        ++i;
+        continue;
+      }
+      const Running ended = running[i];
+      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
+      events.ended(ended.job, death_of(ended, status, settings.time_limit_s));
+    }
+    events.tick();
+  }
+  return 0;
+}
+
+}  // namespace fogcomp::batch

@@ -1,0 +1,76 @@
+#include "batch/summary.hpp"
+
+#include <algorithm>
+
+#include "support/text.hpp"
+
+namespace fogcomp::batch {
+namespace {
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char character : text) cell += character == '"' ? "\"\"" : std::string(1, character);
+  return cell + "\"";
+}
+
+}  // namespace
+
+const char* name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::pass:
+      return "pass";
+    case Outcome::fail:
+      return "fail";
+    case Outcome::error:
+      break;
+  }
+  return "error";
+}
+
+std::size_t Summary::count(Outcome outcome) const {
+  return static_cast<std::size_t>(std::count_if(
+      gyros.begin(), gyros.end(), [outcome](const Gyro& gyro) { return gyro.outcome == outcome; }));
+}
+
+Summary summarise(std::vector<GyroResult> results, std::vector<Limit> limits) {
+  Summary summary{{}, std::move(limits), {}};
+  for (GyroResult& result : results) {
+    for (const auto& [name, value] : result.figures) {
+      auto& names = summary.figures;
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    Summary::Gyro gyro;
+    if (!result.error.empty()) {
+      gyro.reason = result.error;
+    } else {
+      gyro.reason = broken_limits(result, summary.limits);
+      gyro.outcome = gyro.reason.empty() ? Outcome::pass : Outcome::fail;
+    }
+    gyro.result = std::move(result);
+    summary.gyros.push_back(std::move(gyro));
+  }
+  return summary;
+}
+
+std::string headline(const Summary& summary) {
+  return format("%zu gyros: %zu pass, %zu fail, %zu without a result", summary.gyros.size(),
+                summary.count(Outcome::pass), summary.count(Outcome::fail),
+                summary.count(Outcome::error));
+}
+
+std::string csv_text(const Summary& summary) {
+  std::string text = "gyro,outcome,reason";
+  for (const std::string& name : summary.figures) text += "," + name;
+  for (const Summary::Gyro& gyro : summary.gyros) {
+    text +=
+        "\n" + quoted(gyro.result.gyro) + "," + name_of(gyro.outcome) + "," + quoted(gyro.reason);
+    for (const std::string& name : summary.figures) {
+      const auto value = gyro.result.figure(name);
+      text += "," + (value ? format("%.7g", *value) : "");
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace fogcomp::batch

@@ -1,0 +1,304 @@
+// fogcomp batch: the gyros of a production line, each in a process of its own.
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <new>
+#include <set>
+#include <thread>
+
+#include "batch/limits.hpp"
+#include "batch/process_pool.hpp"
+#include "batch/summary.hpp"
+#include "cli/arguments.hpp"
+#include "cli/gyro_calibration.hpp"
+#include "report/batch_report.hpp"
+#include "support/input_error.hpp"
+#include "support/json.hpp"
+#include "support/output_file.hpp"
+#include "support/progress.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using batch::GyroFolder;
+using batch::GyroResult;
+using batch::Outcome;
+
+struct Batch {
+  const Arguments& arguments;
+  std::string input;
+  std::string output;
+  std::vector<GyroFolder> gyros;  // of this shard
+
+  std::string folder_of(const GyroFolder& gyro) const { return output + "/" + gyro.name; }
+};
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(folder, "cannot be made (" + error.message() + "); choose another");
+}
+
+// Results among the recordings would be taken for a gyro.
+void require_apart(const std::string& input, const std::string& output) {
+  const fs::path inside =
+      fs::weakly_canonical(output).lexically_relative(fs::weakly_canonical(input));
+  if (inside.empty() || *inside.begin() == "..") return;
+  throw InputError(output, "lies in " + input + "; name a folder beside it");
+}
+
+std::vector<GyroFolder> shard(const Arguments& arguments, const std::vector<GyroFolder>& gyros) {
+  if (!arguments.has("shard")) return gyros;
+  const std::string text = arguments.text("shard");
+  const std::vector<std::string> words = split(text, '/');
+  const auto index = words.size() == 2 ? parse_number(words[0]) : std::nullopt;
+  const auto count = words.size() == 2 ? parse_number(words[1]) : std::nullopt;
+  const auto is_whole = [](double number) { return number == static_cast<int>(number); };
+  if (!index || !count || *index < 1 || *index > *count || *count > 1e6 || !is_whole(*index) ||
+      !is_whole(*count)) {
+    throw InputError("--shard",
+                     "'" + text + "' is no part of a whole; write I/N with I from 1 to N");
+  }
+  return shard_of(gyros, static_cast<std::size_t>(*index), static_cast<std::size_t>(*count));
+}
+
+// A result that belongs to these recordings and options, if there is one. An error is tried again:
+// a full disk or a killed process says nothing about the gyro.
+bool is_done(const Batch& batch, const GyroFolder& gyro) {
+  const std::string folder = batch.folder_of(gyro);
+  const bool lacks_page = batch.arguments.has("reports") && !gyro.holdouts.empty() &&
+                          !fs::exists(folder + "/report.html");
+  if (lacks_page) return false;
+  const auto result = batch::load_result(gyro.name, folder);
+  return result && result->error.empty() &&
+         result->fingerprint == fingerprint_of(gyro, batch.arguments);
+}
+
+// In the process of its own. Nothing of an earlier run stays.
+void calibrate_alone(const Batch& batch, const GyroFolder& gyro) {
+  const std::string folder = batch.folder_of(gyro);
+  GyroResult result{gyro.name, "", "", {}};
+  try {
+    make_folder(folder);
+    for (const char* name : {"result.txt", "fog_model.h", "report.html"}) {
+      fs::remove(fs::path(folder) / name);
+    }
+    fs::remove(fs::path(folder) / (gyro.name + ".model"));
+    if (std::freopen((folder + "/log.txt").c_str(), "w", stderr) == nullptr) {
+      throw InputError(folder, "cannot be written");
+    }
+    if (gyro.recordings.empty()) {
+      throw InputError(batch.input + "/" + gyro.name,
+                       "has no recording to fit to; --runs and --holdouts say what is one");
+    }
+    const std::string fingerprint = fingerprint_of(gyro, batch.arguments);
+    result = calibrate(gyro, batch.arguments, folder);
+    result.fingerprint = fingerprint;
+  } catch (const std::bad_alloc&) {
+    result.error = "out of memory; use fewer --jobs";
+  } catch (const std::exception& error) {
+    result.error = error.what();
+  }
+  std::fprintf(stderr, "%s", result.error.empty() ? "" : (result.error + "\n").c_str());
+  batch::save_result(result, folder);
+}
+
+struct Work {
+  std::size_t already = 0;  // were done
+  std::size_t done = 0;
+  std::size_t errors = 0;
+  std::set<std::string> current;            // gyros whose results are known to be of these inputs
+  std::map<std::string, std::string> lost;  // why a gyro could not even leave a result
+};
+
+// A process that cannot say anything itself is spoken for.
+void record_death(const Batch& batch, const GyroFolder& gyro, const std::string& death,
+                  Work& work) {
+  try {
+    batch::save_result({gyro.name, "", death, {}}, batch.folder_of(gyro));
+  } catch (const InputError& error) {
+    work.lost[gyro.name] = death + "; " + error.what();
+  }
+}
+
+Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
+  Work work;
+  std::vector<GyroFolder> to_do;
+  {
+    Progress progress("looking at recordings");
+    for (std::size_t i = 0; i < batch.gyros.size(); ++i) {
+      bool done = false;
+      try {
+        done = is_done(batch, batch.gyros[i]);
+      } catch (const InputError&) {  // its own process will say so
+      }
+      if (done) {
+        work.current.insert(batch.gyros[i].name);
+      } else {
+        to_do.push_back(batch.gyros[i]);
+      }
+      progress.update(static_cast<double>(i + 1) / static_cast<double>(batch.gyros.size()));
+    }
+  }
+  work.already = work.current.size();
+  Progress progress("calibrating");
+  batch::PoolEvents events;
+  events.ended = [&](std::size_t job, const std::string& death) {
+    const GyroFolder& gyro = to_do[job];
+    if (!death.empty()) record_death(batch, gyro, death, work);
+    const auto result = batch::load_result(gyro.name, batch.folder_of(gyro));
+    ++work.done;
+    if (result && result->error.empty()) {
+      work.current.insert(gyro.name);
+    } else {
+      ++work.errors;
+    }
+  };
+  events.tick = [&] {
+    progress.update(static_cast<double>(work.done) / static_cast<double>(to_do.size()));
+  };
+  const int signal_number = batch::run_in_processes(
+      to_do.size(), settings, [&](std::size_t job) { calibrate_alone(batch, to_do[job]); }, events);
+  if (signal_number != 0) {
+    std::fprintf(stderr,
+                 "\ninterrupted: %zu of %zu gyros are done; the same command goes on there\n",
+                 work.already + work.done, batch.gyros.size());
+    std::signal(signal_number, SIG_DFL);
+    std::raise(signal_number);
+  }
+  return work;
+}
+
+GyroResult result_of(const Batch& batch, const GyroFolder& gyro, const Work& work) {
+  GyroResult missing{gyro.name, "", "not calibrated with these recordings and options", {}};
+  const auto lost = work.lost.find(gyro.name);
+  if (lost != work.lost.end()) missing.error = lost->second;
+  try {
+    const auto result = batch::load_result(gyro.name, batch.folder_of(gyro));
+    if (!result) return missing;
+    const bool current = work.current.count(gyro.name) > 0 || !result->error.empty();
+    return current || is_done(batch, gyro) ? *result : missing;
+  } catch (const InputError& error) {
+    missing.error = error.what();
+  }
+  return missing;
+}
+
+batch::Summary write_tables(const Batch& batch, const Work& work,
+                            const std::vector<batch::Limit>& limits) {
+  std::vector<GyroResult> results;
+  for (const GyroFolder& gyro : batch.gyros) results.push_back(result_of(batch, gyro, work));
+  batch::Summary summary = summarise(std::move(results), limits);
+  write_file(batch.output + "/gyros.csv", csv_text(summary));
+  write_file(batch.output + "/index.html", report::batch_report(summary, batch.input, batch.output,
+                                                                batch.arguments.has("reports"))
+                                               .html());
+  return summary;
+}
+
+void print_json(const batch::Summary& summary, const Work& work, const std::string& output) {
+  Json gyros = Json::array();
+  for (const batch::Summary::Gyro& gyro : summary.gyros) {
+    gyros.push(std::move(Json::object()
+                             .set("gyro", gyro.result.gyro)
+                             .set("outcome", name_of(gyro.outcome))
+                             .set("reason", gyro.reason)));
+  }
+  Json result = Json::object();
+  result.set("table", output + "/gyros.csv").set("index", output + "/index.html");
+  result.set("pass", summary.count(Outcome::pass)).set("fail", summary.count(Outcome::fail));
+  result.set("error", summary.count(Outcome::error));
+  result.set("calibrated", work.done).set("already_done", work.already);
+  result.set("gyros", std::move(gyros));
+  std::puts(result.text().c_str());
+}
+
+void print_text(const batch::Summary& summary, const Work& work, const std::string& output) {
+  constexpr std::size_t kMostListed = 20;
+  std::size_t listed = 0;
+  for (const batch::Summary::Gyro& gyro : summary.gyros) {
+    if (gyro.outcome == Outcome::pass || ++listed > kMostListed) continue;
+    std::printf("  %-16s %-6s %s\n", gyro.result.gyro.c_str(), name_of(gyro.outcome),
+                gyro.reason.c_str());
+  }
+  if (listed > kMostListed) std::printf("  ... and %zu more\n", listed - kMostListed);
+  std::printf("%s (%zu calibrated now, %zu before)\n", headline(summary).c_str(), work.done,
+              work.already);
+  std::printf("written: %s/gyros.csv, %s/index.html\n", output.c_str(), output.c_str());
+}
+
+int run_batch(const Arguments& arguments) {
+  const std::string& input = arguments.positionals()[0];
+  Batch batch{arguments, input, arguments.required("o"), {}};
+  require_apart(input, batch.output);
+  batch::PoolSettings settings;
+  const auto processors = std::max(1U, std::thread::hardware_concurrency());
+  settings.processes = arguments.has("jobs")
+                           ? static_cast<std::size_t>(arguments.integer("jobs", 1, 1024))
+                           : processors;
+  settings.time_limit_s = arguments.number("time-limit", 0, 1e7);
+  check_calibration_options(arguments);
+  const std::vector<std::string> figures = figure_names(arguments);
+  std::vector<batch::Limit> limits;
+  if (arguments.has("limits")) {
+    const std::string file = arguments.text("limits");
+    limits = batch::parse_limits(read_file(file), file, figures);
+  }
+  const std::vector<GyroFolder> all =
+      batch::find_gyros(input, {arguments.text("runs"), arguments.text("holdouts")});
+  batch.gyros = shard(arguments, all);
+  make_folder(batch.output);
+
+  Work work;
+  if (!arguments.has("merge")) work = calibrate_all(batch, settings);
+  if (arguments.has("shard")) {
+    std::printf("part %s: %zu gyros calibrated, %zu before, %zu without a result\n",
+                arguments.text("shard").c_str(), work.done, work.already, work.errors);
+    return work.errors == 0 ? 0 : 1;
+  }
+  const batch::Summary summary = write_tables(batch, work, limits);
+  if (arguments.has("json")) {
+    print_json(summary, work, batch.output);
+  } else {
+    print_text(summary, work, batch.output);
+  }
+  return summary.count(Outcome::pass) == summary.gyros.size() ? 0 : 1;
+}
+
+}  // namespace
+
+Command batch_command() {
+  Command command;
+  command.name = "batch";
+  command.positionals = "DIR";
+  command.least_positionals = command.most_positionals = 1;
+  command.summary = "fit, compare, export for every gyro of a folder; one table, one page";
+  command.example =
+      "fogcomp batch gyros -o results --effects bias,temperature_rate --limits limits.txt";
+  command.options = {
+      {"o", "OUT", "folder for results: SERIAL/{SERIAL.model,fog_model.h}, gyros.csv, index.html",
+       ""},
+      {"runs", "PATTERN", "recordings in DIR/SERIAL/", "*.csv"},
+      {"holdouts", "PATTERN", "those of them that the fit does not see, to judge by", "holdout*"},
+      {"limits", "FILE", "lines such as holdout_drift_dph <= 0.01; columns of gyros.csv", ""},
+      {"jobs", "N", "gyros at a time, a process each (default: one per processor)", ""},
+      {"time-limit", "S", "ends a gyro that takes longer; 0: none", "0"},
+      {"shard", "I/N", "only every N-th gyro, from the I-th on; without table and page", ""},
+      {"merge", "", "only table and page, of what is calibrated", ""},
+      {"reports", "", "a page of plots for every gyro too (needs hold-outs)", ""},
+      {"json", "", "one JSON object on stdout", ""},
+  };
+  for (Option& option : calibration_options()) {
+    option.rare = option.name != "effects" && option.name != "network";
+    command.options.push_back(std::move(option));
+  }
+  command.run = run_batch;
+  return command;
+}
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,46 @@
+#include "cli/board_header.hpp"
+
+#include "cli/board_options.hpp"
+#include "export/header.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+std::string file_name(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+std::uint32_t data_hash(const Model& model) {
+  return model.history.empty() ? 0 : model.history.back().data_hash;
+}
+
+}  // namespace
+
+BoardHeader board_header(const Model& model, const std::string& file, const Arguments& arguments,
+                         bool allow_error) {
+  const BoardTable table = make_board_table(model, board_settings(arguments));
+  const fog::ModelParameters parameters = read_board_table(table, file);
+  const QuantizationError error = verify_quantization(model, parameters);
+  const NetworkError network = verify_network(model, parameters);
+  if (network.worst_dph > kQuantizationLimitDph && !allow_error) {
+    throw InputError(
+        file,
+        format("the network's integers would be %.4f deg/h off somewhere among its inputs (limit "
+               "%.4f); train it with fewer neurons or another --seed, or give --allow-error",
+               network.worst_dph, kQuantizationLimitDph));
+  }
+  if (error.worst_dph > kQuantizationLimitDph && !allow_error) {
+    throw InputError(
+        file, format("the board's integers would be %.4f deg/h off at %.1f degC, %.1f degC/min "
+                     "(limit %.4f); lower the drift's size or give --allow-error",
+                     error.worst_dph, error.at_temperature_degc, error.at_temperature_rate,
+                     kQuantizationLimitDph));
+  }
+  return {header_text(table, file_name(file), data_hash(model)), table.words.size(), error,
+          network};
+}
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "cli/arguments.hpp"
+#include "model/model.hpp"
+#include "quantization/verification.hpp"
+
+namespace fogcomp::cli {
+
+/// A model as the firmware takes it, and how far its integers are from the model.
+struct BoardHeader {
+  std::string text;
+  std::size_t words = 0;
+  QuantizationError error;
+  NetworkError network;
+};
+
+/// By board_options(); `file` is the model's, for the header and for errors. Throws InputError for
+/// a model that no board can have, and, unless `allow_error`, for integers too far off.
+BoardHeader board_header(const Model& model, const std::string& file, const Arguments& arguments,
+                         bool allow_error);
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,118 @@
+// fogcomp completion: what a shell needs to complete command lines, from the commands'
+// descriptions.
+
+#include <algorithm>
+#include <cstdio>
+
+#include "cli/arguments.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+// Everything that does not depend on the commands. A value may be a list: what is completed is its
+// last part; "=" and ":" are words of their own for bash, so that a part has none of them in it.
+constexpr const char* kFrame =
+    R"(# bash completion for fogcomp, as `fogcomp completion bash` prints it.
+
+_fogcomp_words() {
+  local list=
+  [[ $1 == *,* ]] && list=${1%%,*},
+  mapfile -t COMPREPLY < <(compgen -P "$list" -W "$2" -- "${1##*,}")
+}
+
+_fogcomp() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} options= words=
+  COMPREPLY=()
+  if ((COMP_CWORD == 1)); then
+    _fogcomp_words "$current" "%s help"
+    return
+  fi
+  case ${COMP_WORDS[1]} in
+%s  esac
+  if [[ $current == -* ]]; then
+    _fogcomp_words "$current" "$options --help"
+    return
+  fi
+  [[ -n $words ]] && _fogcomp_words "$current" "$words"
+  compopt -o filenames -o default
+}
+
+complete -F _fogcomp fogcomp
+)";
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+// What bash calls patterns: "--seed | --epochs".
+std::string patterns(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " | ") + name;
+  return text;
+}
+
+bool is_file(const Option& option) {
+  static const std::vector<std::string> files{"DIR", "FILE",     "HEADER", "MODEL",
+                                              "OUT", "OUT.html", "RUN",    "NAME|FILE"};
+  return std::find(files.begin(), files.end(), option.value_name) != files.end();
+}
+
+// The arm of one command: its options, and what the value of each of them may be.
+std::string arm(const Command& command) {
+  std::vector<std::string> names;
+  std::vector<std::string> free_values;  // of which nothing is known
+  std::string values;
+  for (const Option& option : command.options) {
+    names.push_back(dashed(option.name));
+    if (option.value_name.empty()) continue;
+    if (!option.words.empty()) {
+      values += "        " + names.back() + ")\n          _fogcomp_words \"$current\" \"" +
+                joined(option.words) + "\"\n";
+      values += is_file(option) ? "          compopt -o default\n" : "";
+      values += "          return\n          ;;\n";
+    } else if (!is_file(option)) {
+      free_values.push_back(names.back());
+    }
+  }
+  std::string text = "    " + command.name + ")\n";
+  text += "      options=\"" + joined(names) + "\"\n";
+  if (!command.words.empty()) text += "      words=\"" + joined(command.words) + "\"\n";
+  if (!free_values.empty()) values += "        " + patterns(free_values) + ") return ;;\n";
+  if (!values.empty()) text += "      case $previous in\n" + values + "      esac\n";
+  return text + "      ;;\n";
+}
+
+int run_completion(const Arguments& arguments) {
+  if (arguments.positionals()[0] != "bash") {
+    throw InputError("fogcomp completion", "knows bash, not '" + arguments.positionals()[0] + "'");
+  }
+  std::vector<std::string> names;
+  std::string arms;
+  for (const Command& command : all_commands()) {
+    names.push_back(command.name);
+    arms += arm(command);
+  }
+  arms += "    help) words=\"" + joined(names) + "\" ;;\n";
+  std::fputs(format(kFrame, joined(names).c_str(), arms.c_str()).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+Command completion_command() {
+  Command command;
+  command.name = "completion";
+  command.positionals = "bash";
+  command.least_positionals = command.most_positionals = 1;
+  command.words = {"bash"};
+  command.summary = "the script with which a shell completes fogcomp's command lines";
+  command.example = "source <(fogcomp completion bash)";
+  command.run = run_completion;
+  return command;
+}
+
+}  // namespace fogcomp::cli

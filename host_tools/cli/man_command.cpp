@@ -1,0 +1,74 @@
+// fogcomp man: the manual page, from the commands' descriptions.
+
+#include <cstdio>
+
+#include "cli/arguments.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+// Text as roff takes it: nothing in it is a request or an escape, and a dash is a dash to be typed.
+std::string roff(const std::string& text) {
+  std::string escaped;
+  for (const char character : text) {
+    if (character == '\\') {
+      escaped += "\\e";
+    } else if (character == '-') {
+      escaped += "\\-";
+    } else if (character == '\'') {
+      escaped += "\\(aq";
+    } else {
+      escaped += character;
+    }
+  }
+  return escaped.empty() || escaped[0] != '.' ? escaped : "\\&" + escaped;
+}
+
+std::string option_entry(const Option& option) {
+  std::string text = ".TP\n\\fB" + roff(dashed(option.name)) + "\\fR";
+  if (!option.value_name.empty()) text += " \\fI" + roff(option.value_name) + "\\fR";
+  text += "\n" + roff(option.help);
+  if (!option.default_value.empty()) text += " [" + roff(option.default_value) + "]";
+  return text + "\n";
+}
+
+std::string command_section(const Command& command) {
+  std::string text = ".SS \"fogcomp " + command.name + " " + roff(command.positionals) + "\"\n";
+  text += roff(command.summary) + ".\n";
+  for (const Option& option : command.options) text += option_entry(option);
+  return text + ".PP\nExample:\n.PP\n.nf\n    " + roff(command.example) + "\n.fi\n";
+}
+
+int run_man(const Arguments& /*arguments*/) {
+  std::string text =
+      ".TH FOGCOMP 1 \"\" \"fogcomp " FOGCOMP_VERSION
+      "\" \"User Commands\"\n"
+      ".SH NAME\nfogcomp \\- finds and removes the temperature drift of a fibre\\-optic gyro\n"
+      ".SH SYNOPSIS\n.B fogcomp\n\\fICOMMAND\\fR [\\fIARGUMENTS\\fR]\n"
+      ".SH DESCRIPTION\n"
+      "fogcomp learns a model of the drift from a recording in a thermal chamber, shows where the "
+      "model fails and which physical effect is missing, and exports it for the gyro's board.\n"
+      ".SH COMMANDS\n";
+  for (const Command& command : all_commands()) text += command_section(command);
+  text +=
+      ".SH EXIT STATUS\n0 done; 1 the answer is no; 2 bad arguments or input.\n"
+      ".SH FILES\nFormats of recordings, models, limits and headers: host_tools/README.md and "
+      "firmware/SPEC.md of the source tree.\n"
+      ".SH ENVIRONMENT\nNothing of it changes what fogcomp prints. Progress bars appear on "
+      "terminals only.\n";
+  std::fputs(text.c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+Command man_command() {
+  Command command;
+  command.name = "man";
+  command.summary = "the manual page, with every option of every command";
+  command.example = "fogcomp man | man -l -";
+  command.run = run_man;
+  return command;
+}
+
+}  // namespace fogcomp::cli

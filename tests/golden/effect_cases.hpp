@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "quantization/board_table.hpp"
+#include "support/typical_effects.hpp"
+
+namespace fog::test {
+
+/// Blocks between two that the golden vectors show: a prime, falls on every phase of every input.
+constexpr std::size_t kGoldenStride = 2003;
+
+/// Calls visit(name, table) for every effect alone, and first for all of them with a network.
+template <class Visit>
+void for_each_effect_case(Visit visit) {
+  const auto table_of = [](const fogcomp::Model& model) {
+    return fogcomp::make_board_table(model, {200, fog::OutputSelection::kvh, true});
+  };
+  fogcomp::Model model = all_effects_model();
+  visit(std::string("all effects and a network"), table_of(model));
+  model.network = {};
+  for (const fogcomp::EffectTerm& term : typical_terms()) {
+    model.terms = {term};
+    visit(term.name, table_of(model));
+  }
+}
+
+}  // namespace fog::test

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# at_a_terminal.sh FOGCOMP: long work shows a bar with the time left, on a terminal only; Ctrl-C leaves no half file
+# and what had the name before as it was; a training ends early with its best weights.
+set -euo pipefail
+source "$(dirname "$0")/common.sh"
+fogcomp=$(realpath "${1:?usage: at_a_terminal.sh FOGCOMP}")
+command -v script >/dev/null || { echo "skipped: no script(1) here"; exit 77; }
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+"$fogcomp" simulate -o run.csv >said.txt
+echo "kept" >big.csv
+
+# at_terminal COMMAND...: in the background, on a terminal whose screen is in screen.txt; its process in `pid`.
+at_terminal() {
+  rm -f screen.txt pid status
+  # shellcheck disable=SC2016
+  env --default-signal=INT script -qefc "bash -c 'echo \$\$ >pid; exec $(printf '%q ' "$@")'" screen.txt >said.txt </dev/null || echo $? >status &
+  until [[ -s pid ]]; do sleep 0.02; done
+}
+# wait_for REGEX: on the screen.
+wait_for() {
+  local tries=0
+  until grep -qaE "$1" screen.txt 2>/dev/null; do
+    sleep 0.05
+    ((++tries < 1200)) || fail "no $1 in $(cat screen.txt)"
+  done
+}
+
+# More than 2 s of work. The bar, then Ctrl-C: nothing of the file, and the old one.
+at_terminal "$fogcomp" simulate -o big.csv --rate 500
+wait_for 'simulating \[#* *\] +[0-9]+ %, [0-9]+ s left'
+kill -INT "$(cat pid)"
+wait
+[[ $(cat status) == 130 ]] || fail "exit code $(cat status)"
+[[ $(cat big.csv) == kept && -z $(find . -name '*.part-*') ]] || fail "half a file: $(ls)"
+
+# A training ends with what it has.
+at_terminal "$fogcomp" fit run.csv -o gyro.model --effects bias --network 10 --trainer pso-bp --iterations 100000 --force-network
+wait_for 'training \[#* *\] +[0-9]+ %, [0-9]+ s left'
+kill -INT "$(cat pid)"
+wait
+[[ ! -e status ]] || fail "exit code $(cat status): $(cat screen.txt)"
+grep -qa 'interrupted: the best network of' screen.txt || fail "$(cat screen.txt)"
+"$fogcomp" compare gyro.model run.csv >said.txt
+
+# The same into a file: no bar, no escape sequence, whatever it is that is long.
+timeout -s INT 3 "$fogcomp" fit run.csv -o gyro.model --effects bias --network 10 --trainer pso-bp --iterations 100000 --force-network \
+  >said.txt 2>errors.txt || true
+! grep -q $'[\r\033]' said.txt errors.txt || fail "a bar in a file: $(cat errors.txt)"
+echo "bars on terminals, whole files or none"

@@ -1,0 +1,143 @@
+#!/usr/bin/env bash
+# batch.sh FOGCOMP SOURCE: a lot of gyros is calibrated although one has a bad recording, one has none, one crashes and
+# one hangs; what is done is not done again, what changed is; parts and a merge give the same table; Ctrl-C leaves
+# no half file and no process.
+set -euo pipefail
+source "$(dirname "$0")/common.sh"
+fogcomp=$(realpath "${1:?usage: batch.sh FOGCOMP SOURCE}")
+submit=$(realpath "$2/host_tools/batch/slurm/submit.sh")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+options=(--effects bias,bias_temperature,temperature_rate --jobs 2)
+
+# batch EXIT_CODE ARGUMENTS...
+batch() {
+  local expected=$1 status=0
+  shift
+  "$fogcomp" batch "${options[@]}" "$@" >said.txt 2>errors.txt || status=$?
+  ((status == expected)) || fail "exit code $status, not $expected: $* $(cat said.txt errors.txt)"
+}
+says() { grep -qE -- "$1" said.txt || fail "expected $1 in: $(cat said.txt)"; }
+outcome() { awk -F, -v gyro="$1" '$1 == gyro { print $2 }' "${2:-out}/gyros.csv"; }
+
+for gyro in A1 A2 A3; do
+  mkdir -p "gyros/$gyro"
+  "$fogcomp" simulate -o "gyros/$gyro/run.csv" --seed "${gyro#A}" >said.txt
+done
+"$fogcomp" simulate -o gyros/A1/holdout.csv --seed 9 --profile reversed >said.txt
+cp gyros/A1/holdout.csv gyros/A2/holdout_random.csv
+mkdir gyros/B1 gyros/B2
+{ head -n 100 gyros/A1/run.csv; echo "not,a,row"; } >gyros/B1/run.csv
+echo "no recording" >gyros/B2/notes.txt
+
+# Sound gyros are calibrated, the others are named with the reason.
+batch 1 gyros -o out
+says '^5 gyros: 3 pass, 0 fail, 2 without a result \(5 calibrated now, 0 before\)'
+says '^  B1 +error +gyros/B1/run.csv:101: '
+says '^  B2 +error +gyros/B2: has no recording'
+[[ $(outcome A1)$(outcome A2)$(outcome A3)$(outcome B1) == passpasspasserror ]] || fail "$(cat out/gyros.csv)"
+grep -q '<a href="./A2/">A2</a>' out/index.html || fail "index.html does not lead to A2"
+[[ -f out/A1/fog_model.h && ! -e out/B1/fog_model.h ]] || fail "headers"
+
+# The gyro's own result is that of fit, compare and export one by one.
+"$fogcomp" fit gyros/A1/run.csv -o A1.model --effects bias,bias_temperature,temperature_rate >said.txt
+"$fogcomp" compare A1.model gyros/A1/holdout.csv --json >compare.json
+"$fogcomp" export A1.model -o A1.h >said.txt
+cmp A1.model out/A1/A1.model
+cmp A1.h out/A1/fog_model.h
+rms=$(awk '$2 == "holdout_rms_dph" { print $3 }' out/A1/result.txt)
+grep -qF "\"residual_rms_dph\":$rms," compare.json || fail "holdout_rms_dph is $rms: $(cat compare.json)"
+
+# Done is done; limits are judged without a fit anew; a changed recording and changed options are done again.
+batch 1 gyros -o out
+says '\(2 calibrated now, 3 before\)'
+rm -r gyros/B1 gyros/B2
+printf '# limits\nholdout_rms_dph <= 0.001\ntemperature_rate.K >= 0.01 # deg/h per (degC/min)\n' >limits.txt
+batch 1 gyros -o out --limits limits.txt
+says '^3 gyros: 0 pass, 3 fail.*\(0 calibrated now, 3 before\)'
+says '^  A1 +fail +holdout_rms_dph 0\.[0-9]+, must be <= 0\.001'
+says '^  A3 +fail +holdout_rms_dph is missing'
+sed -i '50s/$/1/' gyros/A2/holdout_random.csv
+batch 0 gyros -o out
+says '\(1 calibrated now, 2 before\)'
+batch 0 gyros -o out --average 20
+says '\(3 calibrated now, 0 before\)'
+
+# A gyro whose folder cannot be made does not stop the others either.
+mkdir blocked
+echo "in the way" >blocked/A2
+batch 1 gyros -o blocked
+says '^3 gyros: 2 pass, 0 fail, 1 without a result'
+says '^  A2 +error +its process ended with code 1; blocked/A2/result.txt: cannot be written'
+
+# Parts of the work on several computers, then the table: the same bytes.
+batch 0 gyros -o whole
+for part in 1/2 2/2; do batch 0 gyros -o parts --shard "$part"; done
+[[ ! -e parts/gyros.csv ]] || fail "a part wrote the table"
+batch 0 gyros -o parts --merge
+cmp whole/gyros.csv parts/gyros.csv
+
+# The same as a job array, with an sbatch that does at once what it is given.
+mkdir bin
+cat >bin/sbatch <<'END'
+#!/usr/bin/env bash
+set -euo pipefail
+cat >job.sh
+tasks=0
+for word in "$@"; do
+  [[ $word == --array=1-* ]] && tasks=${word#--array=1-}
+done
+[[ $1 != --cpus-per-task=* ]] || export SLURM_CPUS_PER_TASK=${1#*=}
+((tasks > 0)) || exec bash job.sh >merge.txt
+for ((task = 1; task <= tasks; ++task)); do
+  SLURM_ARRAY_TASK_ID=$task SLURM_ARRAY_TASK_MAX=$tasks bash job.sh >&2
+done
+echo 17
+END
+chmod +x bin/sbatch
+PATH=$PWD/bin:$PATH FOGCOMP=$fogcomp SBATCH_OPTIONS="--cpus-per-task=2 --partition=lab" \
+  "$submit" 2 gyros array "${options[@]:0:2}" >said.txt 2>tasks.txt || fail "$(cat tasks.txt)"
+grep -q '^part 2/2: 1 gyros calibrated' tasks.txt || fail "$(cat tasks.txt)"
+cmp whole/gyros.csv array/gyros.csv
+rm parts/A2/result.txt
+batch 1 gyros -o parts --merge
+says '^  A2 +error +not calibrated'
+
+# One hangs (its recording is a pipe into which nobody writes) and is ended; one crashes: the rest goes on.
+mkdir gyros/C1
+mkfifo gyros/C1/run.csv
+cp -r whole hang # so that on a slow machine the limit ends nobody else
+batch 1 gyros -o hang --time-limit 1
+says '^  C1 +error +took longer than 1 s'
+says '^4 gyros: 3 pass.*\(1 calibrated now, 3 before\)'
+mv gyros/A1 gyros/Z1 # after C1
+
+# only_C1_runs FOLDER: waits until it is the last child of $pool; $child is then its number.
+only_C1_runs() {
+  until [[ -e $1/C1/log.txt && -e $1/Z1/result.txt && $(pgrep -cP "$pool") == 1 ]]; do sleep 0.05; done
+  child=$(pgrep -P "$pool")
+}
+"$fogcomp" batch "${options[@]}" gyros -o crash >said.txt 2>errors.txt &
+pool=$!
+only_C1_runs crash
+kill -SEGV "$child"
+wait "$pool" && fail "exit code 0 with a crash"
+says '^  C1 +error +its process died of signal 11'
+says '^4 gyros: 3 pass'
+
+# Ctrl-C (env: a shell that is not interactive has it ignored in the background).
+env --default-signal=INT "$fogcomp" batch "${options[@]}" gyros -o stopped >said.txt 2>errors.txt &
+pool=$!
+only_C1_runs stopped
+kill -INT "$pool"
+status=0
+wait "$pool" || status=$?
+((status == 130)) || fail "exit code $status after SIGINT"
+! kill -0 "$child" 2>/dev/null || fail "a process is left"
+grep -q '^interrupted: 3 of 4 gyros are done; the same command goes on there' errors.txt || fail "$(cat errors.txt)"
+[[ -z $(find stopped -name '*.part-*') && ! -e stopped/gyros.csv ]] || fail "half files: $(find stopped)"
+rm -r gyros/C1
+batch 0 gyros -o stopped
+says '\(0 calibrated now, 3 before\)'
+echo "a lot of gyros goes through, whatever one of them does"

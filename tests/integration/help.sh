@@ -1,0 +1,93 @@
+#!/usr/bin/env bash
+# help.sh FOGCOMP: what fogcomp says of itself. Every command's --help fits a screen and has an example that works;
+# `fogcomp help COMMAND`, the manual page and completion know every option, because all come from one description.
+set -euo pipefail
+source "$(dirname "$0")/common.sh"
+fogcomp=$(realpath "${1:?usage: help.sh FOGCOMP}")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+mkdir bin
+ln -s "$fogcomp" bin/fogcomp
+PATH=$PWD/bin:$PATH
+
+mapfile -t commands < <(fogcomp --help | sed -nE 's/^  ([a-z]+) .*/\1/p')
+((${#commands[@]} > 10)) || fail "commands: ${commands[*]}"
+fogcomp man >fogcomp.1
+for command in "${commands[@]}"; do
+  fogcomp "$command" --help >short
+  (($(wc -l <short) <= 24)) || fail "$command --help has $(wc -l <short) lines"
+  (($(wc -L <short) <= 100)) || fail "$command --help is $(wc -L <short) columns wide"
+  (($(grep -c '^example: ' short) == 1)) || fail "$command --help has no example"
+  fogcomp help "$command" >long
+  # Every option has its entry in the manual, and at least its name on the screen.
+  for option in $(sed -nE 's/^  (--?[a-z][a-z-]*).*/\1/p' long); do
+    grep -qF -- "\\fB${option//-/\\-}\\fR" fogcomp.1 || fail "$option is not in the manual"
+    grep -qE -- "(^|[ :])$option( |\$)" short || fail "$option is not in $command --help"
+  done
+done
+
+# The manual renders without a complaint.
+if command -v man >/dev/null; then
+  MANWIDTH=80 man -l --warnings=w fogcomp.1 >page.txt 2>complaints.txt
+  [[ ! -s complaints.txt ]] || fail "man: $(head -n 3 complaints.txt)"
+  grep -q 'fogcomp fit RUN...' page.txt || fail "the page lacks fit"
+else
+  echo "(no man here: the page was not rendered)"
+fi
+
+# Examples: each runs in a folder that holds the files it names.
+mkdir files
+(
+  cd files
+  fogcomp simulate -o run.csv >said.txt
+  fogcomp simulate -o reversed.csv --profile reversed --seed 2 >said.txt
+  fogcomp fit run.csv -o gyro.model --effects bias,bias_temperature >said.txt
+  fogcomp export gyro.model -o fog_model.h --sample-rate 0.1 >said.txt
+  cp gyro.model other.model
+  mkdir -p gyros/G1
+  cp run.csv gyros/G1
+  echo "fit_rms_dph <= 1" >limits.txt
+)
+for command in "${commands[@]}"; do
+  [[ $command != paper ]] || continue # minutes; json_output.sh runs it with less to do
+  example=$(fogcomp "$command" --help | sed -n 's/^example: //p')
+  rm -rf here
+  cp -r files here
+  status=0
+  (cd here && bash -euo pipefail -c "$example") >said.txt 2>errors.txt || status=$?
+  ((status <= 1)) || fail "$example: exit code $status, $(cat errors.txt)" # 1: the answer is no
+done
+
+# complete WORD...: what bash would offer for the last word.
+bash -n <(fogcomp completion bash)
+# shellcheck disable=SC1090
+source <(fogcomp completion bash)
+compopt() { :; } # works only while bash completes
+complete_words() {
+  COMP_WORDS=(fogcomp "$@")
+  COMP_CWORD=$#
+  _fogcomp
+  printf '%s\n' "${COMPREPLY[@]}"
+}
+offers() {
+  local expected=$1
+  shift
+  complete_words "$@" | grep -qxF -- "$expected" || fail "fogcomp $*: no $expected in $(complete_words "$@" | head -n 5)"
+}
+offers diagnose d
+offers --effect-expr fit run.csv --eff
+offers temperature_rate_product fit run.csv --effects temp
+offers bias,bias_temperature fit run.csv --effects bias,bias_t
+offers pso-bp fit --trainer pso
+offers reversed simulate --profile rev
+offers thermal_lag add gyro.model ther
+offers polarization_ripple effects pol
+offers --limits batch gyros --lim
+[[ -z $(complete_words fit --seed '') ]] || fail "a number is completed"
+for command in "${commands[@]}"; do
+  for option in $(fogcomp help "$command" | sed -nE 's/^  (--?[a-z][a-z-]*).*/\1/p'); do
+    offers "$option" "$command" "$option"
+  done
+done
+echo "${#commands[@]} commands: help, examples, manual and completion agree"

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# readme_example.sh FOGCOMP SOURCE: the README's example is what the tool does: its commands are run, and print what stands below
+# them. `...` stands for any number of lines; numbers may differ by 2 % or two units of their last digit, because
+# processors round differently.
+set -euo pipefail
+source "$(dirname "$0")/common.sh"
+fogcomp=$(realpath "${1:?usage: readme_example.sh FOGCOMP SOURCE}") source=$(realpath "$2")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+mkdir bin
+ln -s "$fogcomp" bin/fogcomp
+PATH=$PWD/bin:$PATH
+
+awk '/^```console/ { inside = 1; next } /^```/ { inside = 0 } inside' "$source/README.md" >example
+grep -c '^\$ ' example >commands.txt || fail "no example in the README"
+
+# same EXPECTED ACTUAL: as files.
+same() {
+  awk '
+    function number(word) { return word ~ /^[-+]?[0-9]+(\.[0-9]+)?$/ }
+    function close_to(a, b, digits, unit, difference) {
+      digits = index(a, ".") ? length(a) - index(a, ".") : 0
+      unit = 10 ^ -digits
+      difference = a - b
+      if (difference < 0) difference = -difference
+      return difference <= 2.001 * unit || difference <= 0.02 * (a < 0 ? -a : a)
+    }
+    # Bars of a character are as long as their number.
+    function like(a, b, i, n, m, one, other) {
+      gsub(/#+/, "#", a); gsub(/#+/, "#", b)
+      gsub(/[(),;:%]/, " & ", a); gsub(/[(),;:%]/, " & ", b)
+      n = split(a, one, " "); m = split(b, other, " ")
+      if (n != m) return 0
+      for (i = 1; i <= n; ++i) {
+        if (one[i] == other[i]) continue
+        if (!number(one[i]) || !number(other[i]) || !close_to(one[i], other[i])) return 0
+      }
+      return 1
+    }
+    NR == FNR { expected[++count] = $0; next }
+    { actual[++lines] = $0 }
+    END {
+      at = 1; open = 0
+      for (i = 1; i <= count; ++i) {
+        if (expected[i] == "...") { open = 1; continue }
+        while (open && at <= lines && !like(expected[i], actual[at])) ++at
+        if (at > lines || !like(expected[i], actual[at])) {
+          print "expected: " expected[i]; print "there is: " actual[at]; exit 1
+        }
+        ++at; open = 0
+      }
+      if (!open && at <= lines) { print "not expected: " actual[at]; exit 1 }
+    }' "$1" "$2"
+}
+
+# The comparison itself bites.
+printf 'a 0.0543\n...\nend\n' >expected
+printf 'a 0.0544\nb\nend\n' >actual
+same expected actual || fail "two units of the last digit"
+for wrong in 'a 0.0643\nb\nend' 'b 0.0543\nend' 'a 0.0543\nb' 'a 0.0543\nend\nb'; do
+  # shellcheck disable=SC2059
+  printf "$wrong\n" >actual
+  ! same expected actual >said.txt || fail "accepted: $wrong"
+done
+
+number=0
+while IFS= read -r line; do
+  if [[ $line == '$ '* ]]; then
+    printf '%s\n' "${line#\$ }" >"command$((++number))"
+    : >"expected$number"
+  else
+    printf '%s\n' "$line" >>"expected$number"
+  fi
+done <example
+for ((i = 1; i <= number; ++i)); do
+  bash -euo pipefail "command$i" >"actual$i" || fail "exit code $?: $(cat "command$i")"
+  same "expected$i" "actual$i" || fail "README: $(cat "command$i")"
+done
+echo "$number commands of the README print what it says"

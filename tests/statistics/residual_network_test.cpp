@@ -1,0 +1,27 @@
+// A network on what effects leave does not learn the slow noise.
+#include <gtest/gtest.h>
+
+#include "unit/refinement/fitted_network.hpp"
+
+namespace {
+
+using namespace fog::test;
+
+TEST(NetworkOnNoise, LearnsNextToNothing) {
+  constexpr int kGyros = 10;
+  double square = 0;
+  for (std::uint64_t seed = 1; seed <= kGyros; ++seed) {
+    square += mean_square(fit_network(truth(), kSlowNoise, seed, true).network_dph);
+  }
+  EXPECT_LT(std::sqrt(square / kGyros), 0.0024) << "deg/h rms, forced to stay";
+}
+
+TEST(NetworkOnNoise, IsNotKept) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const FittedNetwork fitted = fit_network(truth(), kSlowNoise, seed, false);
+    EXPECT_FALSE(fitted.model.network.present()) << "gain " << fitted.result.network_judged->gain;
+    EXPECT_EQ(fitted.model.residual_rms_dph, fitted.result.effects_rms_dph);
+  }
+}
+
+}  // namespace

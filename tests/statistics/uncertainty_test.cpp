@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "identification/effect_list.hpp"
+#include "identification/identify.hpp"
+#include "support/typical_effects.hpp"
+#include "unit/identification/simulated_gyro.hpp"
+
+namespace {
+
+using fogcomp::EffectTerm;
+using fogcomp::Model;
+
+// How often the truth of every coefficient and every shape parameter lies in its 95 % interval,
+// over 200 gyros with white and slow noise.
+void expect_true_intervals(const std::vector<EffectTerm>& terms, const std::string& effects) {
+  constexpr int kSeeds = 200;
+  Model real = fog::test::paper_like_model();
+  real.network = {};
+  real.terms = terms;
+  std::vector<int> covered;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    const auto recording =
+        fog::test::recording_of(real, {0.024, 0.006, 300}, static_cast<std::uint64_t>(seed));
+    Model model = real;
+    model.terms = fogcomp::parse_effects(effects);
+    fogcomp::SignalSeries series(model);
+    series.add(fogcomp::make_blocks(recording));
+    fogcomp::identify(model, series);
+    std::vector<bool> inside;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const EffectTerm& got = model.terms[i];
+      for (std::size_t k = 0; k < got.coefficients_dph.size(); ++k) {
+        inside.push_back(std::abs(got.coefficients_dph[k] - terms[i].coefficients_dph[k]) <=
+                         1.96 * got.sigma_dph[k]);
+      }
+      for (std::size_t k = 0; k < got.parameters.size(); ++k) {
+        if (!got.identified[k]) continue;
+        inside.push_back(std::abs(got.parameters[k] - terms[i].parameters[k]) <=
+                         1.96 * got.parameter_sigma[k]);
+      }
+    }
+    covered.resize(inside.size());
+    for (std::size_t k = 0; k < inside.size(); ++k) covered[k] += inside[k] ? 1 : 0;
+  }
+  std::printf("%s: truth within 95 %% interval in", effects.c_str());
+  for (const int count : covered) std::printf(" %.1f", 100.0 * count / kSeeds);
+  std::printf(" %% of %d gyros\n", kSeeds);
+  for (const int count : covered) {
+    EXPECT_GE(count, 0.90 * kSeeds);
+    EXPECT_LE(count, 0.98 * kSeeds + 2);
+  }
+}
+
+TEST(Uncertainty, OfCoefficientsIsTrue) {
+  expect_true_intervals(fog::test::truth().terms, "bias,bias_temperature:order=3,temperature_rate");
+}
+
+TEST(Uncertainty, OfARipplesPeriodIsTrue) {
+  expect_true_intervals({fog::test::natural_term("bias", {}, {0.72}),
+                         fog::test::natural_term("temperature_rate", {}, {0.136}),
+                         fog::test::natural_term("polarization_ripple", {13, 0}, {0.02, -0.03})},
+                        "bias,temperature_rate,polarization_ripple");
+}
+
+TEST(Uncertainty, OfALagsTimeConstantIsTrue) {
+  expect_true_intervals({fog::test::natural_term("bias", {}, {0.72}),
+                         fog::test::natural_term("thermal_lag", {960}, {0.14})},
+                        "bias,thermal_lag");
+}
+
+}  // namespace

@@ -1,0 +1,20 @@
+#include "support/processor_stand_in.hpp"
+
+#include "hal/clock.hpp"
+#include "platform/cortex_m/event.hpp"
+
+// The Cortex-M's parts that drivers call, for this computer: a clock that the test turns.
+namespace fog {
+
+std::uint32_t& test::now_ms() {
+  static std::uint32_t time_ms = 0;
+  return time_ms;
+}
+
+std::uint32_t hal::milliseconds() {
+  return test::now_ms();
+}
+
+void platform::signal_event() {}
+
+}  // namespace fog

@@ -1,0 +1,343 @@
+#include "support/stm32f405_model.hpp"
+
+namespace fog::test {
+namespace {
+
+// RM0090, 2.3.
+constexpr std::uint32_t kRcc = 0x40023800;
+constexpr std::uint32_t kFlash = 0x40023C00;
+constexpr std::uint32_t kGpio = 0x40020000;
+constexpr std::uint32_t kDma2 = 0x40026400;
+constexpr std::uint32_t kAdc1 = 0x40012000;
+constexpr std::uint32_t kWatchdog = 0x40003000;
+constexpr std::uint32_t kInterruptEnable = 0xE000E100;
+constexpr std::uint32_t kInterruptDisable = 0xE000E180;
+
+constexpr std::uint32_t kRccControl = kRcc + 0x00;
+constexpr std::uint32_t kRccPll = kRcc + 0x04;
+constexpr std::uint32_t kRccConfiguration = kRcc + 0x08;
+constexpr std::uint32_t kAhb1Enable = kRcc + 0x30;
+constexpr std::uint32_t kApb1Enable = kRcc + 0x40;
+constexpr std::uint32_t kApb2Enable = kRcc + 0x44;
+constexpr std::uint32_t kRccStatus = kRcc + 0x74;
+constexpr std::uint32_t kFlashAccess = kFlash + 0x00;
+
+// Stream 7 and the flags of streams 4 to 7.
+constexpr std::uint32_t kDmaHighStatus = kDma2 + 0x04;
+constexpr std::uint32_t kDmaHighClear = kDma2 + 0x0C;
+constexpr std::uint32_t kDmaStream = kDma2 + 0x10 + 7 * 0x18;
+constexpr std::uint32_t kDmaConfiguration = kDmaStream + 0x00;
+constexpr std::uint32_t kDmaCount = kDmaStream + 0x04;
+constexpr std::uint32_t kDmaPeripheral = kDmaStream + 0x08;
+constexpr std::uint32_t kDmaMemory = kDmaStream + 0x0C;
+
+constexpr std::uint32_t kInternalHz = 16'000'000;
+
+// How long things take, in accesses: different from one another, and short beside every bound.
+constexpr std::uint64_t kCrystalStart = 900;
+constexpr std::uint64_t kPllLock = 150;
+constexpr std::uint64_t kWatchdogUpdate = 70;
+constexpr std::uint64_t kByte = 11;
+constexpr std::uint64_t kConversion = 5;
+constexpr std::uint64_t kConverterStart = 12;
+
+bool bit(std::uint32_t value, unsigned number) {
+  return ((value >> number) & 1U) != 0;
+}
+
+bool within(std::uint32_t address, std::uint32_t base, std::uint32_t size) {
+  return address >= base && address < base + size;
+}
+
+}  // namespace
+
+Stm32F405Model::Stm32F405Model(const Stm32Faults& wrong) : faults(wrong) {
+  registers_[kRccControl] = 0x00000083;  // reset values: HSI on and ready
+  registers_[kRccPll] = 0x24003010;
+  usarts_[1] = UsartState(0x40011000, 2, 37);
+  usarts_[2] = UsartState(0x40004400, 1, 38);
+  usarts_[3] = UsartState(0x40004800, 1, 39);
+  usarts_[6] = UsartState(0x40011400, 2, 71);
+}
+
+std::uint32_t Stm32F405Model::stored(std::uint32_t address) const {
+  const auto found = registers_.find(address);
+  return found == registers_.end() ? 0 : found->second;
+}
+
+std::uint32_t Stm32F405Model::read(std::uint32_t address) {
+  ++accesses_;
+  let_dma_run();
+  if (within(address, kRcc, 0x400)) return read_clock(address);
+  if (address == kWatchdog + 0x0C) {
+    return faults.watchdog_never_updates || accesses_ < watchdog_updated_at_ ? 3U : 0U;
+  }
+  for (auto& [number, usart] : usarts_) {
+    if (within(address, usart.base, 0x400)) return read_usart(usart, address - usart.base);
+  }
+  if (within(address, kAdc1, 0x400)) return read_converter(address);
+  return stored(address);
+}
+
+void Stm32F405Model::write(std::uint32_t address, std::uint32_t value) {
+  ++accesses_;
+  let_dma_run();
+  if (within(address, kRcc, 0x400)) return write_clock(address, value);
+  if (within(address, kWatchdog, 0x400)) return write_watchdog(address, value);
+  for (auto& [number, usart] : usarts_) {
+    if (within(address, usart.base, 0x400)) {
+      return write_usart(usart, address - usart.base, value);
+    }
+  }
+  if (within(address, kDma2, 0x400)) return write_dma(address, value);
+  if (within(address, kAdc1, 0x400)) return write_converter(address, value);
+  if (within(address, kGpio, 0x2000)) {
+    need_clock(kAhb1Enable, (address - kGpio) / 0x400, "GPIO");
+  }
+  for (unsigned i = 0; i < 32; ++i) {
+    if (!bit(value, i)) continue;
+    if (within(address, kInterruptEnable, 0x20)) {
+      enabled_interrupts_.insert((address - kInterruptEnable) * 8 + i);
+    }
+    if (within(address, kInterruptDisable, 0x20)) {
+      enabled_interrupts_.erase((address - kInterruptDisable) * 8 + i);
+    }
+  }
+  if (address == kFlashAccess && faults.latency_not_taken) value &= ~7U;
+  registers_[address] = value;
+}
+
+void Stm32F405Model::need_clock(std::uint32_t enable, unsigned number, const char* what) {
+  if (!bit(stored(enable), number)) violate(std::string(what) + " written while its clock is off");
+}
+
+// ---- clocks: chapter 7 ----
+
+bool Stm32F405Model::oscillator_ready(bool crystal) const {
+  const std::uint32_t control = stored(kRccControl);
+  if (!crystal) return bit(control, 0);
+  return bit(control, 16) && !faults.crystal_dead && accesses_ >= crystal_ready_at_;
+}
+
+// 7.3.2. Limits: VCO input 1 to 2 MHz, VCO 100 to 432 MHz, output up to 168 MHz.
+std::uint32_t Stm32F405Model::pll_hz() const {
+  const std::uint32_t pll = stored(kRccPll);
+  const std::uint32_t source = bit(pll, 22) ? crystal_hz : kInternalHz;
+  const std::uint32_t m = pll & 63U;
+  const std::uint64_t input = m == 0 ? 0 : source / m;
+  const std::uint64_t vco = input * ((pll >> 6U) & 511U);
+  const std::uint64_t output = vco / (2U * ((pll >> 16U) & 3U) + 2U);
+  const bool possible = input >= 1'000'000 && input <= 2'000'000 && vco >= 100'000'000 &&
+                        vco <= 432'000'000 && output <= 168'000'000;
+  return possible ? static_cast<std::uint32_t>(output) : 0;
+}
+
+std::uint32_t Stm32F405Model::core_hz() const {
+  return ((stored(kRccConfiguration) >> 2U) & 3U) == 2 ? pll_hz() : kInternalHz;
+}
+
+std::uint32_t Stm32F405Model::bus_hz(int bus) const {
+  const std::uint32_t prescaler = (stored(kRccConfiguration) >> (bus == 1 ? 10U : 13U)) & 7U;
+  return prescaler < 4 ? core_hz() : core_hz() >> (prescaler - 3U);
+}
+
+std::uint32_t Stm32F405Model::read_clock(std::uint32_t address) {
+  const std::uint32_t value = stored(address);
+  if (address == kRccStatus) return value | reset_flags;
+  if (address != kRccControl) return value;
+  const bool from_crystal = bit(stored(kRccPll), 22);
+  const bool locks = !faults.pll_never_locks &&
+                     !(from_crystal && faults.crystal_too_poor_to_lock) &&
+                     oscillator_ready(from_crystal) && pll_hz() != 0 && accesses_ >= pll_ready_at_;
+  return (value & ~0x02020002U) | (oscillator_ready(false) ? 1U << 1U : 0U) |
+         (oscillator_ready(true) ? 1U << 17U : 0U) | (bit(value, 24) && locks ? 1U << 25U : 0U);
+}
+
+void Stm32F405Model::write_clock(std::uint32_t address, std::uint32_t value) {
+  const std::uint32_t old = stored(address);
+  if (address == kRccControl) {
+    if (bit(value, 16) && !bit(old, 16)) crystal_ready_at_ = accesses_ + kCrystalStart;
+    if (bit(value, 24) && !bit(old, 24)) pll_ready_at_ = accesses_ + kPllLock;
+    if (!bit(value, 0)) violate("the internal oscillator switched off: nothing to fall back to");
+  }
+  if (address == kRccPll && bit(stored(kRccControl), 24)) violate("PLL set up while it runs");
+  if (address == kRccStatus && bit(value, 24)) reset_flags = 0;
+  if (address == kRccConfiguration) return switch_clock(value);
+  registers_[address] = value;
+}
+
+// 7.3.3, and 3.5.1 for the wait states at 2.7 V and more.
+void Stm32F405Model::switch_clock(std::uint32_t value) {
+  const std::uint32_t running = (stored(kRccConfiguration) >> 2U) & 3U;
+  std::uint32_t wanted = value & 3U;
+  if (wanted == 2 && !bit(read_clock(kRccControl), 25)) violate("switched to a PLL not ready");
+  if (faults.clock_not_switched) wanted = running;
+  registers_[kRccConfiguration] = (value & ~0xCU) | (wanted << 2U);
+  const std::uint32_t wait_states = stored(kFlashAccess) & 7U;
+  if (core_hz() > 30'000'000U * (wait_states + 1)) violate("flash too slow for the clock");
+  if (bus_hz(1) > 42'000'000) violate("APB1 too fast");
+  if (bus_hz(2) > 84'000'000) violate("APB2 too fast");
+}
+
+// ---- watchdog: chapter 21 ----
+
+void Stm32F405Model::write_watchdog(std::uint32_t address, std::uint32_t value) {
+  if (address == kWatchdog) {
+    watchdog_unlocked_ = value == 0x5555;
+    if (value == 0xCCCC) watchdog_started_ = true;
+    if (value == 0xAAAA) ++watchdog_kicks_;
+    return;
+  }
+  if (!watchdog_unlocked_) return violate("watchdog written while locked");
+  registers_[address] = value;
+  watchdog_updated_at_ = accesses_ + kWatchdogUpdate;
+}
+
+double Stm32F405Model::watchdog_timeout_s(double lsi_hz) const {
+  const double divider = 4U << stored(kWatchdog + 0x04);
+  return (stored(kWatchdog + 0x08) + 1) * divider / lsi_hz;
+}
+
+// ---- serial ports: chapter 30 ----
+
+void Stm32F405Model::receive(int number, std::uint8_t byte) {
+  UsartState& usart = usarts_[number];
+  if (usart.received) {
+    usart.overrun = true;  // the byte that was there stays, this one is lost
+    return;
+  }
+  usart.received = true;
+  usart.data = byte;
+}
+
+// An overrun interrupts like a byte (30.4).
+bool Stm32F405Model::interrupt_pending(int number) const {
+  const UsartState& usart = usarts_.at(number);
+  return enabled_interrupts_.count(usart.interrupt) != 0 && bit(stored(usart.base + 0x0C), 5) &&
+         (usart.received || usart.overrun);
+}
+
+std::uint32_t Stm32F405Model::baud(int number) const {
+  const UsartState& usart = usarts_.at(number);
+  const std::uint32_t divisor = stored(usart.base + 0x08);
+  return divisor == 0 ? 0 : bus_hz(usart.bus) / divisor;
+}
+
+std::uint32_t Stm32F405Model::read_usart(UsartState& usart, std::uint32_t offset) {
+  if (offset == 0x00) {
+    usart.overrun_seen = usart.overrun;
+    const bool ready = !faults.transmitters_stuck && accesses_ >= usart.transmit_ready_at;
+    return (ready ? 0xC0U : 0U) | (usart.received ? 1U << 5U : 0U) |
+           (usart.overrun ? 1U << 3U : 0U);
+  }
+  if (offset != 0x04) return stored(usart.base + offset);
+  usart.received = false;
+  if (usart.overrun_seen) usart.overrun = false;
+  return usart.data;
+}
+
+void Stm32F405Model::write_usart(UsartState& usart, std::uint32_t offset, std::uint32_t value) {
+  const bool first = usart.base == usarts_[1].base;
+  const bool sixth = usart.base == usarts_[6].base;
+  const std::uint32_t enable = usart.bus == 1 ? kApb1Enable : kApb2Enable;
+  need_clock(enable, first ? 4 : sixth ? 5 : usart.interrupt - 21, "USART");
+  if (offset != 0x04) {
+    registers_[usart.base + offset] = value;
+    return;
+  }
+  if (!bit(stored(usart.base + 0x0C), 13) || !bit(stored(usart.base + 0x0C), 3)) {
+    violate("byte for a transmitter that is off");
+  }
+  if (accesses_ < usart.transmit_ready_at) violate("byte written over the last one");
+  usart.transmit_ready_at = accesses_ + kByte;
+  const auto byte = static_cast<std::uint8_t>(value);
+  if (!faults.transmitters_stuck) usart.sent.push_back(byte);
+  // A half-duplex line hears itself (30.3.10).
+  if (sixth && bit(stored(usart.base + 0x14), 3) && one_wire) receive(6, one_wire(baud(6), byte));
+}
+
+// ---- DMA: chapter 10 ----
+
+void Stm32F405Model::write_dma(std::uint32_t address, std::uint32_t value) {
+  need_clock(kAhb1Enable, 22, "DMA 2");
+  const bool enabled = bit(stored(kDmaConfiguration), 0);
+  if (address == kDmaHighClear) {
+    registers_[kDmaHighStatus] &= ~value;
+    return;
+  }
+  if (address == kDmaConfiguration) {
+    if (enabled && !bit(value, 0) && !faults.dma_cannot_be_stopped) {
+      registers_[kDmaConfiguration] = value;
+      registers_[kDmaHighStatus] |= 1U << 27U;  // 10.3.14: stopping sets the flag as well
+    }
+    if (enabled) return;
+    registers_[kDmaConfiguration] = value;
+    if (bit(value, 0)) start_dma();
+    return;
+  }
+  if (enabled && within(address, kDmaStream, 0x18)) {
+    if (!faults.dma_cannot_be_stopped) violate("DMA stream set up while it runs");
+    return;
+  }
+  registers_[address] = value;
+}
+
+void Stm32F405Model::start_dma() {
+  const std::uint32_t configuration = stored(kDmaConfiguration);
+  const UsartState& usart = usarts_[1];
+  if (((configuration >> 25U) & 7U) != 4) violate("DMA: not the channel of USART1_TX");
+  if (((configuration >> 6U) & 3U) != 1) violate("DMA: not from memory to peripheral");
+  if (!bit(configuration, 10) || bit(configuration, 9)) violate("DMA: wrong increments");
+  if (((configuration >> 11U) & 15U) != 0) violate("DMA: not bytes");
+  if ((stored(kDmaHighStatus) & (0x3DU << 22U)) != 0) violate("DMA: started with flags set");
+  if (stored(kDmaPeripheral) != usart.base + 0x04) violate("DMA: not to the data register");
+  if (!bit(stored(usart.base + 0x14), 7)) violate("DMA: the USART does not ask for bytes");
+  dma_done_at_ = accesses_ + kByte * stored(kDmaCount);
+}
+
+// The bytes are read when they leave, so one that is overwritten too early shows.
+void Stm32F405Model::let_dma_run() {
+  if (!bit(stored(kDmaConfiguration), 0) || faults.dma_never_ends) return;
+  if (accesses_ < dma_done_at_) return;
+  const volatile std::uint8_t* bytes = memory_at(stored(kDmaMemory));
+  for (std::uint32_t i = 0; i < stored(kDmaCount); ++i) {
+    const std::uint8_t byte = bytes[i];
+    usarts_[1].sent.push_back(byte);
+  }
+  registers_[kDmaCount] = 0;
+  registers_[kDmaConfiguration] &= ~1U;
+  registers_[kDmaHighStatus] |= 3U << 26U;  // half and whole transfer
+}
+
+// ---- converter: chapter 13 ----
+
+std::uint32_t Stm32F405Model::read_converter(std::uint32_t address) {
+  if (converting_ && accesses_ >= converted_at_ && !faults.converter_dead) {
+    converting_ = false;
+    converted_ = true;
+    registers_[kAdc1 + 0x4C] = analog();
+  }
+  if (address == kAdc1) return converted_ ? 1U << 1U : 0U;
+  if (address == kAdc1 + 0x4C) converted_ = false;
+  return stored(address);
+}
+
+void Stm32F405Model::write_converter(std::uint32_t address, std::uint32_t value) {
+  need_clock(kApb2Enable, 8, "ADC 1");
+  if (address == kAdc1 + 0x08) {
+    if (bit(value, 0) && !bit(stored(address), 0)) {
+      converter_awake_at_ = accesses_ + kConverterStart;
+    }
+    if (bit(value, 30) && accesses_ >= converter_awake_at_) {
+      if (bus_hz(2) / (2 * (((stored(kAdc1 + 0x304) >> 16U) & 3U) + 1)) > 36'000'000) {
+        violate("ADC clock too fast");
+      }
+      converting_ = true;
+      converted_at_ = accesses_ + kConversion;
+    }
+    value &= ~(1U << 30U);  // the start bit clears itself
+  }
+  registers_[address] = value;
+}
+
+}  // namespace fog::test

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "support/register_model.hpp"
+
+namespace fog::test {
+
+/// What can be wrong with the part or what is soldered around it.
+struct Stm32Faults {
+  bool crystal_dead = false;
+  bool crystal_too_poor_to_lock = false;  ///< the PLL locks on the internal oscillator only
+  bool pll_never_locks = false;
+  bool latency_not_taken = false;  ///< the flash keeps its wait states
+  bool clock_not_switched = false;
+  bool watchdog_never_updates = false;
+  bool transmitters_stuck = false;
+  bool dma_never_ends = false;
+  bool dma_cannot_be_stopped = false;
+  bool converter_dead = false;
+};
+
+/// The peripherals of an STM32F405 as RM0090 describes them, so far as the firmware uses them and
+/// an emulator does not have them. Bits are numbers here, read in the manual once more, so that a
+/// wrong constant of the firmware is not agreed with. Time is counted in accesses to registers.
+/// What the manual forbids is noted in violations().
+class Stm32F405Model : public RegisterModel {
+ public:
+  explicit Stm32F405Model(const Stm32Faults& faults = {});
+
+  Stm32Faults faults;
+  std::uint32_t reset_flags = 0;          ///< RCC_CSR
+  std::uint32_t crystal_hz = 8'000'000;   ///< what is soldered to the part
+  std::function<std::uint32_t()> analog;  ///< code of the next conversion
+  /// What the half-duplex line shows for a byte at a bit rate.
+  std::function<std::uint8_t(std::uint32_t baud, std::uint8_t sent)> one_wire;
+
+  std::uint32_t read(std::uint32_t address) override;
+  void write(std::uint32_t address, std::uint32_t value) override;
+
+  const std::set<std::string>& violations() const { return violations_; }
+  std::uint64_t accesses() const { return accesses_; }
+  /// As long as so many accesses take.
+  void let_pass(std::uint64_t accesses) {
+    accesses_ += accesses;
+    let_dma_run();
+  }
+  std::uint32_t stored(std::uint32_t address) const;
+
+  std::uint32_t core_hz() const;
+  std::uint32_t bus_hz(int bus) const;  ///< APB 1 or 2
+
+  /// A serial port by its number: 1, 2, 3, 6.
+  void receive(int usart, std::uint8_t byte);
+  bool interrupt_pending(int usart) const;  ///< and enabled at the interrupt controller
+  const std::vector<std::uint8_t>& sent(int usart) { return usarts_[usart].sent; }
+  std::uint32_t baud(int usart) const;
+
+  bool watchdog_runs() const { return watchdog_started_; }
+  std::uint32_t watchdog_kicks() const { return watchdog_kicks_; }
+  double watchdog_timeout_s(double lsi_hz) const;
+
+ private:
+  struct UsartState {
+    UsartState() = default;
+    UsartState(std::uint32_t address, int apb, std::uint32_t line)
+        : base(address), bus(apb), interrupt(line) {}
+    std::uint32_t base = 0;
+    int bus = 0;
+    std::uint32_t interrupt = 0;
+    bool received = false;
+    bool overrun = false;
+    bool overrun_seen = false;
+    std::uint8_t data = 0;
+    std::uint64_t transmit_ready_at = 0;
+    std::vector<std::uint8_t> sent;
+  };
+
+  void violate(const std::string& what) { violations_.insert(what); }
+  void need_clock(std::uint32_t enable, unsigned bit, const char* what);
+  std::uint32_t pll_hz() const;
+  bool oscillator_ready(bool crystal) const;
+
+  std::uint32_t read_clock(std::uint32_t address);
+  void write_clock(std::uint32_t address, std::uint32_t value);
+  void switch_clock(std::uint32_t value);
+  void write_watchdog(std::uint32_t address, std::uint32_t value);
+  std::uint32_t read_usart(UsartState& usart, std::uint32_t offset);
+  void write_usart(UsartState& usart, std::uint32_t offset, std::uint32_t value);
+  void write_dma(std::uint32_t address, std::uint32_t value);
+  void start_dma();
+  void let_dma_run();
+  std::uint32_t read_converter(std::uint32_t address);
+  void write_converter(std::uint32_t address, std::uint32_t value);
+
+  std::map<std::uint32_t, std::uint32_t> registers_;
+  std::set<std::string> violations_;
+  std::uint64_t accesses_ = 0;
+  std::map<int, UsartState> usarts_;
+  std::set<std::uint32_t> enabled_interrupts_;
+
+  std::uint64_t crystal_ready_at_ = 0;
+  std::uint64_t pll_ready_at_ = 0;
+  bool watchdog_started_ = false;
+  bool watchdog_unlocked_ = false;
+  std::uint64_t watchdog_updated_at_ = 0;
+  std::uint32_t watchdog_kicks_ = 0;
+  std::uint64_t dma_done_at_ = 0;
+  std::uint64_t converter_awake_at_ = 0;
+  std::uint64_t converted_at_ = 0;
+  bool converting_ = false;
+  bool converted_ = false;
+};
+
+}  // namespace fog::test

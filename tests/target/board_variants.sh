@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# board_variants.sh SOURCE IMAGES FOGCOMP DS18B20 UART.in DIR: every choice of the STM32F405 build makes an image that keeps the
+# rules, and the default image holds nothing of those it did not choose. What the emulator lacks (DMA, converter) must
+# not stop a board: without its sensor it answers every sample, and marks none valid. A DS18B20 at USART 6 it believes.
+set -euo pipefail
+source=$1 images=$2 fogcomp=$3 ds18b20=$4 input=$5 folder=$6
+mkdir -p "$folder"
+
+symbols=$(arm-none-eabi-nm -C "$images/stm32f405/fogcomp.elf")
+if grep -iE 'thermometer|ds18b20|platinum|crc8' <<<"$symbols"; then
+  echo "the default image holds a thermometer" >&2
+  exit 1
+fi
+
+# build OUTPUT TEMPERATURE: an image with these choices.
+build() {
+  image=$folder/$1_$2/fogcomp.elf
+  cmake -S "$source" -B "$folder/$1_$2" --preset stm32f405 -DFOG_OUTPUT="$1" -DFOG_TEMPERATURE="$2" \
+    >"$folder/build.log"
+  cmake --build "$folder/$1_$2" --target fogcomp >>"$folder/build.log" ||
+    { cat "$folder/build.log"; exit 1; }
+  "$source/tests/budget/forbidden_symbols.sh" "$image"
+  echo "$1, $2: $(arm-none-eabi-size "$image" | awk 'NR == 2 { print $1 + $2 }') bytes of flash"
+}
+
+build dma stream
+"$fogcomp" replay "$images/stm32f405/model/fog_model.h" "$input" -o "$folder/expected.bin"
+frames=$(($(stat -c %s "$folder/expected.bin") / 36))
+for sensor in ds18b20 pt1000; do
+  build polled "$sensor"
+  "$source/tests/target/run_uart.sh" netduinoplus2 "$image" "$input" "$folder/out.bin" $((36 * frames))
+  validity=$(od -An -v -t u1 -w36 "$folder/out.bin" | awk '{ print $29 }' | sort | uniq -c)
+  echo "status bytes of the frames without a sensor: $validity"
+  [[ $validity =~ ^\ *$frames\ 0$ ]]
+done
+
+# The stream says 20 degC; the sensor at the line 42. Rates are valid once it has been read, with its temperature.
+mkfifo "$folder/line.in" "$folder/line.out" 2>/dev/null || true
+"$ds18b20" "$folder/line.out" "$folder/line.in" 42 &
+trap 'kill $! 2>/dev/null || true' EXIT
+"$source/tests/target/run_uart.sh" netduinoplus2 "$folder/polled_ds18b20/fogcomp.elf" "$input" "$folder/out.bin" \
+  $((36 * frames)) -serial null -serial null -serial "pipe:$folder/line"
+temperatures=$(od -An -v -t u1 -w36 "$folder/out.bin" | awk '$29 == 4 { print 256 * $31 + $32 }' | sort | uniq -c)
+echo "temperatures of valid frames with a sensor of 42 degC: $temperatures"
+[[ $temperatures =~ ^\ *[0-9]+\ 42$ ]]
+
+if cmake -S "$source" -B "$folder/refused" --preset mps2_an386 -DFOG_OUTPUT=dma >"$folder/refused.log" 2>&1; then
+  echo "a board without DMA was built for it" >&2
+  exit 1
+fi
+grep -q "has no output_dma" "$folder/refused.log"

@@ -1,0 +1,155 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "hal/rate_sink.hpp"
+#include "hal/sample_source.hpp"
+#include "platform/line_rates.hpp"
+#include "platform/ports.hpp"
+#include "platform/stm32f405/clock_tree.hpp"
+#include "support/stm32f405_model.hpp"
+
+namespace {
+
+using fog::test::Stm32F405Model;
+using fog::test::Stm32Faults;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr int kOutput = 1, kSensor = 2, kConsole = 3;
+
+// The receive ring belongs to the program, not to the board: what another test left is taken out.
+Bytes read_all() {
+  Bytes all;
+  std::array<std::uint8_t, 64> chunk;
+  while (const std::size_t size = fog::hal::read_sensor_stream(chunk.data(), chunk.size())) {
+    all.insert(all.end(), chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(size));
+  }
+  return all;
+}
+
+void start(const Stm32F405Model&) {
+  read_all();
+  fog::platform::start_clock_tree();
+  fog::platform::open_console_port();
+  fog::platform::open_output_port();
+  fog::platform::open_sensor_port();
+}
+
+void serve(Stm32F405Model& board) {
+  for (int i = 0; board.interrupt_pending(kSensor); ++i) {
+    ASSERT_LT(i, 10) << "the interrupt never ends";
+    fog::platform::on_sensor_interrupt();
+  }
+}
+
+void expect_no_violations(const Stm32F405Model& board) {
+  for (const std::string& violation : board.violations()) ADD_FAILURE() << violation;
+}
+
+// A receiver tells bytes apart up to 4 %, both ends together.
+TEST(SerialPorts, HaveTheirBitRatesOnEveryClock) {
+  for (unsigned combination = 0; combination < 3; ++combination) {
+    Stm32Faults faults;
+    faults.crystal_dead = combination >= 1;
+    faults.pll_never_locks = combination == 2;
+    Stm32F405Model board(faults);
+    start(board);
+    const auto off = [&](int usart, std::uint32_t baud) {
+      return std::abs(double{1} * board.baud(usart) / baud - 1);
+    };
+    EXPECT_LT(off(kSensor, fog::platform::kSensorBaud), 0.025) << combination;
+    EXPECT_LT(off(kOutput, fog::platform::kOutputBaud), 0.025) << combination;
+    EXPECT_LT(off(kConsole, fog::platform::kConsoleBaud), 0.025) << combination;
+    expect_no_violations(board);
+  }
+}
+
+TEST(SensorPort, DeliversBytesInOrderAndSurvivesAnOverrun) {
+  Stm32F405Model board;
+  start(board);
+  board.receive(kSensor, 1);
+  serve(board);
+  board.receive(kSensor, 2);
+  board.receive(kSensor, 3);  // nobody was in time: lost
+  board.receive(kSensor, 4);
+  serve(board);
+  EXPECT_FALSE(board.interrupt_pending(kSensor)) << "the overrun is cleared";
+  board.receive(kSensor, 5);
+  serve(board);
+  EXPECT_EQ(read_all(), (Bytes{1, 2, 5}));
+}
+
+// Interrupts that come late at random: what is lost is lost, what arrives is in order.
+TEST(SensorPort, LosesOnlyWhatNobodyWasInTimeFor) {
+  Stm32F405Model board;
+  start(board);
+  std::mt19937 random(1);
+  Bytes expected;
+  Bytes got;
+  bool waiting = false;
+  for (unsigned i = 0; i < 20000; ++i) {
+    const auto byte = static_cast<std::uint8_t>(random());
+    if (!waiting) expected.push_back(byte);
+    board.receive(kSensor, byte);
+    waiting = random() % 8 == 0;  // this interrupt comes after the next byte
+    if (!waiting) serve(board);
+    if (i % 100 == 0) {
+      const Bytes part = read_all();
+      got.insert(got.end(), part.begin(), part.end());
+    }
+  }
+  serve(board);
+  const Bytes part = read_all();
+  got.insert(got.end(), part.begin(), part.end());
+  EXPECT_EQ(got, expected);
+  EXPECT_LT(got.size(), 19000U) << "there were overruns";
+}
+
+TEST(SensorPort, ClosesWhileItsBufferIsFullAndOpensAgain) {
+  Stm32F405Model board;
+  start(board);
+  unsigned taken = 0;
+  while (taken < 5000) {
+    board.receive(kSensor, static_cast<std::uint8_t>(taken));
+    serve(board);
+    if (board.interrupt_pending(kSensor)) break;
+    ++taken;
+    if (taken > 1024) break;
+  }
+  // The 1025th stays in the port, whose interrupt is off.
+  EXPECT_EQ(taken, 1025U);
+  EXPECT_FALSE(board.interrupt_pending(kSensor));
+  const Bytes first = read_all();
+  ASSERT_EQ(first.size(), 1024U);
+  serve(board);
+  EXPECT_EQ(read_all(), Bytes{static_cast<std::uint8_t>(1024)}) << "the byte that waited";
+}
+
+TEST(OutputPort, SendsEveryByteInOrder) {
+  Stm32F405Model board;
+  start(board);
+  Bytes frames(1000);
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = static_cast<std::uint8_t>(i * 7);
+  fog::hal::write_output_stream(frames.data(), frames.size());
+  EXPECT_EQ(board.sent(kOutput), frames);
+  fog::hal::write_console("ready\r\n");
+  EXPECT_EQ(board.sent(kConsole), (Bytes{'r', 'e', 'a', 'd', 'y', '\r', '\n'}));
+  expect_no_violations(board);
+}
+
+TEST(OutputPort, ReturnsWhereTheTransmitterIsStuck) {
+  Stm32Faults faults;
+  faults.transmitters_stuck = true;
+  Stm32F405Model board(faults);
+  start(board);
+  const std::uint64_t before = board.accesses();
+  const Bytes frame(64);
+  fog::hal::write_output_stream(frame.data(), frame.size());
+  EXPECT_LT(board.accesses() - before, 64U * 20'010U);
+}
+
+}  // namespace

@@ -1,0 +1,141 @@
+#include "core/thermometer/ds18b20.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/protocol/crc.hpp"
+#include "support/ds18b20_model.hpp"
+
+namespace {
+
+using fog::Ds18b20;
+using fog::OneWireSlot;
+using fog::test::Ds18b20Model;
+
+// Driver and sensor on one line; a slot takes a tenth of a millisecond.
+struct Line {
+  Ds18b20 driver;
+  Ds18b20Model sensor;
+  std::uint32_t slots = 0;
+
+  std::uint32_t now_ms() const { return slots / 10; }
+  fog::TemperatureReading reading() const { return driver.reading(now_ms()); }
+
+  void make_slot() {
+    bool line = true;
+    switch (driver.next_slot()) {
+      case OneWireSlot::none:
+        break;
+      case OneWireSlot::reset:
+        line = sensor.reset();
+        break;
+      case OneWireSlot::write_0:
+      case OneWireSlot::write_1:
+        sensor.write(driver.next_slot() == OneWireSlot::write_1);
+        break;
+      case OneWireSlot::read:
+        line = sensor.read();
+        break;
+    }
+    ++slots;
+    driver.slot_made(line, now_ms());
+  }
+  void run(std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) make_slot();
+  }
+};
+
+constexpr std::uint32_t kOneReading = 300;  // slots: with configuration, conversion and repetition
+constexpr std::int32_t kDegree = 65536;
+
+TEST(Crc8, HasThePublishedCheckValue) {
+  const std::uint8_t text[] = {'1', '2', '3', '4', '5', '6', '7', '8', '9'};
+  EXPECT_EQ(fog::crc8(text, sizeof text), 0xA1);
+}
+
+TEST(Ds18b20, ReadsEveryTemperatureOfTheDataSheet) {
+  Line line;
+  for (const int sixteenths :
+       {125 * 16, 85 * 16, 25 * 16 + 1, 10 * 16 + 2, 8, 0, -8, -162, -401, -55 * 16}) {
+    line.sensor.sixteenths = static_cast<std::int16_t>(sixteenths);
+    line.run(kOneReading);
+    EXPECT_TRUE(line.reading().valid) << sixteenths;
+    EXPECT_EQ(line.reading().temperature.raw(), sixteenths * (kDegree / 16)) << sixteenths;
+  }
+}
+
+TEST(Ds18b20, Accepts85DegreesThatWereMeasuredAndRefusesThoseOfThePowerOn) {
+  Line line;
+  line.sensor.deaf_to_convert = true;
+  for (int i = 0; i < 20; ++i) {
+    line.run(kOneReading);
+    EXPECT_FALSE(line.reading().valid) << "no conversion was made: the register says 85 degC";
+  }
+  line.sensor.deaf_to_convert = false;
+  line.sensor.sixteenths = 85 * 16;
+  line.run(kOneReading);
+  EXPECT_TRUE(line.reading().valid);
+  EXPECT_EQ(line.reading().temperature.raw(), 85 * kDegree);
+}
+
+// At whatever slot the sensor loses its power for a moment, no reading is ever 85 degC.
+TEST(Ds18b20, NeverTakesA85OfALostPowerForATemperature) {
+  for (std::uint32_t lost_at = 0; lost_at < 2 * kOneReading; ++lost_at) {
+    Line line;
+    line.run(lost_at);
+    line.sensor.lose_power();
+    for (std::uint32_t i = 0; i < 3 * kOneReading; ++i) {
+      line.make_slot();
+      if (line.reading().valid) {
+        ASSERT_EQ(line.reading().temperature.raw(), 20 * kDegree) << lost_at << " " << i;
+      }
+    }
+    ASSERT_TRUE(line.reading().valid) << "back after losing power at slot " << lost_at;
+  }
+}
+
+TEST(Ds18b20, RefusesAScratchpadWithAnyBitFlipped) {
+  for (std::size_t bit = 0; bit < 72; ++bit) {
+    Line line;
+    line.sensor.flip_bit = bit;
+    line.run(3 * kOneReading);
+    EXPECT_FALSE(line.reading().valid) << bit;
+  }
+}
+
+TEST(Ds18b20, GivesUpAReadingThatIsOldAndComesBack) {
+  Line line;
+  line.run(kOneReading);
+  ASSERT_TRUE(line.reading().valid);
+  line.sensor.connected = false;
+  line.run(10 * fog::kOldestReadingMs - 2 * kOneReading);
+  EXPECT_TRUE(line.reading().valid) << "held while it is young";
+  line.run(3 * kOneReading);
+  EXPECT_FALSE(line.reading().valid);
+  line.sensor.connected = true;
+  line.sensor.lose_power();
+  line.run(2 * kOneReading);
+  EXPECT_TRUE(line.reading().valid);
+}
+
+TEST(Ds18b20, GivesUpAConversionThatNeverEnds) {
+  Line line;
+  line.sensor.never_ready = true;
+  line.run(100000);
+  EXPECT_FALSE(line.reading().valid);
+  line.sensor.never_ready = false;
+  line.sensor.lose_power();
+  line.run(12000);  // the bound of a second, then a reading
+  EXPECT_TRUE(line.reading().valid);
+}
+
+TEST(Ds18b20, RefusesALineThatIsShortOrOpen) {
+  for (const bool level : {false, true}) {
+    Ds18b20 driver;
+    for (std::uint32_t i = 0; i < 100000; ++i) {
+      driver.slot_made(level, i / 10);
+      ASSERT_FALSE(driver.reading(i / 10).valid) << level;
+    }
+  }
+}
+
+}  // namespace
