@@ -12,7 +12,7 @@ namespace fogcomp {
 namespace {
 
 constexpr std::size_t kLeastInClass = 5;  // of a class that counts
-constexpr double kStructured = 5;      // standard score
+constexpr double kStructured = 5;         // standard score
 constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
 
 // Equal divisions of a variable's range.
