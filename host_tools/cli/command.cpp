@@ -46,10 +46,10 @@ std::string option_text(const Option& option) {
 
 const std::vector<Command>& all_commands() {
   static const std::vector<Command> commands{
-      simulate_command(), info_command(),     denoise_command(),    fit_command(),
-      compare_command(),  diagnose_command(), add_command(),        history_command(),
-      effects_command(),  export_command(),   stream_command(),     replay_command(),
-      health_command(),   batch_command(),    paper_command(),      completion_command(),
+      simulate_command(), info_command(),     denoise_command(), fit_command(),
+      compare_command(),  diagnose_command(), add_command(),     history_command(),
+      effects_command(),  export_command(),   stream_command(),  replay_command(),
+      health_command(),   batch_command(),    paper_command(),   completion_command(),
       man_command()};
   return commands;
 }

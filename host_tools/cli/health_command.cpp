@@ -29,7 +29,7 @@ std::vector<std::string> flag_names(fog::Status status) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& names) {
+std::string in_words(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text.empty() ? "none" : text;
@@ -53,8 +53,8 @@ void print_words(const fog::HealthRecord& r) {
   std::printf("samples       %u, %u without a valid rate, %u after a gap or late\n", r.samples,
               r.invalid_rates, r.sequence_gaps);
   std::printf("sensor line   %u bytes that were no frame\n", r.discarded_bytes);
-  std::printf("flags now     %s\n", joined(flag_names(r.status_last)).c_str());
-  std::printf("flags so far  %s\n", joined(flag_names(r.status_seen)).c_str());
+  std::printf("flags now     %s\n", in_words(flag_names(r.status_last)).c_str());
+  std::printf("flags so far  %s\n", in_words(flag_names(r.status_seen)).c_str());
   std::printf("stack         %d of %d bytes never used\n", r.stack_unused_bytes, r.stack_bytes);
 }
 

@@ -43,8 +43,8 @@ struct Outcome {
 class Session {
  public:
   explicit Session(EmulatedBoard& board) : board_(board) {
-    board_.drain();
-    board_.reset();
+    // A new QEMU: in the ports of one that is only reset may lie what the last session sent.
+    board_.replace();
     board_.resume();
     while (!says("image: ")) {
       if (!board_.exchange(kPatience)) throw std::runtime_error("the board does not start");
@@ -99,11 +99,8 @@ Outcome run_with(EmulatedBoard& board, const Flip& flip, std::size_t healthy, st
   board.resume();
   try {
     const std::string& what = session.feed_until(before + limit);
-    board.stop();
-    board.write_byte(flip.address, byte);
     return {what, session.valid() - before};
   } catch (const std::runtime_error&) {  // QEMU ended
-    board.replace();
     return {kLockUp, session.valid() - before};
   }
 }
