@@ -5,6 +5,14 @@
 
 #include "core/protocol/crc.hpp"
 
+/// A function whose result the compiler may not foresee: what it computes from a proof must be
+/// computed. Clang, which only builds tests, has no word for it.
+#if defined(__clang__)
+#define FOG_OPAQUE [[gnu::noinline]]
+#else
+#define FOG_OPAQUE [[gnu::noipa]]
+#endif
+
 namespace fog {
 
 /// The last word of an image is its seal: chosen after linking so that the CRC-32 over the whole

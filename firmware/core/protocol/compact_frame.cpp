@@ -1,5 +1,6 @@
 #include "core/protocol/compact_frame.hpp"
 
+#include "core/health/image_seal.hpp"
 #include "core/protocol/byte_order.hpp"
 #include "core/protocol/crc.hpp"
 
@@ -22,7 +23,7 @@ std::uint16_t frame_crc(const std::uint8_t* bytes, std::uint16_t start) {
 }
 
 // As in kvh_frame.cpp. Of 32 bits that are all set both halves are, and so is what both have.
-[[gnu::noipa]] std::uint16_t sealed_crc(const std::uint8_t* bytes, std::uint32_t image_crc) {
+FOG_OPAQUE std::uint16_t sealed_crc(const std::uint8_t* bytes, std::uint32_t image_crc) {
   const auto status = static_cast<Status>(load_le32(bytes + kStatus));
   const auto start = static_cast<std::uint16_t>(image_crc & (image_crc >> 16U));
   return frame_crc(bytes, any(status, Status::self_test_failed) ? kCrc16Initial : start);

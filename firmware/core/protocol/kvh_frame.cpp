@@ -1,6 +1,7 @@
 #include "core/protocol/kvh_frame.hpp"
 
 #include "core/fixed_point/fixed.hpp"
+#include "core/health/image_seal.hpp"
 #include "core/protocol/byte_order.hpp"
 #include "core/protocol/crc.hpp"
 #include "core/protocol/rate_float.hpp"
@@ -19,7 +20,7 @@ constexpr std::uint32_t kSequenceMask = 0x7F;
 
 // Looks at the bytes as they will be sent: what the code that wrote them meant does not count. Kept
 // out of line, so that the compiler cannot take the one for the other.
-[[gnu::noipa]] std::uint32_t frame_crc(const std::uint8_t* frame, std::uint32_t image_crc) {
+FOG_OPAQUE std::uint32_t frame_crc(const std::uint8_t* frame, std::uint32_t image_crc) {
   const bool marks_valid = frame[kStatus] != 0;
   return crc32(frame, kCrc, marks_valid ? image_crc : kCrc32Initial);
 }
