@@ -111,10 +111,8 @@ std::string Arguments::choice(const std::string& name) const {
   const std::string value = text(name);
   const std::vector<std::string>& allowed = require_option(command_, name).words;
   if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return value;
-  std::string list;
-  for (const std::string& word : allowed) list += (list.empty() ? "" : ", ") + word;
-  throw usage_error(command_, dashed(name) + " '" + value + "' is not one of " + list +
-                                  did_you_mean(value, allowed));
+  throw usage_error(command_, dashed(name) + " '" + value + "' is not one of " +
+                                  join(allowed, ", ") + did_you_mean(value, allowed));
 }
 
 std::string Arguments::required(const std::string& name) const {

@@ -42,17 +42,9 @@ _fogcomp() {
 complete -F _fogcomp fogcomp
 )";
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 // What bash calls patterns: "--seed | --epochs".
 std::string patterns(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " | ") + name;
-  return text;
+  return join(names, " | ");
 }
 
 bool is_file(const Option& option) {
@@ -71,7 +63,7 @@ std::string arm(const Command& command) {
     if (option.value_name.empty()) continue;
     if (!option.words.empty()) {
       values += "        " + names.back() + ")\n          _fogcomp_words \"$current\" \"" +
-                joined(option.words) + "\"\n";
+                join(option.words, " ") + "\"\n";
       values += is_file(option) ? "          compopt -o default\n" : "";
       values += "          return\n          ;;\n";
     } else if (!is_file(option)) {
@@ -79,8 +71,8 @@ std::string arm(const Command& command) {
     }
   }
   std::string text = "    " + command.name + ")\n";
-  text += "      options=\"" + joined(names) + "\"\n";
-  if (!command.words.empty()) text += "      words=\"" + joined(command.words) + "\"\n";
+  text += "      options=\"" + join(names, " ") + "\"\n";
+  if (!command.words.empty()) text += "      words=\"" + join(command.words, " ") + "\"\n";
   if (!free_values.empty()) values += "        " + patterns(free_values) + ") return ;;\n";
   if (!values.empty()) text += "      case $previous in\n" + values + "      esac\n";
   return text + "      ;;\n";
@@ -96,8 +88,8 @@ int run_completion(const Arguments& arguments) {
     names.push_back(command.name);
     arms += arm(command);
   }
-  arms += "    help) words=\"" + joined(names) + "\" ;;\n";
-  std::fputs(format(kFrame, joined(names).c_str(), arms.c_str()).c_str(), stdout);
+  arms += "    help) words=\"" + join(names, " ") + "\" ;;\n";
+  std::fputs(format(kFrame, join(names, " ").c_str(), arms.c_str()).c_str(), stdout);
   return 0;
 }
 

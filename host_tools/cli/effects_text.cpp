@@ -22,12 +22,6 @@ std::string range(const CatalogueEntry& entry, const fog::ParameterDescription& 
                 without_value(entry, parameter).c_str());
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string entry_text(const CatalogueEntry& entry) {
   const fog::EffectDescription& effect = entry.description;
   std::string text = format("%s - %s\n", effect.name, effect.title);
@@ -36,7 +30,7 @@ std::string entry_text(const CatalogueEntry& entry) {
   text += format("  signature  %s\n", effect.signature);
   text += format("  source     %s\n", effect.source);
   const std::vector<std::string> needs = needed_columns(entry);
-  if (!needs.empty()) text += "  needs      " + joined(needs) + "\n";
+  if (!needs.empty()) text += "  needs      " + join(needs, ", ") + "\n";
   if (effect.host_only != nullptr) text += format("  host only  %s\n", effect.host_only);
   for (const auto& parameter : entry.parameters) {
     text += format("  parameter  %s: %s\n", parameter.name, range(entry, parameter).c_str());
@@ -64,7 +58,7 @@ std::string entry_markdown(const CatalogueEntry& entry) {
     row(format("identified `%s`", coefficient.symbol), coefficient.unit);
   }
   const std::vector<std::string> needs = needed_columns(entry);
-  if (!needs.empty()) row("needs", "`" + joined(needs) + "`");
+  if (!needs.empty()) row("needs", "`" + join(needs, ", ") + "`");
   row("on the board", effect.host_only == nullptr ? format("yes, id %d", effect.id)
                                                   : std::string("no: ") + effect.host_only);
   row("source", effect.source);
@@ -105,7 +99,7 @@ std::string effects_markdown(const std::vector<const CatalogueEntry*>& entries) 
       "| effect | equation | needs |\n|---|---|---|\n";
   for (const CatalogueEntry* entry : entries) {
     text += format("| [`%s`](#%s) | %s | %s |\n", entry->description.name, entry->description.name,
-                   entry->description.equation, joined(needed_columns(*entry)).c_str());
+                   entry->description.equation, join(needed_columns(*entry), ", ").c_str());
   }
   text += "\n";
   for (const CatalogueEntry* entry : entries) text += entry_markdown(*entry);

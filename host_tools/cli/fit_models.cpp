@@ -85,9 +85,7 @@ std::vector<std::string> fit_model_names() {
 }
 
 std::string fit_model_list() {
-  std::string list;
-  for (const std::string& name : fit_model_names()) list += (list.empty() ? "" : ", ") + name;
-  return list;
+  return join(fit_model_names(), ", ");
 }
 
 void choose_order(std::vector<EffectTerm>& terms, const Rows& rows) {

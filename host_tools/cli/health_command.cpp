@@ -30,9 +30,7 @@ std::vector<std::string> flag_names(fog::Status status) {
 }
 
 std::string in_words(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "none" : text;
+  return names.empty() ? "none" : join(names, ", ");
 }
 
 bool is_healthy(const fog::HealthRecord& record) {

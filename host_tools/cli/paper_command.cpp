@@ -64,8 +64,7 @@ int run_paper(const Arguments& arguments) {
 }  // namespace
 
 Command paper_command() {
-  std::string names;
-  for (const std::string& name : model_names()) names += (names.empty() ? "" : ", ") + name;
+  const std::string names = join(model_names(), ", ");
   Command command;
   command.name = "paper";
   command.summary = "the reference paper's pipeline on simulated gyros, its tables beside ours";

@@ -17,10 +17,8 @@ std::size_t parameter_index(const std::string& where, const CatalogueEntry& entr
   for (const auto& parameter : entry.parameters) names.emplace_back(parameter.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  std::string known;
-  for (const std::string& one : names) known += (known.empty() ? "" : ", ") + one;
   throw InputError(where, "has no parameter '" + name + "'" + did_you_mean(name, names) +
-                              "; it has " + (known.empty() ? "none" : known));
+                              "; it has " + (names.empty() ? "none" : join(names, ", ")));
 }
 
 // `?` or `?[least,most]`: to be identified, within the catalogue's bounds or narrower ones.

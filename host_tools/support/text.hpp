@@ -13,6 +13,9 @@ namespace fogcomp {
 /// Parts between separators, empty ones included; "" gives no part.
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// What split() takes apart: the words with `separator` between them.
+std::string join(const std::vector<std::string>& words, std::string_view separator);
+
 /// Without white space at both ends.
 std::string_view trim(std::string_view text);
 
