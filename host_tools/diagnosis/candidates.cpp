@@ -43,9 +43,9 @@ class ShapeMaker {
     Eigen::Index kept = 0;
     for (Eigen::Index i = 0; i < added; ++i) {
       if (part.visible[i] < kLeastVisible) continue;
-      part.columns.col(kept++) = part.columns.col(i).normalized();
+      part.columns.col(kept++) = part.columns.col(i);
     }
-    return Candidate::Shape{term, part.columns.leftCols(kept)};
+    return Candidate::Shape{term, orthonormal(part.columns.leftCols(kept), kRank)};
   }
 
  private:
@@ -55,14 +55,14 @@ class ShapeMaker {
 };
 
 // Mean share of a's directions that b explains; 1 for the same subspace.
-double likeness(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  return (orthonormal(a, kRank).transpose() * orthonormal(b, kRank)).squaredNorm() /
-         static_cast<double>(std::max(a.cols(), b.cols()));
+double likeness(const Candidate::Shape& a, const Candidate::Shape& b) {
+  return (a.basis.transpose() * b.basis).squaredNorm() /
+         static_cast<double>(std::max(a.basis.cols(), b.basis.cols()));
 }
 
 // chi^2 that a shape by itself takes out of the whitened residual.
 double gain_of(const Candidate::Shape& shape, const Eigen::VectorXd& residual) {
-  return (orthonormal(shape.columns, kRank).transpose() * residual).squaredNorm();
+  return (shape.basis.transpose() * residual).squaredNorm();
 }
 
 std::size_t best_of(const std::vector<Candidate::Shape>& shapes, const Eigen::VectorXd& residual) {
@@ -109,10 +109,10 @@ void lay_out(const ShapeMaker& make, EffectTerm term, const ShapeParameter& para
       const double left = places[i].unit;
       const bool here = places[i].shape.has_value();
       const bool next = i + 1 < places.size() && places[i + 1].shape.has_value();
-      const bool different = more && (here || next) &&
-                             (here != next ? places[i + 1].unit - left > 0.02
-                                           : likeness(places[i].shape->columns,
-                                                      places[i + 1].shape->columns) < kAlike);
+      const bool different =
+          more && (here || next) &&
+          (here != next ? places[i + 1].unit - left > 0.02
+                        : likeness(*places[i].shape, *places[i + 1].shape) < kAlike);
       finer.push_back(std::move(places[i]));
       if (!different) continue;
       finer.push_back(at((left + places[i + 1].unit) / 2));
@@ -199,7 +199,7 @@ void leave_to_simpler(std::vector<Candidate>& candidates) {
     if (shape_parameters({candidate.shapes[0].term}).empty()) continue;
     const auto is_simpler = [&](const Candidate::Shape& shape) {
       return std::any_of(simple.begin(), simple.end(), [&](const Candidate* other) {
-        return likeness(shape.columns, other->shapes[0].columns) > kTheSame;
+        return likeness(shape, other->shapes[0]) > kTheSame;
       });
     };
     auto& shapes = candidate.shapes;

@@ -12,8 +12,8 @@ namespace fogcomp {
 struct Candidate {
   std::string effect;  ///< or the expression's name
   struct Shape {
-    EffectTerm term;          ///< what would be added, or what the model's own would become
-    Eigen::MatrixXd columns;  ///< whitened, rows x 1 or more: what that adds to the model
+    EffectTerm term;        ///< what would be added, or what the model's own would become
+    Eigen::MatrixXd basis;  ///< rows x 1 or more, orthonormal: what that adds, whitened
   };
   std::vector<Shape> shapes;  ///< at least one
 

@@ -108,7 +108,7 @@ class Diagnoser {
     for (const Candidate& candidate : candidates_) {
       library_.emplace_back();
       for (const Candidate::Shape& shape : candidate.shapes) {
-        library_.back().push_back(space.add(shape.columns));
+        library_.back().push_back(space.add(shape.basis));
       }
     }
     structure_ = space.add(structure.all);
@@ -264,9 +264,9 @@ class Diagnoser {
     Eigen::VectorXd left = residual;
     Eigen::Index at = 0;
     for (const Hypothesis::Part& part : hypothesis.parts) {
-      const Eigen::MatrixXd& columns = candidates_[part.candidate].shapes[part.shape].columns;
-      left -= columns * coefficients.segment(at, columns.cols());
-      at += columns.cols();
+      const Eigen::MatrixXd& basis = candidates_[part.candidate].shapes[part.shape].basis;
+      left -= basis * coefficients.segment(at, basis.cols());
+      at += basis.cols();
     }
     left -= structure.all * coefficients.tail(structure.all.cols());
     return left.head(rows_.size());

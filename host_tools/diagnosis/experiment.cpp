@@ -52,6 +52,7 @@ Recording simulated(const std::string& profile, double row_s) {
   SimulationOptions options;
   options.rate_hz = 1 / row_s;
   options.earth.latitude_deg = kLatitude_deg;
+  options.grid.axial_cells = 1;  // what the sensor reads, the rows' only temperature, needs no more
   Simulation run(gyro, programme, options);
   Recording recording;
   recording.file = profile;

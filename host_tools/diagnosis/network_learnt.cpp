@@ -3,18 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/least_squares.hpp"
 #include "model/catalogue.hpp"
 
 namespace fogcomp {
-namespace {
-
-// Of a column of unit length: the part that some columns describe together.
-double described(const Eigen::MatrixXd& columns, const Eigen::VectorXd& unit) {
-  return std::clamp(1 - solve_linear(columns, unit).residual.squaredNorm(), 0.0, 1.0);
-}
-
-}  // namespace
 
 NetworkLearnt ask_network(const RealNetwork& network, const SignalSeries& series,
                           const std::vector<Candidate>& candidates, const ToVisible& to_visible) {
@@ -33,7 +24,7 @@ NetworkLearnt ask_network(const RealNetwork& network, const SignalSeries& series
     if (candidate.effect == kBiasStep) continue;
     NetworkLearnt::Share best;
     for (const Candidate::Shape& shape : candidate.shapes) {
-      const double share = described(shape.columns, beyond);
+      const double share = std::min(1.0, (shape.basis.transpose() * beyond).squaredNorm());
       if (share >= best.share) best = {shape.term, share};
     }
     if (!best.term.name.empty()) learnt.effects.push_back(std::move(best));

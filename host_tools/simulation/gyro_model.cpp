@@ -50,9 +50,10 @@ double input_rate_dph(const Conditions& conditions, const EarthRate& earth, Axis
 }
 
 GyroModel::GyroModel(const GyroDescription& gyro, const Programme& programme,
-                     const EarthRate& earth, std::uint64_t seed, std::vector<double> scales)
+                     const EarthRate& earth, const ThermalGrid& grid, std::uint64_t seed,
+                     std::vector<double> scales)
     : chamber_(programme, kThermalStep_s, seed),
-      thermal_(gyro.coil(), FibreMaterial{}, gyro.thermal_design(), ThermalGrid{}, kThermalStep_s,
+      thermal_(gyro.coil(), FibreMaterial{}, gyro.thermal_design(), grid, kThermalStep_s,
                programme.start_degc),
       earth_(earth),
       profile_sets_axis_(programme.sets_axis),
@@ -94,7 +95,8 @@ void GyroModel::evaluate() {
 }
 
 std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& programme,
-                                const EarthRate& earth, std::uint64_t seed) {
+                                const EarthRate& earth, const ThermalGrid& grid,
+                                std::uint64_t seed) {
   const auto& effects = gyro.effects();
   std::vector<double> scales(effects.size(), 1);
   std::vector<double> wanted(effects.size(), 0);
@@ -110,7 +112,7 @@ std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& pr
   if (std::none_of(wanted.begin(), wanted.end(), [](double peak) { return peak > 0; })) {
     return scales;
   }
-  GyroModel model(gyro, programme, earth, seed);
+  GyroModel model(gyro, programme, earth, grid, seed);
   std::vector<double> largest(effects.size(), 0);
   const auto steps = static_cast<std::size_t>(std::ceil(programme.duration_s() / kThermalStep_s));
   for (std::size_t step = 0;; ++step) {

@@ -30,7 +30,7 @@ class GyroModel {
   /// At time 0. `programme` must outlive the object. `scales` multiply the effects, in the order of
   /// gyro.effects(); empty means 1.
   GyroModel(const GyroDescription& gyro, const Programme& programme, const EarthRate& earth,
-            std::uint64_t seed, std::vector<double> scales = {});
+            const ThermalGrid& grid, std::uint64_t seed, std::vector<double> scales = {});
   GyroModel(const GyroModel&) = delete;  // the state points into the object
   GyroModel& operator=(const GyroModel&) = delete;
 
@@ -67,6 +67,7 @@ class GyroModel {
 /// programme, found by running that once. Throws InputError where an effect has both, or stays zero
 /// and cannot be given a peak.
 std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& programme,
-                                const EarthRate& earth, std::uint64_t seed);
+                                const EarthRate& earth, const ThermalGrid& grid,
+                                std::uint64_t seed);
 
 }  // namespace fogcomp::simulation

@@ -37,8 +37,8 @@ Simulation::Simulation(const GyroDescription& gyro, const Programme& programme,
     : period_s_(1 / options.rate_hz),
       total_rows_(
           static_cast<std::size_t>(std::floor(programme.duration_s() * options.rate_hz + 1e-6))),
-      scales_(peak_scales(gyro, programme, options.earth, options.seed)),
-      model_(gyro, programme, options.earth, options.seed, scales_),
+      scales_(peak_scales(gyro, programme, options.earth, options.grid, options.seed)),
+      model_(gyro, programme, options.earth, options.grid, options.seed, scales_),
       noises_(make_noise(gyro.part("noise"), period_s_, options.seed)),
       quantizer_(gyro.part("noise")["quantization"], period_s_),
       means_(kThermalStep_s, period_s_, channel_kinds(gyro.effects().size()), channel_values()) {

@@ -15,6 +15,7 @@ struct SimulationOptions {
   double rate_hz = 0.1;  ///< rows per second; a row is the mean over its period
   std::uint64_t seed = 1;
   EarthRate earth;
+  ThermalGrid grid;
 };
 
 /// Rows of a run, one vector per column, all equally long. Times are those of the rows' starts.
