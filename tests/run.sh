@@ -15,8 +15,9 @@ cmake --build build/host_sanitized
 
 results=build/host/test_results.txt
 status=0
-ctest --test-dir build/host --output-on-failure --no-tests=error -j 2 | tee "$results" || status=1
-ctest --test-dir build/host_sanitized --output-on-failure --no-tests=error -j 2 -L 'unit|property' |
+jobs=$(($(nproc) + 1)) # some tests wait, for a browser or for bytes on a line
+ctest --test-dir build/host --output-on-failure --no-tests=error -j "$jobs" | tee "$results" || status=1
+ctest --test-dir build/host_sanitized --output-on-failure --no-tests=error -j "$jobs" -L 'unit|property' |
   tee -a "$results" || status=1
 
 # One plain line at the end: what passed, failed and was skipped, both builds together.
