@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # All tests, on Debian 12 from nothing: sets the machine up, builds, runs CTest for the optimised build
 # (unit, property, golden, target, integration, budget) and the host tests again under ASan and UBSan
-# with every fixed-point operation checked for overflow.
+# with every fixed-point operation checked for overflow, and a minute of fuzzing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source cmake/bootstrap/packages.sh
@@ -17,7 +17,7 @@ results=build/host/test_results.txt
 status=0
 jobs=$(($(nproc) + 1)) # some tests wait, for a browser or for bytes on a line
 ctest --test-dir build/host --output-on-failure --no-tests=error -j "$jobs" | tee "$results" || status=1
-ctest --test-dir build/host_sanitized --output-on-failure --no-tests=error -j "$jobs" -L 'unit|property' |
+ctest --test-dir build/host_sanitized --output-on-failure --no-tests=error -j "$jobs" -L 'unit|property|fuzz' |
   tee -a "$results" || status=1
 
 # One plain line at the end: what passed, failed and was skipped, both builds together.

@@ -17,7 +17,12 @@ constexpr std::size_t kBufferBytes = 1U << 20U;
 
 }  // namespace
 
-InputFile::InputFile(std::string path) : path_(std::move(path)), progress_("reading " + path_) {
+InputFile::InputFile(std::string path)
+    : path_(std::move(path)),
+      // One more for the line end that a last line may lack; not zeroed, as small files need
+      // little.
+      buffer_(new char[kBufferBytes + 1]),
+      progress_("reading " + path_) {
   descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0) {
     throw InputError(path_,
@@ -31,7 +36,6 @@ InputFile::InputFile(std::string path) : path_(std::move(path)), progress_("read
     }
     if (S_ISREG(status.st_mode)) size_ = static_cast<std::size_t>(status.st_size);
   }
-  buffer_.resize(kBufferBytes + 1);  // one more for the line end that a last line may lack
 }
 
 InputFile::~InputFile() {
@@ -40,11 +44,11 @@ InputFile::~InputFile() {
 
 // Moves the unread bytes to the front and reads until the buffer is full or the file ends.
 void InputFile::fill() {
-  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+  std::memmove(buffer_.get(), buffer_.get() + begin_, end_ - begin_);
   end_ -= begin_;
   begin_ = 0;
   while (!at_end_ && end_ < kBufferBytes) {
-    const ssize_t got = ::read(descriptor_, buffer_.data() + end_, kBufferBytes - end_);
+    const ssize_t got = ::read(descriptor_, buffer_.get() + end_, kBufferBytes - end_);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) {
       throw InputError(path_, std::string("cannot be read (") + std::strerror(errno) + ")");
@@ -58,7 +62,7 @@ void InputFile::fill() {
 
 std::string_view InputFile::peek() {
   fill();
-  return {buffer_.data() + begin_, end_ - begin_};
+  return {buffer_.get() + begin_, end_ - begin_};
 }
 
 std::string_view InputFile::next_block() {
@@ -68,22 +72,22 @@ std::string_view InputFile::next_block() {
 }
 
 bool InputFile::next_line(std::string_view& line) {
-  const char* start = buffer_.data() + begin_;
+  const char* start = buffer_.get() + begin_;
   const void* found = std::memchr(start, '\n', end_ - begin_);
   if (found == nullptr) {
     fill();
     if (begin_ == end_) return false;
-    start = buffer_.data();
+    start = buffer_.get();
     found = std::memchr(start, '\n', end_);
   }
   ++line_number_;
   if (found == nullptr) {
     if (!at_end_) throw InputError(where(), "line longer than 1 MiB; is this a recording?");
     buffer_[end_] = '\n';
-    found = buffer_.data() + end_;
+    found = buffer_.get() + end_;
     begin_ = end_;
   } else {
-    begin_ = static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.data()) + 1;
+    begin_ = static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.get()) + 1;
   }
   auto length = static_cast<std::size_t>(static_cast<const char*>(found) - start);
   if (length > 0 && start[length - 1] == '\r') --length;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "support/progress.hpp"
 
@@ -42,7 +42,7 @@ class InputFile {
   std::string path_;
   int descriptor_ = -1;
   std::size_t size_ = 0;
-  std::vector<char> buffer_;
+  std::unique_ptr<char[]> buffer_;
   std::size_t begin_ = 0;  // unread bytes: [begin_, end_)
   std::size_t end_ = 0;
   bool at_end_ = false;

@@ -206,6 +206,16 @@ RealLayer read_layer(Reader& in, Eigen::Index columns) {
   return layer;
 }
 
+// No network at all, or inputs -> hidden -> one output.
+bool is_whole(const RealNetwork& network) {
+  const auto inputs = static_cast<Eigen::Index>(network.inputs.size());
+  const RealLayer& hidden = network.hidden;
+  const RealLayer& output = network.output;
+  if (!network.present()) return inputs == 0 && output.biases.size() == 0;
+  return inputs > 0 && hidden.weights.cols() == inputs && output.biases.size() == 1 &&
+         output.weights.cols() == hidden.biases.size();
+}
+
 RealInput read_input(Reader& in) {
   RealInput input;
   input.signal = in.named(kAllInputs);
@@ -382,6 +392,7 @@ Model parse_model(const std::string& text, const std::string& file) {
   if (model.scale_factor <= 0 || model.derivative_tau_s <= 0 || model.terms.empty()) {
     in.fail("scale_factor, derivative_tau_s or every effect is missing");
   }
+  if (!is_whole(model.network)) in.fail("a part of the network is missing");
   return model;
 }
 

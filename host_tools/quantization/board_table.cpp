@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/denoise/adaptive_thresholds.hpp"
-#include "core/protocol/byte_order.hpp"
 #include "core/protocol/crc.hpp"
 #include "dataset/input_columns.hpp"
 #include "identification/block_series.hpp"
@@ -360,14 +359,6 @@ void check_expressions(const BoardTable& table, std::size_t first) {
                                     fog::kMostExpressionStack, fog::kMostExpressionWords));
 }
 
-std::uint32_t crc_of_words(const std::vector<std::int32_t>& words) {
-  std::vector<std::uint8_t> bytes(words.size() * 4);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    fog::store_le32(&bytes[4 * i], static_cast<std::uint32_t>(words[i]));
-  }
-  return fog::crc32(bytes.data(), bytes.size());
-}
-
 std::int32_t as_signed(std::uint32_t word) {
   return static_cast<std::int32_t>(word);
 }
@@ -434,7 +425,8 @@ BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
   out.integer(static_cast<std::int32_t>(settings.output), "output");
   table.words[size_word] = static_cast<std::int32_t>(table.words.size() + 1);
   out.note("CRC-32 of the words above");
-  out.integer(as_signed(crc_of_words(table.words)), "CRC");
+  out.integer(0, "CRC");
+  table.words.back() = as_signed(fog::model_table_crc(table.span()));
   return table;
 }
 

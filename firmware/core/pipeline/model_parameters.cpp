@@ -145,16 +145,6 @@ void read_denoise(TableReader& table, DenoiseParameters& denoise) {
   table.require(filters_fit(denoise) && noise_shift(denoise) >= 0);
 }
 
-std::uint32_t table_crc(Span<const std::int32_t> table) {
-  std::uint32_t crc = kCrc32Initial;
-  for (std::size_t i = 0; i + 1 < table.size; ++i) {
-    std::uint8_t bytes[4];
-    store_le32(bytes, static_cast<std::uint32_t>(table[i]));
-    crc = crc32(bytes, sizeof bytes, crc);
-  }
-  return crc;
-}
-
 ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
                      ModelParameters& parameters) {
   constexpr std::size_t kHeaderWords = 4;
@@ -180,6 +170,16 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
 
 }  // namespace
 
+std::uint32_t model_table_crc(Span<const std::int32_t> table) {
+  std::uint32_t crc = kCrc32Initial;
+  for (std::size_t i = 0; i + 1 < table.size; ++i) {
+    std::uint8_t bytes[4];
+    store_le32(bytes, static_cast<std::uint32_t>(table[i]));
+    crc = crc32(bytes, sizeof bytes, crc);
+  }
+  return crc;
+}
+
 ModelError read_model(Span<const std::int32_t> words, const ModelShape& room,
                       ModelParameters& parameters) {
   parameters = ModelParameters();
@@ -188,7 +188,7 @@ ModelError read_model(Span<const std::int32_t> words, const ModelShape& room,
   }
   if (words[1] != kModelLayout) return ModelError::other_layout;
   if (static_cast<std::uint32_t>(words[2]) != words.size) return ModelError::damaged;
-  if (static_cast<std::uint32_t>(words[words.size - 1]) != table_crc(words)) {
+  if (static_cast<std::uint32_t>(words[words.size - 1]) != model_table_crc(words)) {
     return ModelError::damaged;
   }
   const ModelError error = read_body(words, room, parameters);

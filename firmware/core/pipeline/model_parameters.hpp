@@ -71,6 +71,9 @@ enum class ModelError : std::uint8_t {
                  ///< for
 };
 
+/// What the last word of a table must be: the CRC-32 of those before it.
+std::uint32_t model_table_crc(Span<const std::int32_t> table);
+
 /// Checks everything once, so that the pipeline need not: CRC, layout, ranges, and sums that must
 /// not overflow. On an error `parameters` are as constructed.
 ModelError read_model(Span<const std::int32_t> table, const ModelShape& room,

@@ -3,8 +3,6 @@
 #include <random>
 
 #include "core/pipeline/model_parameters.hpp"
-#include "core/protocol/byte_order.hpp"
-#include "core/protocol/crc.hpp"
 #include "support/sample_models.hpp"
 #include "support/typical_effects.hpp"
 
@@ -32,11 +30,7 @@ std::vector<std::int32_t> words_with_expressions() {
 }
 
 void repair_crc(std::vector<std::int32_t>& words) {
-  std::vector<std::uint8_t> bytes(4 * (words.size() - 1));
-  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-    fog::store_le32(&bytes[4 * i], static_cast<std::uint32_t>(words[i]));
-  }
-  words.back() = static_cast<std::int32_t>(fog::crc32(bytes.data(), bytes.size()));
+  words.back() = static_cast<std::int32_t>(fog::model_table_crc({words.data(), words.size()}));
 }
 
 TEST(ModelTable, IsRefusedForEveryFlippedBit) {

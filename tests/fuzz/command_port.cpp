@@ -1,0 +1,25 @@
+// The board's command port, and the host's reader of its answer.
+#include <algorithm>
+
+#include "core/health/health_record.hpp"
+#include "core/health/health_request.hpp"
+#include "fuzzing.hpp"
+
+using fog::test::promise;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fog::HealthRequestParser parser;
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t heard = std::min(i + 1, fog::kHealthRequestBytes);
+    const bool is_request =
+        heard == fog::kHealthRequestBytes &&
+        std::equal(fog::kHealthRequest.begin(), fog::kHealthRequest.end(), data + i + 1 - heard);
+    promise(parser.feed(data[i]) == is_request, "it answers requests, all of them, nothing else");
+  }
+  if (size < fog::kHealthResponseBytes) return 0;
+  fog::HealthRecord record;
+  if (!fog::decode_health_response(data, record)) return 0;
+  const fog::HealthResponse again = fog::encode_health_response(record);
+  promise(std::equal(again.begin(), again.end(), data), "an answer is read as it was sent");
+  return 0;
+}

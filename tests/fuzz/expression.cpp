@@ -1,0 +1,14 @@
+// Expressions that users write by hand.
+#include <string>
+
+#include "expression/expression.hpp"
+#include "fuzzing.hpp"
+#include "support/input_error.hpp"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    fogcomp::parse_expression(std::string(reinterpret_cast<const char*>(data), size));
+  } catch (const fogcomp::InputError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,120 @@
+// make_seeds DIR: what the fuzzers begin with, DIR/TARGET/NAME: small good inputs of every kind.
+#include <cstdio>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include "core/acquisition/extension_frame.hpp"
+#include "core/acquisition/sensor_frame.hpp"
+#include "core/health/health_record.hpp"
+#include "core/health/health_request.hpp"
+#include "core/protocol/byte_order.hpp"
+#include "export/header.hpp"
+#include "model/model_file.hpp"
+#include "support/output_file.hpp"
+#include "support/typical_effects.hpp"
+
+namespace {
+
+class Seeds {
+ public:
+  explicit Seeds(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  void add(const std::string& target, const std::string& name, const std::string& bytes) const {
+    std::filesystem::create_directories(folder_ / target);
+    fogcomp::write_file((folder_ / target / name).string(), bytes);
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+template <class Bytes>
+void append(std::string& text, const Bytes& bytes) {
+  text.append(bytes.begin(), bytes.end());
+}
+
+void append32(std::string& text, std::uint32_t word) {
+  std::array<std::uint8_t, 4> bytes;
+  fog::store_le32(bytes.data(), word);
+  append(text, bytes);
+}
+
+std::string stream() {
+  std::string bytes;
+  for (std::uint16_t i = 0; i < 6; ++i) {
+    if (i % 2 == 0) {
+      append(bytes, fog::encode_extension_frame(
+                        {static_cast<fog::Input>(i / 2), fog::ExtensionValue::from_raw(i << 20)}));
+    }
+    append(bytes, fog::encode_sensor_frame({i, 1000 * i, (20 + i) << 16, i != 3, i != 4}));
+  }
+  return bytes;
+}
+
+// As model_table takes it: the table, then samples over the whole range of counts and temperature.
+std::string table_and_samples(const fogcomp::BoardTable& table) {
+  std::string bytes{static_cast<char>(table.words.size() & 0xFFU),
+                    static_cast<char>(table.words.size() >> 8U)};
+  for (const std::int32_t word : table.words) append32(bytes, static_cast<std::uint32_t>(word));
+  std::mt19937 random(1);
+  for (int i = 0; i < 12; ++i) {
+    append32(bytes, static_cast<std::uint32_t>(i % 3 == 0 ? random() : random() % 4001U));
+    append32(bytes, static_cast<std::uint32_t>(-60 + 15 * i) << 16U);
+    bytes += static_cast<char>(i % 5 == 4 ? random() % 16 : 0);
+  }
+  return bytes;
+}
+
+void add_models(const Seeds& seeds) {
+  fogcomp::Model written = fog::test::paper_like_model();
+  for (const char* text : {"a = T^3/(2+abs(dTdt))", "b = play(lag(T,300),4)*sin(t/9)",
+                           "c = exp(-T/30)-min(tanh(W),max(T,3))"}) {
+    written.terms.push_back(fog::test::written_term(text));
+  }
+  fogcomp::Model rough = fog::test::paper_like_model();
+  rough.denoise.wavelet = "db2";
+  rough.denoise.levels = 3;
+  const std::pair<const char*, fogcomp::Model> models[] = {
+      {"paper", fog::test::paper_like_model()},
+      {"all_effects", fog::test::all_effects_model()},
+      {"expressions", written},
+      {"rough", rough}};
+  for (const auto& [name, model] : models) {
+    const fogcomp::BoardTable table =
+        fogcomp::make_board_table(model, {20, fog::OutputSelection::both, true});
+    seeds.add("model_file", name, fogcomp::model_text(model));
+    seeds.add("weights_header", name, fogcomp::header_text(table, name, 1));
+    seeds.add("model_table", name, table_and_samples(table));
+  }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::fprintf(stderr, "usage: make_seeds DIR\n");
+    return 2;
+  }
+  const Seeds seeds(arguments[1]);
+  seeds.add("sensor_stream", "frames", stream());
+  std::string request;
+  append(request, fog::kHealthRequest);
+  std::string answer;
+  append(answer, fog::encode_health_response({}));
+  seeds.add("command_port", "request", request + request.substr(0, 3) + request);
+  seeds.add("command_port", "answer", answer);
+  seeds.add("recording", "frames", '\0' + stream());
+  seeds.add("recording", "text",
+            std::string(1, '\0') +
+                "# made\ntime_s,temperature_degc,rate_dph,segment,magnetic_ut\n"
+                "0,20.5,0.71,soak,50\n10,20.6,0.72,soak,50\n20,-4e1,0.73,ramp,49\n");
+  seeds.add("recording", "counts",
+            "\3time_s;counts;temperature_degc\r\n0;12;20,5\r\n10;13;20,6\r\n");
+  seeds.add("expression", "written", "stress = lag(dTdt^2, ?tau[60,3000])*sin(t/9)-min(T, 3)");
+  seeds.add("programme", "programme",
+            "start 20 degC\nsegment a\nrepeat 2\nramp to -40 degC at 0.5 degC/min\nsoak 2h\nend\n"
+            "random_steps 10 degC to 30 degC at 3 degC/min every 15 min for 1 h\naxis up\n");
+  add_models(seeds);
+  return 0;
+}

@@ -1,0 +1,29 @@
+// Model files, with a right CRC so that what is behind it is reached: one that is read is written
+// as it was, and its table, where the board can have it, is one that the firmware takes.
+#include <string>
+
+#include "core/protocol/crc.hpp"
+#include "fuzzing.hpp"
+#include "model/model_file.hpp"
+#include "quantization/board_table.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+using fog::test::promise;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::string text(reinterpret_cast<const char*>(data), size);
+  text = text.substr(0, text.rfind("crc "));
+  text += fogcomp::format("crc %08x\n",
+                          static_cast<unsigned>(fog::crc32(
+                              reinterpret_cast<const std::uint8_t*>(text.data()), text.size())));
+  try {
+    const fogcomp::Model model = fogcomp::parse_model(text, "fuzz");
+    const std::string written = fogcomp::model_text(model);
+    promise(fogcomp::model_text(fogcomp::parse_model(written, "fuzz")) == written,
+            "a model that is written is read back");
+    fogcomp::read_board_table(fogcomp::make_board_table(model, {}), "fuzz");
+  } catch (const fogcomp::InputError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,14 @@
+// Exported headers as text.
+#include <string>
+
+#include "export/header.hpp"
+#include "fuzzing.hpp"
+#include "support/input_error.hpp"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    fogcomp::parse_header(std::string(reinterpret_cast<const char*>(data), size), "fuzz");
+  } catch (const fogcomp::InputError&) {
+  }
+  return 0;
+}
