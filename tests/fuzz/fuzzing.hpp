@@ -5,7 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-// What every target is: libFuzzer calls it with bytes; it aborts where the code under test breaks a promise.
+// What every target is: libFuzzer calls it with bytes; it aborts where the code under test breaks a
+// promise.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace fog::test {
