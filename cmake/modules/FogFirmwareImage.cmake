@@ -21,7 +21,7 @@ target_compile_options(
             -ffunction-sections
             -fdata-sections
             -fno-asynchronous-unwind-tables
-            -fstack-usage
+            -fcallgraph-info=su
             -ffile-prefix-map=${PROJECT_SOURCE_DIR}=.
             -ffile-prefix-map=${PROJECT_BINARY_DIR}=build
             $<$<COMPILE_LANGUAGE:CXX>:-fno-exceptions>
