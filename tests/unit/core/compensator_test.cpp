@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -163,6 +165,52 @@ TEST_F(CompensatorTest, AnswersEverySampleWithTheFramesOfItsModel) {
                                                                               : 64;
     EXPECT_EQ(size, expected);
   }
+}
+
+// An image has room for its own model alone; what it leaves out must not be missed.
+template <class Image>
+void expect_same_bytes(const fogcomp::Model& model) {
+  const fogcomp::BoardTable table =
+      fogcomp::make_board_table(model, {20, fog::OutputSelection::both});
+  fog::ModelParameters parameters;
+  ASSERT_EQ(fog::read_model(table.span(), Image::room, parameters), fog::ModelError::none);
+  Image image(parameters, fog::ImageProof::not_needed());
+  fogcomp::HostCompensator any(parameters, fog::ImageProof::not_needed());
+  std::uint8_t from_image[fog::kMostOutputBytes];
+  std::uint8_t from_any[fog::kMostOutputBytes];
+  std::size_t sent = 0;
+  const auto feed = [&](const auto& frame) {
+    for (const std::uint8_t byte : frame) {
+      const std::size_t size = image.feed(byte, from_image);
+      ASSERT_EQ(any.feed(byte, from_any), size);
+      ASSERT_TRUE(std::equal(from_image, from_image + size, from_any)) << sent;
+      sent += size;
+    }
+  };
+  for (std::uint16_t i = 0; i < 2000; ++i) {
+    if (i % 7 == 0) feed(fog::encode_extension_frame({fog::Input::magnetic, {}}));
+    if (i % 250 == 20) feed(std::array<std::uint8_t, 3>{0xA5, 0x5A, 0x00});
+    feed(fog::encode_sensor_frame(
+        {i, 700 + i % 11, (20 + i / 40) * kDegree, i % 60 != 59, i % 90 < 80}));
+  }
+  EXPECT_EQ(sent, 2000U * fog::kMostOutputBytes);
+  EXPECT_EQ(image.discarded_bytes(), 3U * 8);
+  EXPECT_EQ(any.discarded_bytes(), 3U * 8);
+}
+
+constexpr fog::EffectMask kThreeEffects = 0x7;
+constexpr fog::NetworkInputMask kTemperatureAndRate = 0x3;
+
+TEST(CompensatorOfAnImage, SendsWhatTheOneWithRoomForEverythingSends) {
+  expect_same_bytes<fog::Compensator<kThreeEffects, 0, kTemperatureAndRate, 16, 5>>(
+      fog::test::paper_like_model());
+}
+
+TEST(CompensatorOfAnImage, NeedsNeitherNetworkNorDenoiser) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  model.network = {};
+  model.denoise.levels = 0;
+  expect_same_bytes<fog::Compensator<kThreeEffects, 0, 0, 0, 0>>(model);
 }
 
 }  // namespace

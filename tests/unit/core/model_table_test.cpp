@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
+#include <string>
 
 #include "core/pipeline/model_parameters.hpp"
 #include "support/sample_models.hpp"
@@ -95,6 +97,36 @@ TEST(ModelTable, SaysWhyItIsRefused) {
   EXPECT_EQ(read(words, {0x7, 0, 0x1, 16, 5}), ModelError::not_in_image);
   EXPECT_EQ(read(words, {0x7, 0, 0x3, 16, 4}), ModelError::not_in_image);
   EXPECT_EQ(read(words, {0x7, 0, 0x3, 14, 5}), ModelError::not_in_image);
+}
+
+TEST(ModelTable, HasASentenceForEveryRefusal) {
+  std::set<std::string> sentences;
+  for (int error = 0; error <= static_cast<int>(ModelError::not_in_image); ++error) {
+    sentences.insert(fog::describe(static_cast<ModelError>(error)));
+  }
+  EXPECT_EQ(sentences.size(), 6U);
+  EXPECT_EQ(sentences.count("unknown"), 0U);
+}
+
+TEST(ModelTable, SaysWhatAnExpressionNeedsBesideTheTemperature) {
+  const std::pair<const char*, fog::InputMask> needs[] = {
+      {"a = T*dTdt", 0},
+      {"a = t", fog::bit_of(fog::Input::elapsed)},
+      {"a = W", fog::bit_of(fog::Input::input_rate)},
+      {"a = T2", fog::bit_of(fog::Input::temperature2)},
+      {"a = B", fog::bit_of(fog::Input::magnetic)},
+      {"a = P", fog::bit_of(fog::Input::light_power)},
+      {"a = V", fog::bit_of(fog::Input::supply)}};
+  for (const auto& [text, mask] : needs) {
+    fogcomp::Model model = fog::test::paper_like_model();
+    model.terms.push_back(fog::test::written_term(text));
+    const auto words =
+        fogcomp::make_board_table(model, {200, fog::OutputSelection::kvh, true}).words;
+    fog::ModelParameters parameters;
+    ASSERT_EQ(fog::read_model({words.data(), words.size()}, fog::kAnyModel, parameters),
+              ModelError::none);
+    EXPECT_EQ(parameters.needs(), mask) << text;
+  }
 }
 
 // Whatever numbers a table with a good CRC holds, reading it ends in a verdict, and one that is

@@ -128,6 +128,19 @@ TEST(Ds18b20, GivesUpAConversionThatNeverEnds) {
   EXPECT_TRUE(line.reading().valid);
 }
 
+TEST(Ds18b20, BeginsAnewWhereverTheLineFails) {
+  for (std::uint32_t slots = 0; slots < kOneReading; ++slots) {
+    Line line;
+    line.run(slots);
+    line.driver.line_failed();
+    ASSERT_EQ(line.driver.next_slot(), OneWireSlot::reset) << slots;
+    line.sensor.sixteenths = 23 * 16;
+    line.run(2 * kOneReading);
+    ASSERT_TRUE(line.reading().valid) << slots;
+    EXPECT_EQ(line.reading().temperature.raw(), 23 * kDegree) << slots;
+  }
+}
+
 TEST(Ds18b20, RefusesALineThatIsShortOrOpen) {
   for (const bool level : {false, true}) {
     Ds18b20 driver;
