@@ -79,10 +79,12 @@ awk -v reserve="$reserve" -v percent="$percent" -v vectors="$vectors" -v image="
     exception = 36 # eight registers, and a word to align them
     if (main_at == "") fail("no reset handler found")
     main = depth(main_at)
-    fault = interrupt = -1
-    for (f in is_fault) if ((d = depth(f)) > fault) { fault = d; fault_at = f }
+    for (f in is_fault) if ((d = depth(f)) > fault || fault_at == "") { fault = d; fault_at = f }
     # An unused interrupt goes where faults go: upon it comes no other.
-    for (f in is_interrupt) if (!(f in is_fault) && (d = depth(f)) > interrupt) { interrupt = d; interrupt_at = f }
+    for (f in is_interrupt) if (!(f in is_fault) && ((d = depth(f)) > interrupt || interrupt_at == "")) {
+      interrupt = d
+      interrupt_at = f
+    }
     total = main + interrupt + fault + exception * ((interrupt_at != "") + (fault_at != ""))
     printf "%s: %d bytes of a reserve of %d, %.0f %% free\n", image, total, reserve, 100 * (1 - total / reserve)
     printf "  running   %5d: %s\n", main, chain(main_at)
@@ -90,4 +92,3 @@ awk -v reserve="$reserve" -v percent="$percent" -v vectors="$vectors" -v image="
     printf "  fault     %5d: %s\n", fault + exception, chain(fault_at)
     if (total > reserve * (1 - percent / 100)) fail("less than " percent " % of the stack stays free")
   }' "$scratch/frames" "$scratch/functions" "$scratch/words" "$scratch/code" | arm-none-eabi-c++filt
-exit "${PIPESTATUS[0]}"

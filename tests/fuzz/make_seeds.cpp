@@ -67,18 +67,13 @@ std::string table_and_samples(const fogcomp::BoardTable& table) {
 }
 
 void add_models(const Seeds& seeds) {
-  fogcomp::Model written = fog::test::paper_like_model();
-  for (const char* text : {"a = T^3/(2+abs(dTdt))", "b = play(lag(T,300),4)*sin(t/9)",
-                           "c = exp(-T/30)-min(tanh(W),max(T,3))"}) {
-    written.terms.push_back(fog::test::written_term(text));
-  }
   fogcomp::Model rough = fog::test::paper_like_model();
   rough.denoise.wavelet = "db2";
   rough.denoise.levels = 3;
   const std::pair<const char*, fogcomp::Model> models[] = {
       {"paper", fog::test::paper_like_model()},
       {"all_effects", fog::test::all_effects_model()},
-      {"expressions", written},
+      {"expressions", fog::test::expressions_model()},
       {"rough", rough}};
   for (const auto& [name, model] : models) {
     const fogcomp::BoardTable table =

@@ -68,7 +68,17 @@ inline std::vector<fogcomp::EffectTerm> typical_terms() {
           natural_term("light_power", {}, {0.1})};
 }
 
-/// All of them, and the sample model's network.
+/// The sample model and expressions with most of the operations there are.
+inline fogcomp::Model expressions_model() {
+  fogcomp::Model model = paper_like_model();
+  for (const char* text : {"a = T^3/(2+abs(dTdt))", "b = play(lag(T,300),4)*sin(t/9)",
+                           "c = exp(-T/30)-min(tanh(W),max(T,3))"}) {
+    model.terms.push_back(written_term(text));
+  }
+  return model;
+}
+
+/// All typical terms, and the sample model's network.
 inline fogcomp::Model all_effects_model() {
   fogcomp::Model model = paper_like_model();
   model.terms = typical_terms();

@@ -23,12 +23,7 @@ std::vector<std::int32_t> good_words() {
 }
 
 std::vector<std::int32_t> words_with_expressions() {
-  fogcomp::Model model = fog::test::paper_like_model();
-  for (const char* text : {"a = T^3/(2+abs(dTdt))", "b = play(lag(T,300),4)*sin(t/9)",
-                           "c = exp(-T/30)-min(tanh(W),max(T,3))"}) {
-    model.terms.push_back(fog::test::written_term(text));
-  }
-  return fogcomp::make_board_table(model, {}).words;
+  return fogcomp::make_board_table(fog::test::expressions_model(), {}).words;
 }
 
 void repair_crc(std::vector<std::int32_t>& words) {

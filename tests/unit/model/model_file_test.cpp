@@ -90,6 +90,18 @@ TEST(ModelFile, RefusesEveryDamagedByte) {
   }
 }
 
+TEST(ModelFile, RefusesANetworkWithoutOneOfItsParts) {
+  const fogcomp::Model whole = fog::test::paper_like_model();
+  fogcomp::Model model = whole;
+  model.network.inputs.clear();
+  EXPECT_NE(error_of(fogcomp::model_text(model)).find("part of the network is missing"),
+            std::string::npos);
+  model = whole;
+  model.network.output = {};
+  EXPECT_NE(error_of(fogcomp::model_text(model)).find("part of the network is missing"),
+            std::string::npos);
+}
+
 TEST(ModelFile, NamesFileLineAndRemedy) {
   EXPECT_EQ(error_of("time_s,rate_dph\n"),
             "gyro.model: is not a fogcomp model; fogcomp fit makes one");
