@@ -63,6 +63,10 @@ void analyse_level(fog::Span<const double> values, const FilterPair& filters, Ex
     const std::size_t count = std::min(kChunk, outputs - first);
     separate(values, static_cast<std::ptrdiff_t>(first) - static_cast<std::ptrdiff_t>(phases - 1),
              count + phases - 1, extension, even.data(), odd.data());
+    if (count == padded(count)) {
+      kernels.analyse(filters, even.data(), odd.data(), count, low + first, high + first);
+      continue;
+    }
     kernels.analyse(filters, even.data(), odd.data(), padded(count), low_part.data(),
                     high_part.data());
     std::copy_n(low_part.data(), count, low + first);
@@ -70,21 +74,29 @@ void analyse_level(fog::Span<const double> values, const FilterPair& filters, Ex
   }
 }
 
-// The transpose of analyse_level. A level of odd length gets back its own length, not one more.
-void synthesise_level(const double* low, const double* high, const FilterPair& filters,
-                      const FilterKernels& kernels, fog::Span<double> values) {
+// The transpose of analyse_level: the coefficients in the front of `values` and those of `high`
+// become `values`. From the end, so that every coefficient is read before it is overwritten. A
+// level of odd length gets back its own length, not one more.
+void synthesise_level(const double* high, const FilterPair& filters, const FilterKernels& kernels,
+                      fog::Span<double> values) {
   const std::size_t phases = filters.taps.size();
   Buffer low_part{};
   Buffer high_part{};
   Buffer even;
   Buffer odd;
   const std::size_t pairs = (values.size + 1) / 2;
-  for (std::size_t first = 0; first < pairs; first += kChunk) {
-    const std::size_t count = std::min(kChunk, pairs - first);
-    std::copy_n(low + first, count + phases - 1, low_part.data());
-    std::copy_n(high + first, count + phases - 1, high_part.data());
-    kernels.synthesise(filters, low_part.data(), high_part.data(), padded(count), even.data(),
-                       odd.data());
+  for (std::size_t end = pairs; end > 0;) {
+    const std::size_t first = (end - 1) / kChunk * kChunk;
+    const std::size_t count = end - first;
+    if (count == padded(count)) {
+      kernels.synthesise(filters, values.data + first, high + first, count, even.data(),
+                         odd.data());
+    } else {
+      std::copy_n(values.data + first, count + phases - 1, low_part.data());
+      std::copy_n(high + first, count + phases - 1, high_part.data());
+      kernels.synthesise(filters, low_part.data(), high_part.data(), padded(count), even.data(),
+                         odd.data());
+    }
     const std::size_t whole = std::min(count, values.size / 2 - first);
     double* to = values.data + 2 * first;
     for (std::size_t i = 0; i < whole; ++i) {
@@ -92,6 +104,7 @@ void synthesise_level(const double* low, const double* high, const FilterPair& f
       to[2 * i + 1] = odd[i];
     }
     if (whole < count) to[2 * whole] = even[whole];
+    end = first;
   }
 }
 
@@ -109,41 +122,35 @@ Decomposition decompose(fog::Span<const double> values, const std::vector<double
   Decomposition result;
   result.length = values.size;
   fog::Span<const double> input = values;
-  LargeArray finer;  // what `input` shows, from level 2 on
+  std::array<LargeArray, 2> approximations;  // take turns
   for (int level = 0; level < levels; ++level) {
     const std::size_t outputs = coefficients_of(input.size, filters);
-    LargeArray low(outputs);
+    LargeArray& low = approximations[static_cast<std::size_t>(level % 2)];
+    // Levels shrink, unless they are shorter than the filter.
+    if (level < 2) low = LargeArray(std::max(outputs, filters.length()));
     LargeArray high(outputs);
     analyse_level(input, filters, extension, kernels, low.data(), high.data());
     result.details.push_back(std::move(high));
-    finer = std::move(low);
-    input = {finer.data(), finer.size()};
+    input = {low.data(), outputs};
   }
-  if (levels == 0) {
-    finer = LargeArray(values.size);
-    std::copy(values.begin(), values.end(), finer.begin());
-  }
-  result.approximation = std::move(finer);
+  result.approximation = LargeArray(input.size);
+  std::copy(input.begin(), input.end(), result.approximation.begin());
   return result;
 }
 
 void reconstruct(const Decomposition& decomposition, const std::vector<double>& lowpass,
                  fog::Span<double> values, const FilterKernels& kernels) {
   const FilterPair filters(lowpass);
-  LargeArray coarser;  // what `low` shows, below the coarsest level
-  const double* low = decomposition.approximation.data();
-  for (std::size_t level = decomposition.details.size(); level-- > 1;) {
-    LargeArray finer(decomposition.details[level - 1].size());
-    synthesise_level(low, decomposition.details[level].data(), filters, kernels,
-                     {finer.data(), finer.size()});
-    coarser = std::move(finer);
-    low = coarser.data();
+  // Levels grow in place. Of a signal shorter than the filter they are the longer ones.
+  const LargeArray& coarsest = decomposition.approximation;
+  LargeArray longer(coarsest.size() > values.size ? coarsest.size() : 0);
+  double* const work = longer.size() > 0 ? longer.data() : values.data;
+  std::copy(coarsest.begin(), coarsest.end(), work);
+  for (std::size_t level = decomposition.details.size(); level-- > 0;) {
+    const std::size_t size = level > 0 ? decomposition.details[level - 1].size() : values.size;
+    synthesise_level(decomposition.details[level].data(), filters, kernels, {work, size});
   }
-  if (decomposition.details.empty()) {
-    std::copy_n(low, values.size, values.data);
-  } else {
-    synthesise_level(low, decomposition.details[0].data(), filters, kernels, values);
-  }
+  if (longer.size() > 0) std::copy_n(work, values.size, values.data);
 }
 
 }  // namespace fogcomp
