@@ -28,10 +28,14 @@ std::vector<std::string> names_of(const JsonValue& list) {
 
 }  // namespace
 
+bool HiddenTruth::imitated_by(const std::string& other) const {
+  const auto found = imitation.find(other);
+  return other != effect && found != imitation.end() && found->second >= kConfusable;
+}
+
 bool HiddenTruth::confusable() const {
-  return std::any_of(imitation.begin(), imitation.end(), [this](const auto& other) {
-    return other.first != effect && other.second >= kConfusable;
-  });
+  return std::any_of(imitation.begin(), imitation.end(),
+                     [this](const auto& other) { return imitated_by(other.first); });
 }
 
 bool Truth::has(const std::string& effect) const {

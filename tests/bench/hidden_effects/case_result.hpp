@@ -16,8 +16,9 @@ struct HiddenTruth {
   double visible = 0;                       ///< reached
   std::map<std::string, double> imitation;  ///< share explained, by effect of the catalogue
 
-  /// An effect other than the truth explains kConfusable of it.
-  bool confusable() const;
+  /// Another effect explains kConfusable of it.
+  bool imitated_by(const std::string& other) const;
+  bool confusable() const;  ///< by any
 };
 
 /// What is true of a case: the score's side.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 namespace fogcomp::bench {
 namespace {
@@ -148,6 +149,17 @@ bool loop_found(const CaseResult& result, const HiddenTruth& hidden) {
   return std::find(added.begin(), added.end(), hidden.effect) != added.end();
 }
 
+// Whether `name` is in the place of a hidden effect that was not found and that it imitates.
+// `replaced`: those in whose place another name is already.
+bool stands_for_another(const CaseResult& result, const std::string& name,
+                        std::set<std::string>& replaced) {
+  return std::any_of(result.truth.hidden.begin(), result.truth.hidden.end(),
+                     [&](const HiddenTruth& hidden) {
+                       return !loop_found(result, hidden) && hidden.imitated_by(name) &&
+                              replaced.insert(hidden.effect).second;
+                     });
+}
+
 void loop(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
   const Test two = [](const CaseResult& r) { return is(r, "two") && r.answer.added; };
   const Test both = [](const CaseResult& r) {
@@ -164,15 +176,24 @@ void loop(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
   all.push_back(
       share("both_found_all", "two hidden: both found by the loop, all", results, two, both));
   Measure superfluous{"superfluous", "loop: superfluous terms a run"};
+  Measure not_hidden{"superfluous_all",
+                     "loop: terms a run that are not hidden, imitators among them"};
   for (const CaseResult& r : results) {
     if (!r.answer.added || is(r, "foreign")) continue;
     ++superfluous.cases;
+    ++not_hidden.cases;
+    std::set<std::string> replaced;  // hidden effects in whose place an imitator stands
     for (const std::string& name : *r.answer.added) {
-      if (!r.truth.has(name)) superfluous.value += 1;
+      if (r.truth.has(name)) continue;
+      not_hidden.value += 1;
+      if (!stands_for_another(r, name, replaced)) superfluous.value += 1;
     }
   }
-  if (superfluous.cases > 0) superfluous.value /= static_cast<double>(superfluous.cases);
+  const auto runs = static_cast<double>(std::max<std::size_t>(1, superfluous.cases));
+  superfluous.value /= runs;
+  not_hidden.value /= runs;
   all.push_back(with_target(superfluous, Sense::at_most, 0.1));
+  all.push_back(not_hidden);
 }
 
 // Expected calibration error: in bins of the stated probability, how far its mean is from the share
