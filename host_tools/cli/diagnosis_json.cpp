@@ -33,6 +33,25 @@ Json network_json(const std::optional<NetworkLearnt>& network) {
   return result;
 }
 
+Json fast_json(const Diagnosis& diagnosis) {
+  Json result = Json::object();
+  switch (diagnosis.fast_kind) {
+    case FastKind::none:
+      return Json();
+    case FastKind::line:
+      result.set("kind", "line").set("period_s", diagnosis.fast.line_period_s);
+      break;
+    case FastKind::band:
+      result.set("kind", "band").set("period_s", diagnosis.fast.band_period_s);
+      break;
+    case FastKind::two_levels:
+      result.set("kind", "two_levels").set("height_dph", diagnosis.jumps.height_dph);
+      result.set("dwell_s", diagnosis.jumps.dwell_s);
+      break;
+  }
+  return result;
+}
+
 Json shares_json(const std::vector<Diagnosis::Share>& shares) {
   Json all = Json::array();
   for (const Diagnosis::Share& share : shares) {
@@ -80,6 +99,7 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
   result.set("experiment_profile", recordable ? Json(diagnosis.experiment->profile) : Json());
   result.set("candidates", std::move(candidates)).set("untestable", std::move(untestable));
   result.set("explanations", std::move(explanations)).set("tests", diagnosis.tests);
+  result.set("fast", fast_json(diagnosis));
   result.set("where", std::move(Json::object()
                                     .set("variable", diagnosis.variable)
                                     .set("variables", shares_json(diagnosis.variables))

@@ -8,6 +8,7 @@
 #include "diagnosis/explained_space.hpp"
 #include "diagnosis/hypotheses.hpp"
 #include "diagnosis/null_test.hpp"
+#include "diagnosis/two_levels.hpp"
 #include "diagnosis/visible_part.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/quiet_rows.hpp"
@@ -19,16 +20,17 @@
 namespace fogcomp {
 namespace {
 
-// Chances, together 1 %, that a run without any fault is called faulty.
-const double kLibraryLogP = std::log(0.009);
-const double kStructureLogP = std::log(0.001);
+// Chances that noise alone is called a fault. Small, because no gyro is quite what its noise and
+// its model say: of faultless simulated ones, 20 times as many are beyond them as of noise.
+const double kLibraryLogP = std::log(0.0001);
+const double kStructureLogP = std::log(0.0005);
 const double kFastLogP = std::log(0.0005);
 
 constexpr double kNamed = 0.92;       // probability from which one name is given
 constexpr double kConfusable = 0.05;  // and from which an effect is among those that it may be
 // Of the excess, by one, two, three effects: what leaves more than that does not explain it.
 // Several effects together imitate a good deal of what is none of them.
-constexpr std::array<double, 3> kUnexplained{0.15, 0.06, 0.03};
+constexpr std::array<double, 3> kUnexplained{0.1, 0.06, 0.05};
 constexpr double kLeftoverLogP = -7;     // that what is left over is noise
 constexpr Eigen::Index kLeastRows = 60;  // for any opinion
 constexpr double kEnoughFreedom = 12;    // of the noise: from soaks alone
@@ -131,7 +133,9 @@ class Diagnoser {
   // Where there is too little quiet to know the slow noise from, the faster part of everything
   // else helps: what smooth functions of any kind leave of it.
   NoiseModel noise_with_less_quiet() const {
-    constexpr std::size_t kFirstFrequency = 16;
+    // Smooth functions reach 8 periods in a run and take some of what is beyond with them. Without
+    // any quiet part a guess that is too low is better than one that takes all drift for noise.
+    const std::size_t first_frequency = fit_.noise.from_quiet_parts ? 16 : 8;
     std::vector<Eigen::MatrixXd> parts{fit_.columns};
     for (StructureGroup& group : structure_groups(rows_)) parts.push_back(std::move(group.columns));
     const Eigen::VectorXd rest =
@@ -140,7 +144,7 @@ class Diagnoser {
     for (const RowRange& run : rows_.runs()) {
       samples.push_back({rest.segment(static_cast<Eigen::Index>(run.first),
                                       static_cast<Eigen::Index>(run.size())),
-                         kFirstFrequency});
+                         first_frequency});
     }
     NoiseModel noise = fit_noise(samples, rows_.row_s, longest_run_s(rows_));
     noise.from_quiet_parts = fit_.noise.from_quiet_parts;
@@ -201,7 +205,9 @@ class Diagnoser {
     result_.unexplained_fraction = explanation.unexplained;
     result_.fast =
         find_fast_structure(rows_, without(space, structure, *explanation.best, residual));
-    const double fast_log_p = std::min(result_.fast.line_log_p, result_.fast.band_log_p);
+    result_.jumps = find_two_levels(quiet_stretches(rows_, residual_with(*explanation.best)),
+                                    fit_.noise.white_dph(), rows_.row_s);
+    const double fast_log_p = weigh_fast();
     result_.chance = std::exp(std::min({test.library_log_p, test.structure_log_p, fast_log_p}));
     result_.tests = {test.library_log_p, test.structure_log_p, fast_log_p};
     const bool something = test.library_log_p < kLibraryLogP ||
@@ -210,15 +216,40 @@ class Diagnoser {
     weigh_effects(space, hypotheses, explanation.excess, something);
     list_explanations(hypotheses, explanation.excess);
     if (!something) return;
-    const double fast_gain = result_.fast.share * static_cast<double>(rows_.size());
-    const bool fast_left =
-        fast_log_p < kFastLogP && fast_gain > kUnexplained[0] * (fast_gain + explanation.excess);
+    const double fast_gain = fast_excess();
+    const bool fast_left = fast_gain > kUnexplained[0] * (fast_gain + explanation.excess);
+    if (!fast_left) result_.fast_kind = FastKind::none;
     if (fast_left && fast_gain > explanation.excess) result_.variable = "time_s";
     if (explanation.enough && !fast_left && test.library_log_p < kLibraryLogP) {
       name_effects(space, hypotheses);
     } else {
       result_.verdict = Verdict::unknown;
     }
+  }
+
+  // Which fast structure is the surest; returns the logarithm of its chance.
+  double weigh_fast() {
+    const std::array<std::pair<double, FastKind>, 3> kinds{
+        {{result_.fast.line_log_p, FastKind::line},
+         {result_.fast.band_log_p, FastKind::band},
+         {-result_.jumps.log_odds, FastKind::two_levels}}};
+    const auto& [log_p, kind] = *std::min_element(kinds.begin(), kinds.end());
+    if (log_p < kFastLogP) result_.fast_kind = kind;
+    return log_p;
+  }
+
+  // chi^2 above noise that it brings.
+  double fast_excess() const {
+    switch (result_.fast_kind) {
+      case FastKind::none:
+        return 0;
+      case FastKind::line:
+      case FastKind::band:
+        return result_.fast.share * static_cast<double>(rows_.size());
+      case FastKind::two_levels:
+        break;
+    }
+    return result_.jumps.gain;
   }
 
   struct Explanation {
@@ -348,6 +379,19 @@ class Diagnoser {
       first += parts[i].cols();
     }
     return rows_.drift_dph - columns * fit.coefficients;
+  }
+
+  // What the model leaves of each row, refitted with the effects of a hypothesis.
+  Eigen::VectorXd residual_with(const Hypothesis& hypothesis) const {
+    std::vector<EffectTerm> terms = fit_.terms;
+    for (const Hypothesis::Part& part : hypothesis.parts) {
+      const EffectTerm& added = candidates_[part.candidate].shapes[part.shape].term;
+      const auto own = std::find_if(terms.begin(), terms.end(), [&](const EffectTerm& term) {
+        return term.name == added.name;
+      });
+      own == terms.end() ? terms.push_back(added) : void(*own = added);
+    }
+    return solve(terms);
   }
 
   // What each term of the model is worth.

@@ -12,6 +12,7 @@
 #include "diagnosis/experiment.hpp"
 #include "diagnosis/network_learnt.hpp"
 #include "diagnosis/structure.hpp"
+#include "diagnosis/two_levels.hpp"
 #include "identification/noise_model.hpp"
 #include "identification/signal_series.hpp"
 #include "model/model.hpp"
@@ -20,6 +21,9 @@ namespace fogcomp {
 
 enum class Verdict : std::uint8_t { none, missing_effect, ambiguous, unknown };
 const char* name_of(Verdict verdict);
+
+/// Structure that no smooth function describes.
+enum class FastKind : std::uint8_t { none, line, band, two_levels };
 
 /// What a diagnosis says of one effect of the catalogue, or of one expression offered.
 struct CandidateFinding {
@@ -62,6 +66,8 @@ struct Diagnosis {
   std::vector<Share> variables;  ///< how much of it each variable alone could describe
   std::vector<Share> segments;   ///< where in the runs it sits; sums to 1
   FastStructure fast;
+  TwoLevels jumps;
+  FastKind fast_kind = FastKind::none;  ///< the surest of these, where it is sure and counts
 
   double residual_rms_dph = 0;   ///< of a row, the model refitted to these runs
   Eigen::VectorXd residual_dph;  ///< row by row

@@ -70,6 +70,12 @@ std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
     case Verdict::unknown:
       break;
   }
+  if (diagnosis.fast_kind != FastKind::none) {
+    return {std::string("something is missing that no effect of the catalogue explains: ") +
+                (diagnosis.fast_kind == FastKind::two_levels ? "jumps between two levels"
+                                                             : "fast cycles"),
+            ""};
+  }
   const bool offered =
       std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                   [](const CandidateFinding& finding) { return finding.is_expression(); });
@@ -103,6 +109,26 @@ std::string where_words(const Diagnosis& diagnosis) {
     text += (text.empty() ? "it depends most on " : "; it depends most on ") + diagnosis.variable;
   }
   return text;
+}
+
+// What no function of the inputs describes.
+std::string fast_words(const Diagnosis& diagnosis) {
+  switch (diagnosis.fast_kind) {
+    case FastKind::none:
+      break;
+    case FastKind::line:
+      return format("it repeats every %.3g s: look for a cooler, a compressor, a control loop",
+                    diagnosis.fast.line_period_s);
+    case FastKind::band:
+      return format("there is more than noise around periods of %.3g s, %.0f %% above it",
+                    diagnosis.fast.band_period_s, 100 * diagnosis.fast.band_excess);
+    case FastKind::two_levels:
+      return format(
+          "the bias jumps to and fro between two levels %.3g deg/h apart, each held for %.2g s on "
+          "average: look at light source, detector and electronics",
+          diagnosis.jumps.height_dph, diagnosis.jumps.dwell_s);
+  }
+  return "";
 }
 
 // What the network, which the diagnosis leaves out, had learnt.
@@ -146,7 +172,7 @@ void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::stri
     words.next = "fit again with bias_step among the --effects: it finds steps and masks them";
   } else if (!effect.empty()) {
     words.command = add_command_line(diagnosis, effect, model, runs) + " -o NEW.model";
-  } else if (diagnosis.verdict == Verdict::unknown) {
+  } else if (diagnosis.verdict == Verdict::unknown && diagnosis.fast_kind == FastKind::none) {
     words.next =
         "let a formula of your own compete: --effect-expr 'NAME = T*T*dTdt' "
         "(host_tools/README.md, Expressions)";
@@ -176,6 +202,8 @@ DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
   if (diagnosis.verdict != Verdict::none) {
     const std::string where = where_words(diagnosis);
     if (!where.empty()) words.findings.push_back(where);
+    const std::string fast = fast_words(diagnosis);
+    if (!fast.empty()) words.findings.push_back(fast);
     if (diagnosis.experiment && !diagnosis.experiment->sentence.empty()) {
       words.findings.push_back("to tell: " + diagnosis.experiment->sentence);
     }

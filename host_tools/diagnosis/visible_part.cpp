@@ -7,6 +7,7 @@
 #include "diagnosis/hypotheses.hpp"
 #include "identification/least_squares.hpp"
 #include "identification/row_filters.hpp"
+#include "model/catalogue.hpp"
 
 namespace fogcomp {
 namespace {
@@ -15,13 +16,38 @@ constexpr double kRankThreshold = 1e-8;
 // What is known beforehand of how well the model's own terms describe what they stand for; one
 // standard deviation each. The sensor's time: so long before or behind the coil.
 constexpr double kSensorDelay_s = 60;
-// A coil of many layers is no single body: this share of the drift may follow with each of these
-// lags, more is an effect of its own.
-constexpr double kLaggingShare = 0.1;
-constexpr std::array<double, 3> kDriftLags_s{60, 240, 960};
 // The corners of a ramp: rounder or sharper by as much as this smoothing rounds them.
 constexpr double kRounding_s = 40;
-constexpr Eigen::Index kPriors = 2 + kDriftLags_s.size();
+// A coil of many layers is no single body: these shares of the drift may follow with such lags,
+// more is an effect of its own. The rate terms are of heat on its way through the layers and show
+// it most.
+struct Lagging {
+  double share;
+  double lag_s;
+  bool rate_terms_only;
+};
+constexpr std::array<Lagging, 6> kLagging{{{0.1, 60, false},
+                                           {0.1, 240, false},
+                                           {0.1, 960, false},
+                                           {0.2, 30, true},
+                                           {0.2, 120, true},
+                                           {0.2, 480, true}}};
+constexpr Eigen::Index kPriors = 2 + kLagging.size();
+
+// What the model's coefficients of the temperature rate make of the drift.
+Eigen::VectorXd drift_of_rate_terms(const Rows& rows, const NoiseWeightedFit& fit) {
+  Eigen::VectorXd drift = Eigen::VectorXd::Zero(rows.size());
+  Eigen::Index column = 0;
+  for (const EffectTerm& term : fit.terms) {
+    const std::size_t count = make_effect(term, rows.row_s)->regressor_count();
+    const TermInfo info = info_of(term);
+    for (std::size_t i = 0; i < count; ++i, ++column) {
+      if (!of_temperature_rate(info.coefficients[i])) continue;
+      drift += fit.columns.col(column) * fit.coefficients[column];
+    }
+  }
+  return drift;
+}
 
 // d/dt of a series of rows, per second; 0 where a run begins or ends.
 Eigen::VectorXd slope(const Rows& rows, const Eigen::VectorXd& values) {
@@ -66,9 +92,11 @@ ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
   Eigen::MatrixXd inexact(rows.size(), kPriors);
   inexact.col(0) = kSensorDelay_s * slope(rows, drift);
   inexact.col(1) = drift - smoothed(rows, drift, kRounding_s);
-  for (std::size_t i = 0; i < kDriftLags_s.size(); ++i) {
+  const Eigen::VectorXd of_rate = drift_of_rate_terms(rows, fit);
+  for (std::size_t i = 0; i < kLagging.size(); ++i) {
+    const Lagging& part = kLagging[i];
     inexact.col(static_cast<Eigen::Index>(i) + 2) =
-        kLaggingShare * behind_lag(rows, drift, kDriftLags_s[i]);
+        part.share * behind_lag(rows, part.rate_terms_only ? of_rate : drift, part.lag_s);
   }
   Eigen::MatrixXd columns =
       Eigen::MatrixXd::Zero(rows.size() + kPriors, fit.whitened.cols() + kPriors);

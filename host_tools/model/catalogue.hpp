@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/effects/effect.hpp"
@@ -42,6 +43,11 @@ struct TermInfo {
   const char* host_only = nullptr;  ///< why the board cannot have it; nullptr where it can
 };
 TermInfo info_of(const EffectTerm& term);
+
+/// Whether what a coefficient stands for comes and goes with the temperature rate.
+inline bool of_temperature_rate(const fog::CoefficientDescription& coefficient) {
+  return std::string_view(coefficient.unit).find("/min") != std::string_view::npos;
+}
 
 /// A term with its shape, over blocks of `block_s`.
 std::unique_ptr<RealEffect> make_effect(const EffectTerm& term, double block_s);

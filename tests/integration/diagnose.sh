@@ -23,6 +23,14 @@ for key in experiment candidates untestable where residual_rms_dph noise_floor_d
 done
 "$fogcomp" diagnose shupe.model paper.csv --seed 1 --json | cmp - said.json || fail 'not reproducible'
 
+# Nor is that one seed's luck.
+for seed in 1 2 3; do
+  "$fogcomp" simulate -o other.csv --profile paper --seed $seed >/dev/null
+  "$fogcomp" fit other.csv -o other.model --effects bias,bias_temperature:order=2,shupe:tau=900 >/dev/null
+  "$fogcomp" diagnose other.model other.csv | grep -q '^missing effect: temperature_rate ' ||
+    fail "the paper's missing effect is not named with seed $seed"
+done
+
 # Following it brings the error down to near the floor, and then it stops.
 "$fogcomp" diagnose shupe.model paper.csv --max-effects 6 >ladder.txt
 sed -n '/^error ladder/,$p' ladder.txt
@@ -58,7 +66,7 @@ for axis in x y; do
   last=$(grep '^  [+-] ' $axis.txt | tail -n 1 | awk '{print $NF}')
   echo "$axis: $first -> $last deg/h rms"
   most=0.2
-  [[ $axis == x ]] || most=0.75
+  [[ $axis == x ]] || most=0.5
   awk -v first="$first" -v last="$last" -v most=$most 'BEGIN { exit !(last <= most * first) }' ||
     fail "$axis ends at $last of $first"
 done

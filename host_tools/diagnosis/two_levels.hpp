@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace fogcomp {
+
+/// A bias that jumps to and fro between two levels at random times (random telegraph noise).
+struct TwoLevels {
+  double height_dph = 0;  ///< of the upper level above the lower
+  double dwell_s = 0;     ///< how long a level lasts, on average
+  /// ln of the odds against Gaussian wander. Its spectrum can be the same: a noise model cannot
+  /// tell them apart.
+  double log_odds = 0;
+  double gain = 0;  ///< fall of the stretches' chi^2 from white noise alone
+};
+
+/// Looks at quiet stretches of a residual, deg/h, a row each, where no drift moves: the best of a
+/// grid of heights (0.5 to 8 times `white_dph`, the white noise of a row) and dwells (8 rows to
+/// half of the longest stretch), against the best Gaussian wander of the same grid. Every stretch
+/// has its own mean.
+TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double white_dph,
+                          double row_s);
+
+}  // namespace fogcomp
