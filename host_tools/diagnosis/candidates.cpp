@@ -281,9 +281,12 @@ void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
 
 CandidateList find_candidates(const SignalSeries& series, const std::vector<EffectTerm>& terms,
                               const std::vector<EffectTerm>& offered, fog::InputMask inputs,
-                              const ToVisible& to_visible) {
+                              const ToVisible& to_visible,
+                              const std::function<void(double)>& progress) {
   CandidateList list;
+  double done = 0;
   for (const CatalogueEntry& entry : catalogue()) {
+    progress(done++ / static_cast<double>(catalogue().size()));
     const std::string name = entry.description.name;
     const std::string missing = missing_input(entry, inputs);
     if (!missing.empty()) {

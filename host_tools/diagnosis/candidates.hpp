@@ -45,10 +45,11 @@ using ToVisible = std::function<VisiblePart(const Eigen::MatrixXd& regressors)>;
 /// its ends explain less than 85 % of each other. A shape of which the model leaves less than 3 %
 /// counts as invisible: to be seen at all it would have to be thirty times what it shows, hidden by
 /// the model's own terms. The recordings have what the expressions need. Throws InputError for an
-/// expression that is not finite on them.
+/// expression that is not finite on them. `progress` is told how much is done, 0..1.
 CandidateList find_candidates(const SignalSeries& series, const std::vector<EffectTerm>& terms,
                               const std::vector<EffectTerm>& offered, fog::InputMask inputs,
-                              const ToVisible& to_visible);
+                              const ToVisible& to_visible,
+                              const std::function<void(double)>& progress);
 
 /// Moves the best shape of each leading candidate to where it explains most of the whitened
 /// `residual`, within its cell of the layout: otherwise of two effects that can say the same the

@@ -99,8 +99,12 @@ class Diagnoser {
 
     const ModelRemover remover(rows_, fit_);
     const ToVisible to_visible = [&](const Eigen::MatrixXd& columns) { return remover(columns); };
+    // Candidates take most of the time, then the test against noise.
+    constexpr double kCandidates = 0.75;
     CandidateList list =
-        find_candidates(data_.series(), fit_.terms, data_.offered(), data_.inputs(), to_visible);
+        find_candidates(data_.series(), fit_.terms, data_.offered(), data_.inputs(), to_visible,
+                        [&](double done) { tell(kCandidates * done); });
+    tell(kCandidates);
     result_.untestable = list.untestable;
     candidates_ = std::move(list.testable);
     sharpen(candidates_, data_.series(), fit_.terms, to_visible, remover.residual());
@@ -130,6 +134,10 @@ class Diagnoser {
   }
 
  private:
+  void tell(double done) const {
+    if (settings_.progress) settings_.progress(done);
+  }
+
   // Where there is too little quiet to know the slow noise from, the faster part of everything
   // else helps: what smooth functions of any kind leave of it.
   NoiseModel noise_with_less_quiet() const {

@@ -94,7 +94,7 @@ std::string effect_to_add(const Diagnosis& diagnosis);
 struct DiagnosisSettings {
   std::optional<NoiseModel> noise;  ///< from a static record; otherwise from the runs' quiet parts
   std::uint64_t seed = 1;           ///< of the draws that calibrate the test
-  /// Told by walk_ladder() how much of the way it has gone at most, 0..1; or empty.
+  /// Told how much is done, 0..1 (of a ladder: of the most that it may be); or empty.
   std::function<void(double)> progress{};
 };
 

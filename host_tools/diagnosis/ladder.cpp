@@ -49,10 +49,15 @@ Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effec
                    const DiagnosisSettings& settings) {
   Ladder ladder;
   Model grown = model;
-  ladder.first = diagnose(grown, data, settings);
+  double before = 0;
+  DiagnosisSettings each = settings;
+  each.progress = [&](double done) {
+    if (settings.progress) settings.progress((before + done) / (most_effects + 1.0));
+  };
+  ladder.first = diagnose(grown, data, each);
   ladder.last = ladder.first;
   for (int i = 0; i < most_effects; ++i) {
-    if (settings.progress) settings.progress((i + 1.0) / (most_effects + 1.0));
+    before = i + 1.0;
     const std::string effect = effect_to_add(ladder.last);
     if (effect.empty()) break;
     Ladder::Step step;
@@ -64,7 +69,7 @@ Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effec
     }
     step.rms_before_dph = ladder.last.residual_rms_dph;
     grown.terms = ladder.last.find(effect)->completed;
-    Diagnosis next = diagnose(grown, data, settings);
+    Diagnosis next = diagnose(grown, data, each);
     step.rms_after_dph = next.residual_rms_dph;
     const double fall = square(step.rms_before_dph) - square(step.rms_after_dph);
     const double excess = square(ladder.first.residual_rms_dph) - square(next.residual_rms_dph);
@@ -83,7 +88,7 @@ Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effec
     removal.removed = true;
     removal.rms_before_dph = ladder.last.residual_rms_dph;
     grown.terms.erase(unneeded);
-    ladder.last = diagnose(grown, data, settings);
+    ladder.last = diagnose(grown, data, each);
     removal.rms_after_dph = ladder.last.residual_rms_dph;
     ladder.steps.push_back(removal);
   }
