@@ -67,7 +67,8 @@ done
 number=0
 while IFS= read -r line; do
   if [[ $line == '$ '* ]]; then
-    printf '%s\n' "${line#\$ }" >"command$((++number))"
+    ((++number))
+    printf '%s\n' "${line#\$ }" >"command$number"
     : >"expected$number"
   else
     printf '%s\n' "$line" >>"expected$number"
@@ -75,7 +76,9 @@ while IFS= read -r line; do
 done <example
 for ((i = 1; i <= number; ++i)); do
   # 1: the answer is no, which then stands below the command.
-  bash -euo pipefail "command$i" >"actual$i" || (($? == 1)) && [[ -s actual$i ]] || fail "does not work: $(cat "command$i")"
+  status=0
+  bash -euo pipefail "command$i" >"actual$i" || status=$?
+  ((status <= 1)) || fail "exit code $status: $(cat "command$i")"
   same "expected$i" "actual$i" || fail "README: $(cat "command$i")"
 done
 echo "$number commands of the README print what it says"
