@@ -36,7 +36,10 @@ install(FILES cmake/package/fogcompConfig.cmake "${version_file}" DESTINATION "$
 
 # Nothing of the libraries around the tool: a package that is given away needs neither Eigen nor npm.
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_CONTACT "fogcomp <fogcomp@localhost>")
+set(FOG_PACKAGE_CONTACT
+    "fogcomp <fogcomp@localhost>"
+    CACHE STRING "Who maintains the package that cpack makes: NAME <ADDRESS>")
+set(CPACK_PACKAGE_CONTACT "${FOG_PACKAGE_CONTACT}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

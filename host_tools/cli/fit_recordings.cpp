@@ -13,6 +13,7 @@
 #include "model/catalogue.hpp"
 #include "refinement/network_inputs.hpp"
 #include "refinement/training_runs.hpp"
+#include "support/progress.hpp"
 #include "support/text.hpp"
 #include "wavelet/filters.hpp"
 
@@ -146,8 +147,13 @@ Fit fit_recordings(const Arguments& arguments, const std::vector<std::string>& f
   fit.row_s = series.rows().row_s;
   if (wanted.order_by_validation) choose_order(model.terms, series.rows());
   {
+    std::optional<Progress> effects;
     std::optional<TrainingWatch> watch;
-    if (on_interrupt == OnInterrupt::keep_best) watch.emplace(settings.network.training);
+    if (on_interrupt == OnInterrupt::keep_best) {
+      effects.emplace("fitting effects");
+      settings.identify.progress = [&](double done) { effects->update(done); };
+      watch.emplace(settings.network.training);
+    }
     fit.result = fit_model(model, series, settings);
     if (watch && fit.result.training) watch->report(*fit.result.training);
   }

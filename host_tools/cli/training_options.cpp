@@ -75,8 +75,9 @@ std::string network_verdict(const FitResult& fit) {
 
 TrainingWatch::TrainingWatch(TrainerSettings& settings) : progress_("training") {
   settings.go_on = [this](double done) {
+    if (!guard_) guard_.emplace();
     progress_.update(done);
-    return !guard_.interrupted();
+    return !guard_->interrupted();
   };
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ NetworkSettings network_settings(const Arguments& arguments);
 std::string network_verdict(const FitResult& fit);
 
 /// While one lives, a training shows a progress bar, and Ctrl-C ends it with the best weights so
-/// far.
+/// far. Before the training, Ctrl-C ends the program as ever.
 class TrainingWatch {
  public:
   /// `settings` is what the training will get.
@@ -29,7 +30,7 @@ class TrainingWatch {
 
  private:
   Progress progress_;
-  InterruptGuard guard_;
+  std::optional<InterruptGuard> guard_;
 };
 
 }  // namespace fogcomp::cli

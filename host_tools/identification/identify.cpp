@@ -126,9 +126,10 @@ Identification identify(Model& model, const SignalSeries& series,
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
   FitWithSteps found;
   if (find_steps) {
-    found = fit_with_steps(series, model.terms, offsets);
+    found = fit_with_steps(series, model.terms, offsets, settings.progress);
   } else {
-    found.fit = fit_determined(series, model.terms, offsets, Eigen::VectorXd::Ones(rows.size()));
+    found.fit = fit_determined(series, model.terms, offsets, Eigen::VectorXd::Ones(rows.size()),
+                               settings.progress);
   }
   const NoiseWeightedFit& fit = found.fit;
   model.terms = fit.terms;

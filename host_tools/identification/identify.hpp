@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,8 @@ struct IdentifySettings {
   /// Every recording has a bias of its own (turn-on repeatability); the model keeps the first
   /// one's.
   bool run_offsets = false;
+  /// Told how much of the search for shape parameters is done, 0..1; or empty.
+  std::function<void(double)> progress{};
 };
 
 /// Identifies coefficients, and those shape parameters that model.terms marks, from all recordings

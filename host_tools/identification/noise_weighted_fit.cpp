@@ -86,7 +86,9 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
     fit.row_weights = rows.weights.cwiseProduct(fit.robust);
     const Whitening whitening(fit.noise, rows, fit.row_weights);
     WhitenedProblem problem(series, whitening, fit.terms, nuisance);
-    search_shapes(problem, fit.shapes);
+    search_shapes(problem, fit.shapes, [&](double done) {
+      if (settings.progress) settings.progress((round + done) / kRounds);
+    });
     fit.terms = problem.terms();
     const LinearFit solved = solve_linear(problem.matrix(), problem.measured());
     fit.rank = solved.rank;
@@ -105,9 +107,10 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
 }
 
 NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                                const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept) {
+                                const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
+                                const std::function<void(double)>& progress) {
   const Rows& rows = series.rows();
-  NoiseWeightedFit fit = fit_rows(series, terms, nuisance, {kept, std::nullopt});
+  NoiseWeightedFit fit = fit_rows(series, terms, nuisance, {kept, std::nullopt, progress});
   const Eigen::Index unknowns = fit.linear() + static_cast<Eigen::Index>(fit.shapes.size());
   if (rows.size() <= unknowns) {
     throw InputError("fit", format("%td rows of %g s are too few for %td unknowns; use a longer "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -38,7 +39,8 @@ struct NoiseWeightedFit {
 struct RowSettings {
   /// 1 per row, 0 for rows that count for nothing; empty: all count.
   Eigen::VectorXd kept;
-  std::optional<NoiseModel> noise;  ///< taken as it is instead of being estimated
+  std::optional<NoiseModel> noise;         ///< taken as it is instead of being estimated
+  std::function<void(double)> progress{};  ///< told how much is done, 0..1; or empty
 };
 
 /// Solves for the coefficients of `terms` and of the nuisance columns (rows x any), and for those
@@ -51,7 +53,8 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
 /// The same for a fit whose coefficients are wanted: throws InputError for too few rows, and for
 /// columns that the rows cannot tell apart.
 NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                                const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept);
+                                const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
+                                const std::function<void(double)>& progress = {});
 
 /// From the first row to the last, of the longest recording.
 double longest_run_s(const Rows& rows);

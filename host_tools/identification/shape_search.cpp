@@ -201,10 +201,16 @@ Eigen::MatrixXd WhitenedProblem::jacobian(const std::vector<ShapeParameter>& par
   return all;
 }
 
-void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters) {
+void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters,
+                   const std::function<void(double)>& progress) {
   if (parameters.empty()) return;
+  const auto searches = static_cast<double>(kGridRounds) * static_cast<double>(parameters.size());
+  double done = 0;
   for (int round = 0; round < kGridRounds; ++round) {
-    for (const ShapeParameter& parameter : parameters) search_grid(problem, parameter);
+    for (const ShapeParameter& parameter : parameters) {
+      search_grid(problem, parameter);
+      if (progress) progress(++done / searches);
+    }
   }
   for (int step = 0; step < kGaussNewtonSteps; ++step) {
     if (!gauss_newton_step(problem, parameters)) break;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "identification/signal_series.hpp"
@@ -65,6 +66,8 @@ class WhitenedProblem {
 
 /// Moves the parameters to where the projected cost is least (Golub & Pereyra 1973): each over a
 /// bounded grid with the others held, twice round, then Gauss-Newton on all with the coefficients.
-void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters);
+/// `progress` is told how much is done, 0..1.
+void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters,
+                   const std::function<void(double)>& progress = {});
 
 }  // namespace fogcomp

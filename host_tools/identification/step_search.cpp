@@ -53,12 +53,13 @@ double least_chi_square(const NoiseWeightedFit& fit, std::size_t steps) {
 }  // namespace
 
 FitWithSteps fit_with_steps(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                            const Eigen::MatrixXd& nuisance) {
+                            const Eigen::MatrixXd& nuisance,
+                            const std::function<void(double)>& progress) {
   const Rows& rows = series.rows();
   Eigen::VectorXd kept = Eigen::VectorXd::Ones(rows.size());
   Eigen::MatrixXd columns = nuisance;
   FitWithSteps result;
-  result.fit = fit_determined(series, terms, columns, kept);
+  result.fit = fit_determined(series, terms, columns, kept, progress);
   while (result.steps.size() < kMostSteps) {
     const auto seen = locate(rows, result.fit, result.fit.linear(), kept);
     if (!seen || !earns(*seen, kWorthALook)) break;

@@ -44,6 +44,15 @@ wait
 grep -qa 'interrupted: the best network of' screen.txt || fail "$(cat screen.txt)"
 "$fogcomp" compare gyro.model run.csv >said.txt
 
+# A search for shapes, and Ctrl-C in it.
+"$fogcomp" simulate -o long.csv --profile random_steps --rate 1 >said.txt
+echo "kept" >long.model
+at_terminal "$fogcomp" fit long.csv -o long.model --average 1 --effects bias,polarization_ripple,thermal_hysteresis,glass_transition,shupe --network 4
+wait_for 'fitting effects \[#* *\] +[0-9]+ %, [0-9]+ s left'
+kill -INT "$(cat pid)"
+wait
+[[ $(cat status) == 130 && $(cat long.model) == kept ]] || fail "exit code $(cat status): $(cat screen.txt)"
+
 # The same into a file: no bar, no escape sequence, whatever it is that is long.
 timeout -s INT 3 "$fogcomp" fit run.csv -o gyro.model --effects bias --network 10 --trainer pso-bp --iterations 100000 --force-network \
   >said.txt 2>errors.txt || true
