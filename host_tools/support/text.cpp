@@ -89,7 +89,13 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
       found = candidate;
     }
   }
-  return found;
+  if (!found.empty() || word.empty()) return found;
+  const auto begins = [&](const std::string& candidate) {
+    return candidate.compare(0, word.size(), word) == 0;
+  };
+  const auto begun = std::find_if(candidates.begin(), candidates.end(), begins);
+  const bool only = std::count_if(candidates.begin(), candidates.end(), begins) == 1;
+  return only ? *begun : "";
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {

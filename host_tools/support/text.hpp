@@ -23,7 +23,7 @@ std::string_view trim(std::string_view text);
 std::optional<double> parse_number(std::string_view text);
 
 /// The candidate that `word` most likely means (Damerau-Levenshtein distance at most a third of its
-/// length, at least 1), or "" where none is near.
+/// length, at least 1; else the only one that begins with it), or "" where none is near.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// " (did you mean 'x'?)", or "" where no candidate is near.
