@@ -157,7 +157,8 @@ constexpr Step kSteps[] = {
     {"code in RAM", execute_from_ram, ResetCause::fault, kHardFault},
     {"a write to the image", write_to_image, ResetCause::fault, kHardFault},
     {"an unused interrupt", raise_unused_interrupt, ResetCause::fault, kUnusedInterrupt},
-    {"a request", platform::restart_board, ResetCause::request, kUnusedInterrupt},  // the last one
+    {"the self-test", platform::restart_board, ResetCause::self_test,
+     kUnusedInterrupt},  // the last one
     {"a main loop that stops", stop_main_loop, ResetCause::watchdog, kAny},
     {"a processor that hangs with interrupts off", stop_everything, ResetCause::watchdog, kAny},
 };

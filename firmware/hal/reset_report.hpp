@@ -14,7 +14,7 @@ enum class ResetCause : std::uint8_t {
   software,       ///< a restart that nobody gave a reason for: a debugger's, a boot loader's
   clock_failure,  ///< the crystal died while it ran the core
   fault,          ///< an exception that nothing handles: see the crash record
-  request,
+  self_test,      ///< it found memory damaged while running
 };
 
 /// One or two words for people.

@@ -29,7 +29,7 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   1073741824, 30,
   /* range (+-570 deg/s) */
   2101248000,
-  /* equal counts that mean a stuck gyro */
+  /* counts in a row within one LSB that mean a stuck gyro */
   100,
   /* decay per block of the two derivative lags (tau 30 s) */
   70402888,

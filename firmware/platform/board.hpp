@@ -20,7 +20,8 @@ void start_board();
 /// Valid after start_board().
 BoardDescription describe_board();
 
-/// Restarts from the reset vector, as after power-on but for the reset cause "request".
+/// Because the self-test found damage: restarts from the reset vector, as after power-on but for
+/// the reset cause.
 [[noreturn]] void restart_board();
 
 }  // namespace fog::platform

@@ -57,7 +57,7 @@ void write_calibration(TableWriter& out, const Model& model, const Timing& timin
   out.note(format("range (+-%g deg/s)", kRangeDegPerS));
   out.real<fog::Rate>(kRangeDegPerS * 3600, "the range");
   const double stuck = kStuckSeconds * 1e6 / static_cast<double>(timing.period_us);
-  out.note("equal counts that mean a stuck gyro");
+  out.note("counts in a row within one LSB that mean a stuck gyro");
   out.integer(std::llround(std::max(stuck, kLeastStuckSamples)), "stuck samples");
 }
 

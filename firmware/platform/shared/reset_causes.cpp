@@ -20,8 +20,8 @@ const char* describe(ResetCause cause) {
       return "clock failure";
     case ResetCause::fault:
       return "fault";
-    case ResetCause::request:
-      return "request";
+    case ResetCause::self_test:
+      return "self-test";
   }
   return "unknown";
 }

@@ -28,7 +28,7 @@ BoardDescription describe_board() {
 }
 
 void restart_board() {
-  restart(hal::ResetCause::request);
+  restart(hal::ResetCause::self_test);
 }
 
 }  // namespace fog::platform
