@@ -1,6 +1,6 @@
 #include "diagnosis/diagnosis.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +8,8 @@
 #include "diagnosis/explained_space.hpp"
 #include "diagnosis/hypotheses.hpp"
 #include "diagnosis/null_test.hpp"
+#include "diagnosis/refit.hpp"
+#include "diagnosis/structure.hpp"
 #include "diagnosis/two_levels.hpp"
 #include "diagnosis/visible_part.hpp"
 #include "identification/noise_weighted_fit.hpp"
@@ -34,43 +36,6 @@ constexpr std::array<double, 3> kUnexplained{0.1, 0.06, 0.05};
 constexpr double kLeftoverLogP = -7;     // that what is left over is noise
 constexpr Eigen::Index kLeastRows = 60;  // for any opinion
 constexpr double kEnoughFreedom = 12;    // of the noise: from soaks alone
-
-// Smooth structure as orthonormal columns, group by group and together.
-struct Structure {
-  std::vector<std::string> variables;
-  std::vector<Eigen::MatrixXd> groups;
-  Eigen::MatrixXd all;
-};
-
-Eigen::MatrixXd principal(const Eigen::MatrixXd& columns) {
-  constexpr double kLeast = 1e-3;  // of a unit column: what is less is all but invisible
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(columns.transpose() * columns);
-  Eigen::Index kept = 0;
-  while (kept < columns.cols() && eigen.eigenvalues()[columns.cols() - 1 - kept] > kLeast) ++kept;
-  const Eigen::MatrixXd directions = eigen.eigenvectors().rightCols(kept);
-  const Eigen::VectorXd scale = eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse();
-  return columns * directions * scale.asDiagonal();
-}
-
-Structure find_structure(const Rows& rows, const ModelRemover& remover) {
-  Structure structure;
-  std::vector<Eigen::MatrixXd> parts;
-  for (const StructureGroup& group : structure_groups(rows)) {
-    const VisiblePart part = remover(group.columns);
-    Eigen::MatrixXd kept(part.columns.rows(), part.columns.cols());
-    Eigen::Index count = 0;
-    for (Eigen::Index i = 0; i < part.columns.cols(); ++i) {
-      constexpr double kVisibleColumn = 0.01;
-      if (part.visible[i] > kVisibleColumn) kept.col(count++) = part.columns.col(i).normalized();
-    }
-    if (count == 0) continue;
-    structure.variables.push_back(group.variable);
-    structure.groups.push_back(principal(kept.leftCols(count)));
-    parts.push_back(kept.leftCols(count));
-  }
-  structure.all = principal(side_by_side(parts, remover.residual().size()));
-  return structure;
-}
 
 class Diagnoser {
  public:
@@ -108,7 +73,7 @@ class Diagnoser {
     result_.untestable = list.untestable;
     candidates_ = std::move(list.testable);
     sharpen(candidates_, data_.series(), fit_.terms, to_visible, remover.residual());
-    const Structure structure = find_structure(rows_, remover);
+    const VisibleStructure structure = visible_structure(rows_, remover);
 
     ExplainedSpace space(remover.residual());
     for (const Candidate& candidate : candidates_) {
@@ -164,7 +129,7 @@ class Diagnoser {
   }
 
   // On what it depends and where it sits, by what smooth functions can describe of it.
-  void describe_where(const Structure& structure, const Eigen::VectorXd& residual) {
+  void describe_where(const VisibleStructure& structure, const Eigen::VectorXd& residual) {
     double most = 0;
     for (std::size_t i = 0; i < structure.groups.size(); ++i) {
       const Eigen::VectorXd along = structure.groups[i].transpose() * residual;
@@ -199,7 +164,7 @@ class Diagnoser {
     return ranges;
   }
 
-  void judge(const ExplainedSpace& space, const Structure& structure,
+  void judge(const ExplainedSpace& space, const VisibleStructure& structure,
              const Eigen::VectorXd& residual) {
     if (library_.empty()) {
       result_.notes.emplace_back("these recordings can show none of the catalogue's effects");
@@ -213,8 +178,9 @@ class Diagnoser {
     result_.unexplained_fraction = explanation.unexplained;
     result_.fast =
         find_fast_structure(rows_, without(space, structure, *explanation.best, residual));
-    result_.jumps = find_two_levels(quiet_stretches(rows_, residual_with(*explanation.best)),
-                                    fit_.noise.white_dph(), rows_.row_s);
+    result_.jumps =
+        find_two_levels(quiet_stretches(rows_, refitted(*explanation.best).residual_dph),
+                        fit_.noise.white_dph(), rows_.row_s);
     const double fast_log_p = weigh_fast();
     result_.chance = std::exp(std::min({test.library_log_p, test.structure_log_p, fast_log_p}));
     result_.tests = {test.library_log_p, test.structure_log_p, fast_log_p};
@@ -295,7 +261,7 @@ class Diagnoser {
   }
 
   // The residual without what a hypothesis and smooth functions explain of it.
-  Eigen::VectorXd without(const ExplainedSpace& space, const Structure& structure,
+  Eigen::VectorXd without(const ExplainedSpace& space, const VisibleStructure& structure,
                           const Hypothesis& hypothesis, const Eigen::VectorXd& residual) const {
     std::vector<ColumnRange> ranges = ranges_of(hypothesis);
     ranges.push_back(structure_);
@@ -349,7 +315,11 @@ class Diagnoser {
       finding.explained_fraction =
           excess > 0 ? std::clamp((best.gain - static_cast<double>(range.count)) / excess, 0.0, 1.0)
                      : 0;
-      complete(finding, candidates_[i].shapes[shape].term);
+      std::vector<EffectTerm> terms = fit_.terms;
+      put(terms, candidates_[i].shapes[shape].term);
+      Refit completed = refit(std::move(terms), data_.series(), fit_);
+      finding.rms_after_dph = rms(completed.residual_dph);
+      finding.completed = std::move(completed.terms);
       if (!something) finding.probability *= std::min(1.0, std::exp(finding.evidence) / 20);
       result_.candidates.push_back(std::move(finding));
     }
@@ -360,46 +330,13 @@ class Diagnoser {
                      });
   }
 
-  // The model with `added` in it, or in place of its own smaller version of it.
-  void complete(CandidateFinding& finding, const EffectTerm& added) const {
-    std::vector<EffectTerm> terms;
-    for (const EffectTerm& term : fit_.terms) {
-      if (term.name != added.name) terms.push_back(term);
-    }
-    terms.push_back(added);
-    const Eigen::VectorXd left = solve(terms);
-    finding.rms_after_dph = rms(left);
-    finding.completed = std::move(terms);
-  }
-
-  // Gives terms the coefficients that fit best, and returns what they leave of each row.
-  Eigen::VectorXd solve(std::vector<EffectTerm>& terms) const {
-    std::vector<Eigen::MatrixXd> parts;
-    for (const EffectTerm& term : terms) parts.push_back(data_.series().regressors(term));
-    parts.push_back(run_offset_columns(rows_));
-    const Eigen::MatrixXd columns = side_by_side(parts, rows_.size());
-    const Whitening whitening(fit_.noise, rows_, fit_.row_weights);
-    const LinearFit fit = solve_linear(whitening.apply(columns), fit_.whitened_measured);
-    Eigen::Index first = 0;
-    for (std::size_t i = 0; i < terms.size(); ++i) {
-      const auto own = fit.coefficients.segment(first, parts[i].cols());
-      terms[i].coefficients_dph.assign(own.begin(), own.end());
-      first += parts[i].cols();
-    }
-    return rows_.drift_dph - columns * fit.coefficients;
-  }
-
-  // What the model leaves of each row, refitted with the effects of a hypothesis.
-  Eigen::VectorXd residual_with(const Hypothesis& hypothesis) const {
+  // The model with the effects of a hypothesis, and what it leaves of each row.
+  Refit refitted(const Hypothesis& hypothesis) const {
     std::vector<EffectTerm> terms = fit_.terms;
     for (const Hypothesis::Part& part : hypothesis.parts) {
-      const EffectTerm& added = candidates_[part.candidate].shapes[part.shape].term;
-      const auto own = std::find_if(terms.begin(), terms.end(), [&](const EffectTerm& term) {
-        return term.name == added.name;
-      });
-      own == terms.end() ? terms.push_back(added) : void(*own = added);
+      put(terms, candidates_[part.candidate].shapes[part.shape].term);
     }
-    return solve(terms);
+    return refit(std::move(terms), data_.series(), fit_);
   }
 
   // What each term of the model is worth.

@@ -1,16 +1,14 @@
 #include "diagnosis/structure.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <complex>
 #include <functional>
-#include <unsupported/Eigen/FFT>
 
 #include "dataset/input_columns.hpp"
 #include "identification/least_squares.hpp"
 #include "identification/row_filters.hpp"
-#include "support/chi_square.hpp"
-#include "support/median.hpp"
 
 namespace fogcomp {
 namespace {
@@ -111,94 +109,37 @@ std::vector<StructureGroup> structure_groups(const Rows& rows) {
 
 namespace {
 
-constexpr std::size_t kFirstLine = 8;  // periods in a run; slower is smooth structure
-constexpr std::size_t kFirstBand = 20;
-constexpr std::size_t kNeighbours = 16;  // on either side, which say what is usual there
-constexpr std::size_t kMostOctaves = 24;
-constexpr std::size_t kLeastLines = 8;  // in an octave
-constexpr double kLeastExcess = 0.2;    // of an octave: less is a noise model that is a bit off
-// A level from 32 neighbours is uncertain itself: chances count for less.
-constexpr double kLevelUncertainty = 0.75;
-
-struct Octave {
-  double power = 0;
-  double count = 0;
-  double period_s = 0;
-};
-
-std::vector<double> periodogram(const std::vector<double>& values) {
-  Eigen::FFT<double> fft;
-  std::vector<std::complex<double>> spectrum;
-  fft.fwd(spectrum, values);
-  std::vector<double> powers;
-  for (std::size_t k = 0; 2 * k < values.size(); ++k) {
-    powers.push_back(std::norm(spectrum[k]) / static_cast<double>(values.size()));
-  }
-  return powers;
-}
-
-// Mean power of noise, of which half the lines have less than ln 2 times as much.
-double level_of(const std::vector<double>& powers, std::size_t first, std::size_t end) {
-  return median({powers.begin() + static_cast<std::ptrdiff_t>(first),
-                 powers.begin() + static_cast<std::ptrdiff_t>(end)}) /
-         std::log(2.0);
-}
-
-// The strongest line against its neighbours: a noise model that is off by some colour does not
-// matter, and a line that is there in the soaks too was taken for noise by it.
-void find_line(const std::vector<double>& powers, double length_s, FastStructure& fast) {
-  for (std::size_t k = kFirstLine; k < powers.size(); ++k) {
-    const std::size_t first = std::max(kFirstLine, k < kNeighbours ? 0 : k - kNeighbours);
-    const std::size_t end = std::min(powers.size(), first + 2 * kNeighbours + 1);
-    if (end - first < kNeighbours) return;
-    const double power = powers[k] / level_of(powers, first, end);
-    if (power <= fast.line_power) continue;
-    fast.line_power = power;
-    fast.line_period_s = length_s / static_cast<double>(k);
-  }
+// Orthonormal directions of columns, without those that are all but invisible.
+Eigen::MatrixXd principal(const Eigen::MatrixXd& columns) {
+  constexpr double kLeast = 1e-3;  // of a unit column: what is less is all but invisible
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(columns.transpose() * columns);
+  Eigen::Index kept = 0;
+  while (kept < columns.cols() && eigen.eigenvalues()[columns.cols() - 1 - kept] > kLeast) ++kept;
+  const Eigen::MatrixXd directions = eigen.eigenvectors().rightCols(kept);
+  const Eigen::VectorXd scale = eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse();
+  return columns * directions * scale.asDiagonal();
 }
 
 }  // namespace
 
-FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& whitened_residual) {
-  std::vector<Octave> octaves(kMostOctaves);
-  std::vector<double> all;
-  FastStructure fast;
-  for (const RowRange& run : rows.runs()) {
-    const std::size_t size = run.size();
-    const double length_s = static_cast<double>(size) * rows.row_s;
-    const auto begin = whitened_residual.begin() + static_cast<std::ptrdiff_t>(run.first);
-    const std::vector<double> powers =
-        periodogram({begin, begin + static_cast<std::ptrdiff_t>(size)});
-    find_line(powers, length_s, fast);
-    for (std::size_t k = kFirstBand; k < powers.size(); ++k) {
-      const double octave = std::log2(static_cast<double>(size) / (2 * static_cast<double>(k)));
-      Octave& place = octaves[std::min(kMostOctaves - 1, static_cast<std::size_t>(octave))];
-      place.power += powers[k];
-      place.count += 1;
-      place.period_s += length_s / static_cast<double>(k);
-      all.push_back(powers[k]);
+VisibleStructure visible_structure(const Rows& rows, const ModelRemover& remover) {
+  VisibleStructure structure;
+  std::vector<Eigen::MatrixXd> parts;
+  for (const StructureGroup& group : structure_groups(rows)) {
+    const VisiblePart part = remover(group.columns);
+    Eigen::MatrixXd kept(part.columns.rows(), part.columns.cols());
+    Eigen::Index count = 0;
+    for (Eigen::Index i = 0; i < part.columns.cols(); ++i) {
+      constexpr double kVisibleColumn = 0.01;
+      if (part.visible[i] > kVisibleColumn) kept.col(count++) = part.columns.col(i).normalized();
     }
+    if (count == 0) continue;
+    structure.variables.push_back(group.variable);
+    structure.groups.push_back(principal(kept.leftCols(count)));
+    parts.push_back(kept.leftCols(count));
   }
-  if (all.empty()) return fast;
-  // White noise may be a little more or less than the quiet parts had.
-  const double level = level_of(all, 0, all.size());
-  const auto lines = static_cast<double>(all.size());
-  fast.line_log_p = std::min(0.0, std::log(lines) - kLevelUncertainty * fast.line_power);
-  for (const Octave& octave : octaves) {
-    if (octave.count < kLeastLines) continue;
-    // Twice an exponential variable of mean 1 is chi^2 with two degrees.
-    const double mean = octave.power / octave.count / level;
-    const double score = standard_score(2 * octave.count * mean, 2 * octave.count);
-    const double log_p = score < 1 ? 0 : tail_log_p(score) + std::log(12.0);
-    if (log_p >= fast.band_log_p || mean - 1 < kLeastExcess) continue;
-    fast.band_log_p = log_p;
-    fast.band_excess = mean - 1;
-    fast.band_period_s = octave.period_s / octave.count;
-    fast.share = (mean - 1) * octave.count / lines;
-  }
-  if (fast.line_log_p < fast.band_log_p) fast.share = fast.line_power / lines;
-  return fast;
+  structure.all = principal(side_by_side(parts, remover.residual().size()));
+  return structure;
 }
 
 }  // namespace fogcomp

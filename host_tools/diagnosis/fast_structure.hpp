@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "identification/signal_series.hpp"
+
+namespace fogcomp {
+
+/// Fast structure: the strongest line and the strongest octave of the residual's periodogram.
+struct FastStructure {
+  double line_period_s = 0;
+  double line_power = 0;     ///< over that of its neighbours: exponentially distributed, mean 1
+  double line_log_p = 0;     ///< logarithm of the chance that any line of white noise is as strong
+  double band_period_s = 0;  ///< middle of the octave
+  double band_excess = 0;    ///< of the octave's power above white noise, relative
+  double band_log_p = 0;     ///< the same for any octave
+  /// Share of the residual's squares that is line, or excess of the octave.
+  double share = 0;
+};
+
+/// Looks at a whitened residual, run by run, at periods of two rows to an eighth of the run (lines)
+/// or a twentieth (octaves).
+FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& whitened_residual);
+
+}  // namespace fogcomp

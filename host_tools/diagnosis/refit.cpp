@@ -1,0 +1,35 @@
+#include "diagnosis/refit.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "identification/least_squares.hpp"
+#include "identification/whitening.hpp"
+
+namespace fogcomp {
+
+void put(std::vector<EffectTerm>& terms, const EffectTerm& added) {
+  const auto same = [&](const EffectTerm& term) { return term.name == added.name; };
+  terms.erase(std::remove_if(terms.begin(), terms.end(), same), terms.end());
+  terms.push_back(added);
+}
+
+Refit refit(std::vector<EffectTerm> terms, const SignalSeries& series,
+            const NoiseWeightedFit& fit) {
+  const Rows& rows = series.rows();
+  std::vector<Eigen::MatrixXd> parts;
+  for (const EffectTerm& term : terms) parts.push_back(series.regressors(term));
+  parts.push_back(run_offset_columns(rows));
+  const Eigen::MatrixXd columns = side_by_side(parts, rows.size());
+  const Whitening whitening(fit.noise, rows, fit.row_weights);
+  const LinearFit solved = solve_linear(whitening.apply(columns), fit.whitened_measured);
+  Eigen::Index first = 0;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const auto own = solved.coefficients.segment(first, parts[i].cols());
+    terms[i].coefficients_dph.assign(own.begin(), own.end());
+    first += parts[i].cols();
+  }
+  return {std::move(terms), rows.drift_dph - columns * solved.coefficients};
+}
+
+}  // namespace fogcomp
