@@ -24,30 +24,25 @@ namespace {
 constexpr const char* kExpression = "effect-expr";
 
 Json halves_json(const std::vector<HalfTest>& halves) {
-  Json array = Json::array();
-  for (const HalfTest& half : halves) {
-    array.push(std::move(Json::object()
-                             .set("identified_on", half.identified_on)
-                             .set("determined", half.determined)
-                             .set("rms_before_dph", half.rms_before_dph)
-                             .set("rms_after_dph", half.rms_after_dph)));
-  }
-  return array;
+  return json_array(halves, [&](const HalfTest& half) {
+    return Json::object()
+        .set("identified_on", half.identified_on)
+        .set("determined", half.determined)
+        .set("rms_before_dph", half.rms_before_dph)
+        .set("rms_after_dph", half.rms_after_dph);
+  });
 }
 
 Json runs_json(const std::vector<Addition::RunError>& runs) {
-  Json array = Json::array();
-  for (const Addition::RunError& run : runs) {
-    array.push(std::move(
-        Json::object()
-            .set("file", run.file)
-            .set("holdout", run.holdout)
-            .set("rms_before_dph", run.rms_before_dph)
-            .set("rms_after_dph", run.rms_after_dph)
-            .set("noise_floor_dph", run.noise_floor_dph ? Json(*run.noise_floor_dph) : Json())
-            .set("outside_temperature", run.outside_temperature)));
-  }
-  return array;
+  return json_array(runs, [&](const Addition::RunError& run) {
+    return Json::object()
+        .set("file", run.file)
+        .set("holdout", run.holdout)
+        .set("rms_before_dph", run.rms_before_dph)
+        .set("rms_after_dph", run.rms_after_dph)
+        .set("noise_floor_dph", run.noise_floor_dph ? Json(*run.noise_floor_dph) : Json())
+        .set("outside_temperature", run.outside_temperature);
+  });
 }
 
 void print_json(const Addition& addition, bool written, const std::string& output) {
@@ -57,8 +52,7 @@ void print_json(const Addition& addition, bool written, const std::string& outpu
   Json coefficients = Json::object();
   set_coefficients(coefficients, term);
   const OutOfSample& judged = addition.out_of_sample;
-  Json notes = Json::array();
-  for (const std::string& warning : addition.fit.identified.warnings) notes.push(warning);
+  Json notes = addition.fit.identified.warnings;
   if (addition.fit.training && !addition.model.network.present()) {
     notes.push(network_verdict(addition.fit));
   }

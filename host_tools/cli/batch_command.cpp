@@ -202,13 +202,12 @@ batch::Summary write_tables(const Batch& batch, const Work& work,
 }
 
 void print_json(const batch::Summary& summary, const Work& work, const std::string& output) {
-  Json gyros = Json::array();
-  for (const batch::Summary::Gyro& gyro : summary.gyros) {
-    gyros.push(std::move(Json::object()
-                             .set("gyro", gyro.result.gyro)
-                             .set("outcome", name_of(gyro.outcome))
-                             .set("reason", gyro.reason)));
-  }
+  Json gyros = json_array(summary.gyros, [&](const batch::Summary::Gyro& gyro) {
+    return Json::object()
+        .set("gyro", gyro.result.gyro)
+        .set("outcome", name_of(gyro.outcome))
+        .set("reason", gyro.reason);
+  });
   Json result = Json::object();
   result.set("table", output + "/gyros.csv").set("index", output + "/index.html");
   result.set("pass", summary.count(Outcome::pass)).set("fail", summary.count(Outcome::fail));

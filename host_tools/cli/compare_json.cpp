@@ -34,15 +34,13 @@ Json segment_json(const Comparison::Segment& segment, const std::optional<double
 }
 
 Json effects_json(const std::vector<EffectShare>& effects) {
-  Json array = Json::array();
-  for (const EffectShare& effect : effects) {
-    array.push(std::move(Json::object()
-                             .set("effect", effect.name)
-                             .set("mean_dph", effect.mean_dph)
-                             .set("std_dph", effect.std_dph)
-                             .set("share", effect.share)));
-  }
-  return array;
+  return json_array(effects, [&](const EffectShare& effect) {
+    return Json::object()
+        .set("effect", effect.name)
+        .set("mean_dph", effect.mean_dph)
+        .set("std_dph", effect.std_dph)
+        .set("share", effect.share);
+  });
 }
 
 Json test_json(const ResidualAnalysis& analysis, const ClassTest& test) {
@@ -126,10 +124,9 @@ Json outside_json(const OutsideTraining& outside) {
 Json run_json(const ModelOnRun& run) {
   const Comparison& comparison = run.comparison;
   const Comparison::Segment& whole = comparison.whole;
-  Json segments = Json::array();
-  for (const Comparison::Segment& segment : comparison.segments) {
-    segments.push(segment_json(segment, comparison.noise_floor_dph));
-  }
+  Json segments = json_array(comparison.segments, [&](const Comparison::Segment& segment) {
+    return segment_json(segment, comparison.noise_floor_dph);
+  });
   Json object = Json::object();
   object.set("file", comparison.file)
       .set("rows", comparison.rows.size())
@@ -170,10 +167,9 @@ Json model_json(const ModelOnRuns& model, Json object) {
 
 Json compare_json(const std::vector<ModelOnRuns>& models) {
   Json result = model_json(models[0], Json::object());
-  Json all = Json::array();
-  for (const ModelOnRuns& model : models) {
-    all.push(model_json(model, std::move(Json::object().set("model", model.file))));
-  }
+  Json all = json_array(models, [&](const ModelOnRuns& model) {
+    return model_json(model, Json::object().set("model", model.file));
+  });
   result.set("models", std::move(all));
   return result;
 }

@@ -75,10 +75,9 @@ void write_recording(const Recording& recording, const std::string& path) {
 
 void print_json(const std::string& output, const Recording& recording, const DenoiseReport& report,
                 const std::vector<double>& before, const std::vector<double>& after) {
-  Json levels = Json::array();
-  for (const DenoiseReport::Level& level : report.levels) {
-    levels.push(Json::object().set("noise_dph", level.noise).set("threshold_dph", level.threshold));
-  }
+  Json levels = json_array(report.levels, [&](const DenoiseReport::Level& level) {
+    return Json::object().set("noise_dph", level.noise).set("threshold_dph", level.threshold);
+  });
   Json segments = Json::array();
   for (const Segment& segment : find_segments(recording)) {
     const MeanAndStd raw = statistics(before, segment);

@@ -12,21 +12,14 @@ Json parameters_json(const EffectTerm& term) {
   return parameters;
 }
 
-Json names_json(const std::vector<std::string>& names) {
-  Json array = Json::array();
-  for (const std::string& name : names) array.push(name);
-  return array;
-}
-
 Json network_json(const std::optional<NetworkLearnt>& network) {
   if (!network) return Json();
-  Json learnt = Json::array();
-  for (const NetworkLearnt::Share& share : network->effects) {
-    learnt.push(std::move(Json::object()
-                              .set("effect", share.term.name)
-                              .set("share", share.share)
-                              .set("parameters", parameters_json(share.term))));
-  }
+  Json learnt = json_array(network->effects, [&](const NetworkLearnt::Share& share) {
+    return Json::object()
+        .set("effect", share.term.name)
+        .set("share", share.share)
+        .set("parameters", parameters_json(share.term));
+  });
   Json result = Json::object();
   result.set("rms_dph", network->rms_dph).set("beyond_effects", network->beyond_effects);
   result.set("learnt", std::move(learnt));
@@ -53,38 +46,33 @@ Json fast_json(const Diagnosis& diagnosis) {
 }
 
 Json shares_json(const std::vector<Diagnosis::Share>& shares) {
-  Json all = Json::array();
-  for (const Diagnosis::Share& share : shares) {
-    all.push(std::move(Json::object().set("name", share.name).set("share", share.share)));
-  }
-  return all;
+  return json_array(shares, [&](const Diagnosis::Share& share) {
+    return Json::object().set("name", share.name).set("share", share.share);
+  });
 }
 
 }  // namespace
 
 Json diagnosis_json(const Diagnosis& diagnosis) {
-  Json candidates = Json::array();
-  for (const CandidateFinding& finding : diagnosis.candidates) {
-    candidates.push(std::move(Json::object()
-                                  .set("effect", finding.effect)
-                                  .set("explained_fraction", finding.explained_fraction)
-                                  .set("rms_after_dph", finding.rms_after_dph)
-                                  .set("evidence", finding.evidence)
-                                  .set("probability", finding.probability)
-                                  .set("parameters", parameters_json(finding.term()))));
-  }
-  Json explanations = Json::array();
-  for (const Diagnosis::Explanation& explanation : diagnosis.explanations) {
-    explanations.push(std::move(Json::object()
-                                    .set("effects", names_json(explanation.effects))
-                                    .set("probability", explanation.probability)
-                                    .set("explained_fraction", explanation.explained_fraction)));
-  }
-  Json untestable = Json::array();
-  for (const Untestable& effect : diagnosis.untestable) {
-    untestable.push(
-        std::move(Json::object().set("effect", effect.effect).set("needs", effect.needs)));
-  }
+  Json candidates = json_array(diagnosis.candidates, [&](const CandidateFinding& finding) {
+    return Json::object()
+        .set("effect", finding.effect)
+        .set("explained_fraction", finding.explained_fraction)
+        .set("rms_after_dph", finding.rms_after_dph)
+        .set("evidence", finding.evidence)
+        .set("probability", finding.probability)
+        .set("parameters", parameters_json(finding.term()));
+  });
+  Json explanations =
+      json_array(diagnosis.explanations, [&](const Diagnosis::Explanation& explanation) {
+        return Json::object()
+            .set("effects", explanation.effects)
+            .set("probability", explanation.probability)
+            .set("explained_fraction", explanation.explained_fraction);
+      });
+  Json untestable = json_array(diagnosis.untestable, [&](const Untestable& effect) {
+    return Json::object().set("effect", effect.effect).set("needs", effect.needs);
+  });
   Json result = Json::object();
   result.set("verdict", name_of(diagnosis.verdict));
   if (diagnosis.effect.empty()) {
@@ -92,7 +80,7 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
   } else {
     result.set("effect", diagnosis.effect);
   }
-  result.set("confusable", names_json(diagnosis.confusable));
+  result.set("confusable", diagnosis.confusable);
   const bool proposed = diagnosis.experiment && !diagnosis.experiment->sentence.empty();
   result.set("experiment", proposed ? Json(diagnosis.experiment->sentence) : Json());
   const bool recordable = proposed && !diagnosis.experiment->profile.empty();
@@ -100,35 +88,34 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
   result.set("candidates", std::move(candidates)).set("untestable", std::move(untestable));
   result.set("explanations", std::move(explanations)).set("tests", diagnosis.tests);
   result.set("fast", fast_json(diagnosis));
-  result.set("where", std::move(Json::object()
-                                    .set("variable", diagnosis.variable)
-                                    .set("variables", shares_json(diagnosis.variables))
-                                    .set("segments", shares_json(diagnosis.segments))));
+  result.set("where", Json::object()
+                          .set("variable", diagnosis.variable)
+                          .set("variables", shares_json(diagnosis.variables))
+                          .set("segments", shares_json(diagnosis.segments)));
   result.set("residual_rms_dph", diagnosis.residual_rms_dph);
   result.set("noise_floor_dph", diagnosis.noise_floor_dph);
   result.set("unexplained_fraction", diagnosis.unexplained_fraction);
-  result.set("noise", std::move(Json::object()
-                                    .set("white_dph", diagnosis.noise.white_dph())
-                                    .set("slow_dph", diagnosis.noise.wander_dph())
-                                    .set("freedom", diagnosis.noise.freedom)
-                                    .set("from_quiet_parts", diagnosis.noise.from_quiet_parts)));
+  result.set("noise", Json::object()
+                          .set("white_dph", diagnosis.noise.white_dph())
+                          .set("slow_dph", diagnosis.noise.wander_dph())
+                          .set("freedom", diagnosis.noise.freedom)
+                          .set("from_quiet_parts", diagnosis.noise.from_quiet_parts));
   result.set("network", network_json(diagnosis.network));
-  result.set("chance", diagnosis.chance).set("notes", names_json(diagnosis.notes));
+  result.set("chance", diagnosis.chance).set("notes", diagnosis.notes);
   return result;
 }
 
 Json ladder_json(const Ladder& ladder) {
-  Json steps = Json::array();
-  for (const Ladder::Step& step : ladder.steps) {
-    steps.push(std::move(Json::object()
-                             .set("effect", step.effect)
-                             .set("removed", step.removed)
-                             .set("alternatives", names_json(step.alternatives))
-                             .set("rms_before_dph", step.rms_before_dph)
-                             .set("rms_after_dph", step.rms_after_dph)));
-  }
+  Json steps = json_array(ladder.steps, [&](const Ladder::Step& step) {
+    return Json::object()
+        .set("effect", step.effect)
+        .set("removed", step.removed)
+        .set("alternatives", step.alternatives)
+        .set("rms_before_dph", step.rms_before_dph)
+        .set("rms_after_dph", step.rms_after_dph);
+  });
   Json result = diagnosis_json(ladder.first);
-  result.set("added", names_json(ladder.added())).set("ladder", std::move(steps));
+  result.set("added", ladder.added()).set("ladder", std::move(steps));
   result.set("left_alone", ladder.left_alone.empty() ? Json() : Json(ladder.left_alone));
   result.set("last", diagnosis_json(ladder.last));
   return result;

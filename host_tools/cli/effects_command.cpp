@@ -11,34 +11,30 @@ namespace fogcomp::cli {
 namespace {
 
 Json entry_json(const CatalogueEntry& entry) {
-  Json parameters = Json::array();
-  for (const auto& parameter : entry.parameters) {
-    parameters.push(std::move(Json::object()
-                                  .set("name", parameter.name)
-                                  .set("unit", parameter.unit)
-                                  .set("least", parameter.least_milli / 1000.0)
-                                  .set("most", parameter.most_milli / 1000.0)
-                                  .set("default", parameter.default_milli / 1000.0)));
-  }
-  Json coefficients = Json::array();
-  for (const auto& coefficient : entry.coefficients) {
-    coefficients.push(
-        std::move(Json::object().set("symbol", coefficient.symbol).set("unit", coefficient.unit)));
-  }
-  Json needs = Json::array();
-  for (const std::string& column : needed_columns(entry)) needs.push(column);
-  return std::move(Json::object()
-                       .set("effect", entry.description.name)
-                       .set("id", static_cast<int>(entry.description.id))
-                       .set("title", entry.description.title)
-                       .set("equation", entry.description.equation)
-                       .set("typical", entry.description.typical)
-                       .set("signature", entry.description.signature)
-                       .set("source", entry.description.source)
-                       .set("needs", std::move(needs))
-                       .set("on_board", entry.description.host_only == nullptr)
-                       .set("parameters", std::move(parameters))
-                       .set("coefficients", std::move(coefficients)));
+  Json parameters = json_array(entry.parameters, [&](const auto& parameter) {
+    return Json::object()
+        .set("name", parameter.name)
+        .set("unit", parameter.unit)
+        .set("least", parameter.least_milli / 1000.0)
+        .set("most", parameter.most_milli / 1000.0)
+        .set("default", parameter.default_milli / 1000.0);
+  });
+  Json coefficients = json_array(entry.coefficients, [&](const auto& coefficient) {
+    return Json::object().set("symbol", coefficient.symbol).set("unit", coefficient.unit);
+  });
+  Json needs = needed_columns(entry);
+  return Json::object()
+      .set("effect", entry.description.name)
+      .set("id", static_cast<int>(entry.description.id))
+      .set("title", entry.description.title)
+      .set("equation", entry.description.equation)
+      .set("typical", entry.description.typical)
+      .set("signature", entry.description.signature)
+      .set("source", entry.description.source)
+      .set("needs", std::move(needs))
+      .set("on_board", entry.description.host_only == nullptr)
+      .set("parameters", std::move(parameters))
+      .set("coefficients", std::move(coefficients));
 }
 
 std::vector<const CatalogueEntry*> chosen_entries(const Arguments& arguments) {
@@ -53,9 +49,9 @@ int run_effects(const Arguments& arguments) {
   if (arguments.has("markdown")) {
     std::fputs(effects_markdown(entries).c_str(), stdout);
   } else if (arguments.has("json")) {
-    Json list = Json::array();
-    for (const CatalogueEntry* entry : entries) list.push(entry_json(*entry));
-    std::puts(std::move(Json::object().set("effects", std::move(list))).text().c_str());
+    Json list =
+        json_array(entries, [&](const CatalogueEntry* entry) { return entry_json(*entry); });
+    std::puts(Json::object().set("effects", std::move(list)).text().c_str());
   } else {
     std::fputs(effects_text(entries).c_str(), stdout);
   }

@@ -37,16 +37,14 @@ int run_export(const Arguments& arguments) {
     Json result = Json::object();
     result.set("header", output).set("words", header.words);
     result.set("quantization_error_dph", error.worst_dph).set("blocks_compared", error.blocks);
-    Json expressions = Json::array();
-    for (const auto& expression : error.expressions) {
-      expressions.push(std::move(Json::object()
-                                     .set("name", expression.name)
-                                     .set("bound_dph", expression.bound_dph)
-                                     .set("worst_dph", expression.worst_dph)));
-    }
+    Json expressions = json_array(error.expressions, [&](const auto& expression) {
+      return Json::object()
+          .set("name", expression.name)
+          .set("bound_dph", expression.bound_dph)
+          .set("worst_dph", expression.worst_dph);
+    });
     result.set("expressions", std::move(expressions));
-    Json notes = Json::array();
-    for (const std::string& note : left_out(model)) notes.push(note);
+    Json notes = left_out(model);
     result.set("notes", std::move(notes));
     result.set("network_error_dph", network.worst_dph).set("network_points", network.points);
     std::puts(result.text().c_str());

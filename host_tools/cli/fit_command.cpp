@@ -17,16 +17,14 @@ namespace fogcomp::cli {
 namespace {
 
 Json terms_json(const Model& model) {
-  Json terms = Json::array();
-  for (const EffectTerm& term : model.terms) {
-    terms.push(std::move(Json::object()
-                             .set("effect", term.name)
-                             .set("parameters", term.parameters)
-                             .set("parameter_sigma", term.parameter_sigma)
-                             .set("coefficients_dph", term.coefficients_dph)
-                             .set("sigma_dph", term.sigma_dph)));
-  }
-  return terms;
+  return json_array(model.terms, [&](const EffectTerm& term) {
+    return Json::object()
+        .set("effect", term.name)
+        .set("parameters", term.parameters)
+        .set("parameter_sigma", term.parameter_sigma)
+        .set("coefficients_dph", term.coefficients_dph)
+        .set("sigma_dph", term.sigma_dph);
+  });
 }
 
 std::string steps_text(const Fit& fit) {
@@ -102,20 +100,19 @@ Json steps_json(const Fit& fit) {
   Json steps = Json::array();
   for (std::size_t i = 0; i < fit.result.identified.steps.size(); ++i) {
     const FoundStep& step = fit.result.identified.steps[i];
-    steps.push(std::move(Json::object()
-                             .set("place", fit.step_places[i])
-                             .set("time_s", step.time_s)
-                             .set("time_sigma_s", step.time_sigma_s)
-                             .set("size_dph", step.size_dph)
-                             .set("size_sigma_dph", step.size_sigma_dph)));
+    steps.push(Json::object()
+                   .set("place", fit.step_places[i])
+                   .set("time_s", step.time_s)
+                   .set("time_sigma_s", step.time_sigma_s)
+                   .set("size_dph", step.size_dph)
+                   .set("size_sigma_dph", step.size_sigma_dph));
   }
   return steps;
 }
 
 void print_json(const Fit& fit, const std::string& output) {
   const Identification& identified = fit.result.identified;
-  Json notes = Json::array();
-  for (const std::string& warning : identified.warnings) notes.push(warning);
+  Json notes = identified.warnings;
   if (is_dropped(fit)) notes.push(network_verdict(fit.result));
   Json result = Json::object();
   result.set("model", output).set("rows", static_cast<std::size_t>(fit.rows));

@@ -56,12 +56,6 @@ void print_words(const fog::HealthRecord& r) {
   std::printf("stack         %d of %d bytes never used\n", r.stack_unused_bytes, r.stack_bytes);
 }
 
-Json names_json(fog::Status status) {
-  Json array = Json::array();
-  for (const std::string& name : flag_names(status)) array.push(name);
-  return array;
-}
-
 Json as_json(const fog::HealthRecord& r) {
   Json object = Json::object();
   object.set("healthy", is_healthy(r))
@@ -76,8 +70,8 @@ Json as_json(const fog::HealthRecord& r) {
       .set("invalid_rates", static_cast<std::int64_t>(r.invalid_rates))
       .set("sequence_gaps", static_cast<std::int64_t>(r.sequence_gaps))
       .set("discarded_bytes", static_cast<std::int64_t>(r.discarded_bytes))
-      .set("flags_now", names_json(r.status_last))
-      .set("flags_seen", names_json(r.status_seen))
+      .set("flags_now", flag_names(r.status_last))
+      .set("flags_seen", flag_names(r.status_seen))
       .set("stack_bytes", static_cast<std::int64_t>(r.stack_bytes))
       .set("stack_unused_bytes", static_cast<std::int64_t>(r.stack_unused_bytes));
   return object;

@@ -30,22 +30,20 @@ const char* kind_name(SegmentKind kind) {
 }
 
 Json segments_json(const std::vector<SegmentSummary>& segments) {
-  Json array = Json::array();
-  for (const SegmentSummary& segment : segments) {
-    array.push(Json::object()
-                   .set("name", segment.name)
-                   .set("kind", kind_name(segment.kind))
-                   .set("start_s", segment.start_s)
-                   .set("end_s", segment.end_s)
-                   .set("rows", segment.rows)
-                   .set("mean_dph", segment.bias.mean_dph)
-                   .set("std_dph", segment.bias.std_dph)
-                   .set("sample_std_dph", segment.bias.sample_std_dph)
-                   .set("temperature_min_degc", segment.temperature_min_degc)
-                   .set("temperature_max_degc", segment.temperature_max_degc)
-                   .set("temperature_rate_degc_per_min", segment.temperature_rate_degc_per_min));
-  }
-  return array;
+  return json_array(segments, [&](const SegmentSummary& segment) {
+    return Json::object()
+        .set("name", segment.name)
+        .set("kind", kind_name(segment.kind))
+        .set("start_s", segment.start_s)
+        .set("end_s", segment.end_s)
+        .set("rows", segment.rows)
+        .set("mean_dph", segment.bias.mean_dph)
+        .set("std_dph", segment.bias.std_dph)
+        .set("sample_std_dph", segment.bias.sample_std_dph)
+        .set("temperature_min_degc", segment.temperature_min_degc)
+        .set("temperature_max_degc", segment.temperature_max_degc)
+        .set("temperature_rate_degc_per_min", segment.temperature_rate_degc_per_min);
+  });
 }
 
 Json allan_json(const std::vector<AllanPoint>& points) {

@@ -151,31 +151,30 @@ void print_paper(const std::vector<Study>& studies) {
 
 Json paper_json(const std::vector<Study>& studies) {
   const Study& first = studies.front();
-  Json segments = Json::array();
-  for (const PrintedSegment& printed : kPrinted) segments.push(segment_json(first, printed));
-  Json denoisers = Json::array();
-  for (const DenoiserResult& denoiser : first.denoisers) {
-    denoisers.push(std::move(Json::object()
-                                 .set("name", denoiser.name)
-                                 .set("truth_error_rms_dph", denoiser.truth_rms_dph)));
-  }
+  Json segments = json_array(
+      kPrinted, [&](const PrintedSegment& printed) { return segment_json(first, printed); });
+  Json denoisers = json_array(first.denoisers, [&](const DenoiserResult& denoiser) {
+    return Json::object()
+        .set("name", denoiser.name)
+        .set("truth_error_rms_dph", denoiser.truth_rms_dph);
+  });
   Json models = Json::array();
   for (const ModelMedians& model : medians_of(studies)) {
     Json held_out = Json::array();
     for (std::size_t i = 0; i < kHeldOutProfiles.size(); ++i) {
-      held_out.push(std::move(Json::object()
-                                  .set("profile", kHeldOutProfiles[i])
-                                  .set("drift_dph", model.held_out_drift_dph[i])
-                                  .set("truth_error_rms_dph", model.held_out_truth_rms_dph[i])));
+      held_out.push(Json::object()
+                        .set("profile", kHeldOutProfiles[i])
+                        .set("drift_dph", model.held_out_drift_dph[i])
+                        .set("truth_error_rms_dph", model.held_out_truth_rms_dph[i]));
     }
-    models.push(std::move(Json::object()
-                              .set("name", model.name)
-                              .set("std_dph", model.std_dph)
-                              .set("drift_dph", model.drift_dph)
-                              .set("truth_error_rms_dph", model.truth_rms_dph)
-                              .set("std_cut", model.cut)
-                              .set("std_cut_of_bound", model.cut_of_bound)
-                              .set("held_out", std::move(held_out))));
+    models.push(Json::object()
+                    .set("name", model.name)
+                    .set("std_dph", model.std_dph)
+                    .set("drift_dph", model.drift_dph)
+                    .set("truth_error_rms_dph", model.truth_rms_dph)
+                    .set("std_cut", model.cut)
+                    .set("std_cut_of_bound", model.cut_of_bound)
+                    .set("held_out", std::move(held_out)));
   }
   Json result = Json::object();
   result.set("gyros", studies.size()).set("rows", first.run.segments.size());
@@ -187,13 +186,13 @@ Json paper_json(const std::vector<Study>& studies) {
   const FloorMedians floors = floors_of(studies);
   Json floors_held_out = Json::array();
   for (std::size_t i = 0; i < kHeldOutProfiles.size(); ++i) {
-    floors_held_out.push(std::move(Json::object()
-                                       .set("profile", kHeldOutProfiles[i])
-                                       .set("truth_error_rms_dph", floors.held_out_dph[i])));
+    floors_held_out.push(Json::object()
+                             .set("profile", kHeldOutProfiles[i])
+                             .set("truth_error_rms_dph", floors.held_out_dph[i]));
   }
-  result.set("noise_alone", std::move(Json::object()
-                                          .set("truth_error_rms_dph", floors.own_dph)
-                                          .set("held_out", std::move(floors_held_out))));
+  result.set("noise_alone", Json::object()
+                                .set("truth_error_rms_dph", floors.own_dph)
+                                .set("held_out", std::move(floors_held_out)));
   return result;
 }
 

@@ -183,8 +183,7 @@ int run_simulate(const Arguments& arguments) {
     if (truth) {
       summary.set("truth", truth_path);
     } else {
-      Json effects = Json::array();
-      for (const std::string& name : simulation.effect_names()) effects.push(name);
+      Json effects = Json(simulation.effect_names());
       summary.set("effects", effects);
     }
     std::puts(summary.text().c_str());

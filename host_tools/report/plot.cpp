@@ -57,10 +57,9 @@ Json plot_json(const Plot& plot) {
     if (!curve.sigma.empty()) one.set("sigma", rounded(curve.sigma, true));
     curves.push(std::move(one));
   }
-  Json levels = Json::array();
-  for (const Level& level : plot.levels) {
-    levels.push(std::move(Json::object().set("label", level.label).set("y", level.y)));
-  }
+  Json levels = json_array(plot.levels, [&](const Level& level) {
+    return Json::object().set("label", level.label).set("y", level.y);
+  });
   Json json = Json::object();
   json.set("kind", name_of(plot.kind)).set("group", plot.group);
   json.set("x_label", plot.x_label).set("y_label", plot.y_label);

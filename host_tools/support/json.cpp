@@ -35,10 +35,15 @@ void print_string(const std::string& value, std::string& out) {
 }  // namespace
 
 Json::Json(const std::vector<double>& values) : value_(Array(values.begin(), values.end())) {}
+Json::Json(const std::vector<std::string>& values) : value_(Array(values.begin(), values.end())) {}
 
-Json& Json::set(std::string key, Json member) {
+Json& Json::set(std::string key, Json member) & {
   std::get<Object>(value_).emplace_back(std::move(key), std::move(member));
   return *this;
+}
+
+Json&& Json::set(std::string key, Json member) && {
+  return std::move(set(std::move(key), std::move(member)));
 }
 
 std::string Json::text() const {

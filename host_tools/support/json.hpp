@@ -25,6 +25,7 @@ class Json {
   Json(const char* value) : value_(std::string(value)) {}
   Json(std::string value) : value_(std::move(value)) {}
   Json(const std::vector<double>& values);
+  Json(const std::vector<std::string>& values);
   Json(const std::optional<double>& value) : Json(value ? Json(*value) : Json()) {}
 
   static Json array() { return Json(Array{}); }
@@ -33,7 +34,8 @@ class Json {
   /// Appends to an array.
   void push(Json element) { std::get<Array>(value_).push_back(std::move(element)); }
   /// Appends a member to an object and returns the object, so that calls can be chained.
-  Json& set(std::string key, Json member);
+  Json& set(std::string key, Json member) &;
+  Json&& set(std::string key, Json member) &&;
 
   /// One line, no spaces; doubles in the shortest form that reads back to the same bits.
   std::string text() const;
@@ -49,5 +51,13 @@ class Json {
   std::variant<std::nullptr_t, bool, double, std::int64_t, std::string, Array, Object> value_{
       nullptr};
 };
+
+/// What `json_of` makes of each element.
+template <class Elements, class JsonOf>
+Json json_array(const Elements& elements, const JsonOf& json_of) {
+  Json array = Json::array();
+  for (const auto& element : elements) array.push(json_of(element));
+  return array;
+}
 
 }  // namespace fogcomp
