@@ -13,7 +13,7 @@
 #include "model/catalogue.hpp"
 #include "simulation/embedded_files.hpp"
 #include "simulation/profile_parser.hpp"
-#include "simulation/simulation.hpp"
+#include "simulation/simulated_recording.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -54,22 +54,8 @@ Recording simulated(const std::string& profile, double row_s) {
   options.earth.latitude_deg = kLatitude_deg;
   options.grid.axial_cells = 1;  // what the sensor reads, the rows' only temperature, needs no more
   Simulation run(gyro, programme, options);
-  Recording recording;
+  Recording recording = record(run, row_s).recording;
   recording.file = profile;
-  recording.period_s = row_s;
-  for (RowChunk chunk; run.next(chunk);) {
-    const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
-      to.insert(to.end(), from.begin(), from.end());
-    };
-    append(recording.time_s, chunk.time_s);
-    append(recording.temperature_degc, chunk.temperature_degc);
-    append(recording.temperature2_degc, chunk.temperature2_degc);
-    append(recording.input_rate_dph, chunk.input_rate_dph);
-    append(recording.magnetic_ut, chunk.magnetic_ut);
-    append(recording.light_power_uw, chunk.light_power_uw);
-    append(recording.supply_v, chunk.supply_v);
-    append(recording.vibration_grms, chunk.vibration_grms);
-  }
   recording.rate_dph.assign(recording.time_s.size(), 0);
   return recording;
 }

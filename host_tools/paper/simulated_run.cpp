@@ -1,12 +1,13 @@
 #include "paper/simulated_run.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "dataset/recording.hpp"
 #include "evaluation/noise_floor.hpp"
 #include "simulation/embedded_files.hpp"
 #include "simulation/profile_parser.hpp"
-#include "simulation/simulation.hpp"
+#include "simulation/simulated_recording.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp {
@@ -16,33 +17,21 @@ using namespace simulation;
 
 constexpr double kSampleRateHz = 1;
 
-struct Samples {
-  Recording recording;
-  std::vector<std::vector<double>> effects_dph;  // one series each
-};
-
-Samples simulate(const GyroDescription& gyro, const Programme& programme, std::uint64_t seed) {
+SimulatedRecording simulate(const GyroDescription& gyro, const Programme& programme,
+                            std::uint64_t seed) {
   SimulationOptions options;
   options.rate_hz = kSampleRateHz;
   options.seed = seed;
   Simulation run(gyro, programme, options);
-  Samples samples;
-  samples.effects_dph.resize(run.effect_names().size());
-  Recording& recording = samples.recording;
-  recording.period_s = 1 / kSampleRateHz;
-  recording.stretch_starts = {0};
-  RowChunk chunk;
-  const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
-  while (run.next(chunk)) {
-    append(recording.time_s, chunk.time_s);
-    append(recording.temperature_degc, chunk.temperature_degc);
-    append(recording.rate_dph, chunk.rate_dph);
-    for (std::size_t i = 0; i < samples.effects_dph.size(); ++i) {
-      append(samples.effects_dph[i], chunk.effects_dph[i]);
-    }
-  }
+  SimulatedRecording samples = record(run, 1 / kSampleRateHz);
+  // Further inputs were not recorded.
+  Recording plain;
+  plain.period_s = samples.recording.period_s;
+  plain.stretch_starts = samples.recording.stretch_starts;
+  plain.time_s = std::move(samples.recording.time_s);
+  plain.temperature_degc = std::move(samples.recording.temperature_degc);
+  plain.rate_dph = std::move(samples.recording.rate_dph);
+  samples.recording = std::move(plain);
   return samples;
 }
 
@@ -75,7 +64,7 @@ SimulatedRun simulate_run(const std::string& profile, std::uint64_t seed, const 
   apply_preset(gyro, find_text("paper", ready_made_presets(), "preset"), "paper");
   const Programme programme =
       parse_profile(find_text(profile, ready_made_profiles(), "profile"), profile, seed);
-  Samples samples = simulate(gyro, programme, seed);
+  SimulatedRecording samples = simulate(gyro, programme, seed);
   samples.recording.file = profile;
 
   SimulatedRun run{SignalSeries(settings), {}, {}, 0, {}};

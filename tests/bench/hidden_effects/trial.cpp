@@ -1,8 +1,10 @@
 #include "trial.hpp"
 
+#include <utility>
+
 #include "simulation/embedded_files.hpp"
 #include "simulation/profile_parser.hpp"
-#include "simulation/simulation.hpp"
+#include "simulation/simulated_recording.hpp"
 
 namespace fogcomp::bench {
 namespace {
@@ -28,10 +30,6 @@ GyroDescription natural_gyro(const CasePlan& plan) {
   return gyro;
 }
 
-void append(std::vector<double>& all, const std::vector<double>& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 }  // namespace
 
 TrialRun simulate_trial(const CasePlan& plan, const PlannedRun& run) {
@@ -43,29 +41,10 @@ TrialRun simulate_trial(const CasePlan& plan, const PlannedRun& run) {
       find_text(run.programme, ready_made_profiles(), "profile"), run.programme, run.seed);
   Simulation simulation(gyro, programme, options);
 
-  TrialRun trial;
-  trial.effects = simulation.effect_names();
-  trial.contributions_dph.resize(trial.effects.size());
-  Recording& recording = trial.recording;
-  recording.file = run.name;
-  recording.period_s = 1 / options.rate_hz;
-  RowChunk chunk;
-  while (simulation.next(chunk)) {
-    append(recording.time_s, chunk.time_s);
-    append(recording.temperature_degc, chunk.temperature_degc);
-    append(recording.rate_dph, chunk.rate_dph);
-    append(recording.input_rate_dph, chunk.input_rate_dph);
-    append(recording.temperature2_degc, chunk.temperature2_degc);
-    append(recording.magnetic_ut, chunk.magnetic_ut);
-    append(recording.light_power_uw, chunk.light_power_uw);
-    append(recording.supply_v, chunk.supply_v);
-    append(recording.vibration_grms, chunk.vibration_grms);
-    for (std::size_t i = 0; i < trial.effects.size(); ++i) {
-      append(trial.contributions_dph[i], chunk.effects_dph[i]);
-    }
-  }
-  recording.stretch_starts = {0};
-  return trial;
+  SimulatedRecording recorded = record(simulation, 1 / options.rate_hz);
+  recorded.recording.file = run.name;
+  return {std::move(recorded.recording), simulation.effect_names(),
+          std::move(recorded.effects_dph)};
 }
 
 }  // namespace fogcomp::bench

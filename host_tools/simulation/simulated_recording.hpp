@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "dataset/recording.hpp"
+#include "simulation/simulation.hpp"
+
+namespace fogcomp::simulation {
+
+/// What a gyro on a chamber programme would have sent, and what made it so.
+struct SimulatedRecording {
+  Recording recording;  ///< every column, one stretch
+  /// One series per Simulation::effect_names(), deg/h, as long as the recording.
+  std::vector<std::vector<double>> effects_dph;
+};
+
+/// Runs the simulation to its end. `period_s`: of its rows.
+SimulatedRecording record(Simulation& simulation, double period_s);
+
+}  // namespace fogcomp::simulation
