@@ -45,7 +45,7 @@ class ShapeMaker {
       if (part.visible[i] < kLeastVisible) continue;
       part.columns.col(kept++) = part.columns.col(i);
     }
-    return Candidate::Shape{term, orthonormal(part.columns.leftCols(kept), kRank)};
+    return Candidate::Shape{term, orthonormal(part.columns.leftCols(kept), kRank), 0};
   }
 
  private:
@@ -148,6 +148,16 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const EffectTer
   return shapes;
 }
 
+std::optional<Candidate::Shape> step_shape(const Rows& rows, const ToVisible& to_visible,
+                                           std::size_t row) {
+  VisiblePart part = to_visible(step_column(rows, row));
+  if (part.visible[0] < kLeastVisible) return std::nullopt;
+  EffectTerm term = parse_effects(kBiasStep)[0];
+  term.parameters[0] = rows.time_s[row];
+  term.identified[0] = false;
+  return Candidate::Shape{term, part.columns.colwise().normalized(), row};
+}
+
 // An event has a moment, not a shape: a step at evenly spaced times of each recording.
 std::vector<Candidate::Shape> step_shapes(const Rows& rows, const ToVisible& to_visible) {
   std::vector<Candidate::Shape> shapes;
@@ -155,15 +165,38 @@ std::vector<Candidate::Shape> step_shapes(const Rows& rows, const ToVisible& to_
     for (int i = 1; i < kStepsPerRun; ++i) {
       const std::size_t at = run.first + run.size() * static_cast<std::size_t>(i) / kStepsPerRun;
       if (at <= run.first || at >= run.end) continue;
-      VisiblePart part = to_visible(step_column(rows, at));
-      if (part.visible[0] < kLeastVisible) continue;
-      EffectTerm term = parse_effects(kBiasStep)[0];
-      term.parameters[0] = rows.time_s[at];
-      term.identified[0] = false;
-      shapes.push_back({term, part.columns.colwise().normalized()});
+      auto shape = step_shape(rows, to_visible, at);
+      if (shape) shapes.push_back(std::move(*shape));
     }
   }
   return shapes;
+}
+
+// Moves each of the best few steps to the row near it from which on it explains most.
+void move_steps(const Rows& rows, const ToVisible& to_visible,
+                std::vector<Candidate::Shape>& shapes, const Eigen::VectorXd& residual) {
+  constexpr std::size_t kBestSteps = 4;
+  const auto more = [&](const Candidate::Shape& a, const Candidate::Shape& b) {
+    return gain_of(a, residual) > gain_of(b, residual);
+  };
+  const std::size_t count = std::min(kBestSteps, shapes.size());
+  std::partial_sort(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(count),
+                    shapes.end(), more);
+  for (std::size_t i = 0; i < count; ++i) {
+    Candidate::Shape& shape = shapes[i];
+    const std::vector<RowRange> runs = rows.runs();
+    const RowRange run = *std::find_if(runs.begin(), runs.end(),
+                                       [&](const RowRange& one) { return shape.row < one.end; });
+    for (std::size_t away = run.size() / kStepsPerRun / 2; away > 0; away /= 2) {
+      for (const std::size_t row : {shape.row - away, shape.row + away}) {
+        if (row <= run.first || row >= run.end) continue;
+        auto tried = step_shape(rows, to_visible, row);
+        if (!tried || !more(*tried, shape)) continue;
+        shape = std::move(*tried);
+        break;
+      }
+    }
+  }
 }
 
 std::string missing_input(const CatalogueEntry& entry, fog::InputMask inputs) {
@@ -275,6 +308,10 @@ void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
       return term.name == candidates[i].effect;
     });
     if (gain[i] < needed || grown) continue;
+    if (candidates[i].effect == kBiasStep) {
+      move_steps(series.rows(), to_visible, candidates[i].shapes, residual);
+      continue;
+    }
     move_to_best({series, to_visible, 0}, candidates[i].shapes, best[i], residual);
   }
 }

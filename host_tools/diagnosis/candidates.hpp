@@ -14,6 +14,7 @@ struct Candidate {
   struct Shape {
     EffectTerm term;        ///< what would be added, or what the model's own would become
     Eigen::MatrixXd basis;  ///< rows x 1 or more, orthonormal: what that adds, whitened
+    std::size_t row = 0;    ///< of a bias step: from which on it is there
   };
   std::vector<Shape> shapes;  ///< at least one
 
