@@ -122,6 +122,32 @@ TEST(Diagnosis, CallsUnknownWhatNoEffectExplains) {
   EXPECT_NEAR(diagnosis.fast.line_period_s, 2 * M_PI * 290, 60);
 }
 
+TEST(Diagnosis, FindsTheMomentOfABiasStep) {
+  for (const double step_s : {6005.0, 14555.0}) {  // in ramps
+    fogcomp::Recording recording = recording_with({}, 3);
+    for (std::size_t row = 0; row < recording.rows(); ++row) {
+      if (recording.time_s[row] >= step_s) recording.rate_dph[row] += 0.05;
+    }
+    const Diagnosis diagnosis = diagnosed(kBasic, recording);
+    ASSERT_EQ(diagnosis.effect, "bias_step") << step_s;
+    EXPECT_NEAR(diagnosis.find("bias_step")->term().parameters[0], step_s, 120);
+    EXPECT_LT(diagnosis.unexplained_fraction, 0.02);
+  }
+}
+
+TEST(Diagnosis, CallsJumpsBetweenTwoLevelsUnknown) {
+  fogcomp::Recording recording = recording_with({}, 4);
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    // Uneven, as of a telegraph signal: some of its periods are a third of others.
+    const double turn = recording.time_s[row] / 1500;
+    if (std::sin(turn) + std::sin(turn * std::sqrt(5.0)) > 0) recording.rate_dph[row] += 0.06;
+  }
+  const Diagnosis diagnosis = diagnosed(kBasic, recording);
+  EXPECT_EQ(diagnosis.verdict, Verdict::unknown);
+  EXPECT_EQ(diagnosis.fast_kind, fogcomp::FastKind::two_levels);
+  EXPECT_NEAR(diagnosis.jumps.height_dph, 0.06, 0.015);
+}
+
 TEST(Diagnosis, SaysWhatARunCannotShow) {
   const Diagnosis diagnosis = diagnosed(kBasic, recording_with({}, 1));
   const auto magnetic =
