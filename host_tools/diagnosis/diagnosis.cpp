@@ -23,7 +23,7 @@ namespace fogcomp {
 namespace {
 
 // Chances that noise alone is called a fault. Small, because no gyro is quite what its noise and
-// its model say: of faultless simulated ones, 20 times as many are beyond them as of noise.
+// its model say: at a chance of 1 % every twentieth faultless simulated gyro was beyond it.
 const double kLibraryLogP = std::log(0.0001);
 const double kStructureLogP = std::log(0.0005);
 const double kFastLogP = std::log(0.0005);
