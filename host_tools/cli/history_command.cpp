@@ -32,7 +32,7 @@ Json step_json(const HistoryEntry& step) {
 }
 
 void print_json(const Model& model, const std::string& file) {
-  Json steps = json_array(model.history, [&](const HistoryEntry& step) { return step_json(step); });
+  Json steps = json_array(model.history, step_json);
   Json result = Json::object();
   result.set("model", file).set("average_s", model.average_s).set("steps", std::move(steps));
   std::puts(result.text().c_str());

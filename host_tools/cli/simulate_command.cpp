@@ -183,8 +183,7 @@ int run_simulate(const Arguments& arguments) {
     if (truth) {
       summary.set("truth", truth_path);
     } else {
-      Json effects = Json(simulation.effect_names());
-      summary.set("effects", effects);
+      summary.set("effects", simulation.effect_names());
     }
     std::puts(summary.text().c_str());
   } else {

@@ -182,9 +182,9 @@ void move_steps(const Rows& rows, const ToVisible& to_visible,
   const std::size_t count = std::min(kBestSteps, shapes.size());
   std::partial_sort(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(count),
                     shapes.end(), more);
+  const std::vector<RowRange> runs = rows.runs();
   for (std::size_t i = 0; i < count; ++i) {
     Candidate::Shape& shape = shapes[i];
-    const std::vector<RowRange> runs = rows.runs();
     const RowRange run = *std::find_if(runs.begin(), runs.end(),
                                        [&](const RowRange& one) { return shape.row < one.end; });
     for (std::size_t away = run.size() / kStepsPerRun / 2; away > 0; away /= 2) {

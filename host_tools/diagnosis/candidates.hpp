@@ -56,7 +56,8 @@ CandidateList find_candidates(const SignalSeries& series, const std::vector<Effe
 /// `residual`, within its cell of the layout: otherwise of two effects that can say the same the
 /// one wins whose layout happens to have a place nearer to the truth. Only where so much is
 /// explained (chi^2 of 100) that no test against noise is in question: there every shape must be
-/// one that noise is tried with too. Not for effects that `terms` have and that could grow.
+/// one that noise is tried with too. Of bias steps the best few, to the row. Not for effects that
+/// `terms` have and that could grow.
 void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
              const std::vector<EffectTerm>& terms, const ToVisible& to_visible,
              const Eigen::VectorXd& residual);
