@@ -168,9 +168,8 @@ Command add_command() {
   command.positionals = "MODEL {EFFECT[:k=v] | --effect-expr ...} RUN...";
   command.least_positionals = 2;
   command.most_positionals = kAnyNumber;
-  command.summary = "adds an effect, refits everything, keeps it if it helps out of sample";
-  command.example =
-      "fogcomp add gyro.model thermal_lag run.csv --holdout reversed.csv -o better.model";
+  command.summary = "adds an effect, refits all, keeps it if it helps out of sample";
+  command.example = "fogcomp add gyro.model thermal_lag run.csv -o better.model";
   command.options = {
       {"o", "MODEL", "model file to write", ""},
       {kExpression, "EXPR",

@@ -276,18 +276,16 @@ Command batch_command() {
   command.name = "batch";
   command.positionals = "DIR";
   command.least_positionals = command.most_positionals = 1;
-  command.summary = "fit, compare, export for every gyro of a folder; one table, one page";
-  command.example =
-      "fogcomp batch gyros -o results --effects bias,temperature_rate --limits limits.txt";
+  command.summary = "fit, compare, export for every gyro of a folder; one table and page";
+  command.example = "fogcomp batch gyros -o results --effects bias,temperature_rate";
   command.options = {
-      {"o", "OUT", "folder for results: SERIAL/{SERIAL.model,fog_model.h}, gyros.csv, index.html",
-       ""},
+      {"o", "OUT", "results: gyros.csv, index.html, a folder a gyro", ""},
       {"runs", "PATTERN", "recordings in DIR/SERIAL/", "*.csv"},
-      {"holdouts", "PATTERN", "those of them that the fit does not see, to judge by", "holdout*"},
-      {"limits", "FILE", "lines such as holdout_drift_dph <= 0.01; columns of gyros.csv", ""},
-      {"jobs", "N", "gyros at a time, a process each (default: one per processor)", ""},
+      {"holdouts", "PATTERN", "those of them that judge, unseen by the fit", "holdout*"},
+      {"limits", "FILE", "lines such as holdout_drift_dph <= 0.01", ""},
+      {"jobs", "N", "gyros at a time (default: one per processor)", ""},
       {"time-limit", "S", "ends a gyro that takes longer; 0: none", "0"},
-      {"shard", "I/N", "only every N-th gyro, from the I-th on; without table and page", ""},
+      {"shard", "I/N", "only every N-th gyro, from the I-th on; no table", ""},
       {"merge", "", "only table and page, of what is calibrated", ""},
       {"reports", "", "a page of plots for every gyro too (needs hold-outs)", ""},
       {"json", "", "one JSON object on stdout", ""},

@@ -9,16 +9,17 @@ namespace fogcomp::cli {
 namespace {
 
 constexpr std::size_t kLeftColumn = 22;
-constexpr std::size_t kMostColumns = 100;
+constexpr std::size_t kMostColumns = 80;
 
-// Words in lines of at most kMostColumns, all but the first indented.
-std::string wrapped(const std::string& text, std::size_t indent) {
+// Words in lines of at most kMostColumns, the first of which begins at `column`; the others are
+// indented, after `end` of the line before.
+std::string wrapped(const std::string& text, std::size_t column, std::size_t indent,
+                    const std::string& end = "") {
   std::string lines;
-  std::size_t column = indent;
   for (const std::string& word : split(text, ' ')) {
-    if (column + word.size() > kMostColumns && column > indent) {
-      lines.back() = '\n';
-      lines += std::string(indent, ' ');
+    if (column + word.size() + end.size() > kMostColumns && column > indent) {
+      lines.pop_back();
+      lines += end + "\n" + std::string(indent, ' ');
       column = indent;
     }
     lines += word + " ";
@@ -39,7 +40,7 @@ std::string option_text(const Option& option) {
   } else {
     left += "\n" + std::string(indent, ' ');
   }
-  return left + wrapped(right, indent) + "\n";
+  return left + wrapped(right, indent, indent) + "\n";
 }
 
 }  // namespace
@@ -74,7 +75,7 @@ std::string dashed(const std::string& option_name) {
 }
 
 std::string help_text(const Command& command, bool complete) {
-  std::string text = "fogcomp " + command.name + " - " + command.summary + "\n\n";
+  std::string text = wrapped("fogcomp " + command.name + " - " + command.summary, 0, 4) + "\n\n";
   text += "usage: fogcomp " + command.name +
           (command.positionals.empty() ? "" : " " + command.positionals) + " [options]\n\n";
   std::string further;
@@ -86,9 +87,10 @@ std::string help_text(const Command& command, bool complete) {
     }
   }
   if (!further.empty()) {
-    text += "  " + wrapped("more (fogcomp help " + command.name + "):" + further, 4) + "\n";
+    text += "  " + wrapped("more (fogcomp help " + command.name + "):" + further, 2, 4) + "\n";
   }
-  text += "\nexample: " + command.example + "\n";
+  const std::string example = "example: ";
+  text += "\n" + example + wrapped(command.example, example.size(), 4, " \\") + "\n";
   return text;
 }
 

@@ -64,7 +64,7 @@ Command compare_command() {
   command.positionals = "MODEL RUN...";
   command.least_positionals = 2;
   command.most_positionals = kAnyNumber;
-  command.summary = "models against measurement: what is left, on what it depends, per segment";
+  command.summary = "models against measurement: what is left, where, on what it depends";
   command.example = "fogcomp compare gyro.model run.csv --model other.model";
   command.options = {
       {"model", "MODEL", "a further model beside the first; may be repeated", "", true},

@@ -142,9 +142,8 @@ Command denoise_command() {
   command.name = "denoise";
   command.positionals = "RUN";
   command.least_positionals = command.most_positionals = 1;
-  command.summary =
-      "a recording without its noise and outliers (offline: wavelet, lifting or Kalman)";
-  command.example = "fogcomp denoise run.csv -o denoised.csv --threshold heursure --mode soft";
+  command.summary = "a recording without noise and outliers: wavelet, lifting or Kalman";
+  command.example = "fogcomp denoise run.csv -o denoised.csv --threshold rigrsure";
   command.options = {{"o", "OUT", "recording to write", ""},
                      {"json", "", "one JSON object on stdout", ""}};
   for (Option& option : denoise_options()) command.options.push_back(std::move(option));

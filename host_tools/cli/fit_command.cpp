@@ -177,8 +177,7 @@ Command fit_command() {
   command.least_positionals = 1;
   command.most_positionals = kAnyNumber;
   command.summary = "identifies the effects, then trains the network on what they leave";
-  command.example =
-      "fogcomp fit run.csv -o gyro.model --effects bias,bias_temperature,temperature_rate";
+  command.example = "fogcomp fit run.csv -o gyro.model --effects bias,temperature_rate";
   command.options = {{"o", "MODEL", "model file to write", ""}};
   for (Option& option : fit_options()) command.options.push_back(std::move(option));
   command.options.push_back(report_option());

@@ -97,14 +97,13 @@ std::vector<Option> fit_options() {
   std::vector<std::string> row_rules = threshold_rule_names();
   row_rules.emplace_back("none");
   std::vector<Option> options{
-      {"effects", "LIST", "a,b:p=value,c:p=?[1,9] (? identifies p; fogcomp effects lists them)", "",
-       false, effect_names()},
-      {"effect-expr", "EXPR",
-       "a term of your own: 'burst = T*T*dTdt', 'late = lag(T,?tau[60,900]) - T'", "", true},
-      {"model", "NAME", "a usual one instead of --effects and --network: " + fit_model_list(), "",
-       false, fit_model_names()},
+      {"effects", "LIST", "NAME,NAME:p=VALUE,...; ? for a value: identified", "", false,
+       effect_names()},
+      {"effect-expr", "EXPR", "a term of your own: 'late = lag(T,?tau[60,900]) - T'", "", true},
+      {"model", "NAME", "instead of --effects, --network; a board runs each: " + fit_model_list(),
+       "", false, fit_model_names()},
       {"average", "S", "rows of the fit, seconds", "10"},
-      {"run-offsets", "", "every recording has a bias of its own; the model keeps the first's", ""},
+      {"run-offsets", "", "a bias for each recording; the model keeps the first", ""},
   };
   for (Option& option : training_options()) options.push_back(std::move(option));
   for (Option& option : rarely({

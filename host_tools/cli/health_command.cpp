@@ -97,8 +97,7 @@ Command health_command() {
   command.name = "health";
   command.positionals = "PORT";
   command.least_positionals = command.most_positionals = 1;
-  command.summary =
-      "asks a board what its built-in tests have found; exit code 1 if it is not healthy";
+  command.summary = "what a board's built-in tests have found; exit code 1: not healthy";
   command.example = "fogcomp health /dev/ttyUSB0";
   command.options = {{"timeout", "S", "seconds to wait for an answer", "3"},
                      {"json", "", "print one JSON object", ""}};

@@ -122,7 +122,7 @@ Command info_command() {
   command.positionals = "RUN";
   command.least_positionals = 1;
   command.most_positionals = 1;
-  command.summary = "segments, noise floor, Allan deviation and sensitivities of a recording";
+  command.summary = "segments, noise, Allan deviation, sensitivities of a recording";
   command.example = "fogcomp info run.csv --latitude 40 --axis up";
   command.options = {average_option(), report_option(), {"json", "", "print one JSON object", ""}};
   add_recording_options(command);

@@ -67,7 +67,7 @@ Command paper_command() {
   const std::string names = join(model_names(), ", ");
   Command command;
   command.name = "paper";
-  command.summary = "the reference paper's pipeline on simulated gyros, its tables beside ours";
+  command.summary = "the reference paper's pipeline on simulated gyros, tables compared";
   command.example = "fogcomp paper --gyros 10 --figures figures";
   command.options = {
       {"gyros", "N", "how many, with seeds from --seed on; tables show the first", "1"},

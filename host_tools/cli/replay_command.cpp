@@ -104,7 +104,7 @@ Command replay_command() {
   command.name = "replay";
   command.positionals = "MODEL|HEADER RUN";
   command.least_positionals = command.most_positionals = 2;
-  command.summary = "the firmware's own code on this computer, byte for byte what the board sends";
+  command.summary = "the firmware's own code here, byte for byte what the board sends";
   command.example = "fogcomp replay fog_model.h run.csv -o out.bin";
   command.options = {{"o", "OUT", "output stream to write", ""},
                      {"json", "", "one JSON object on stdout", ""}};

@@ -198,16 +198,16 @@ int run_simulate(const Arguments& arguments) {
 Command simulate_command() {
   Command command;
   command.name = "simulate";
-  command.summary = "makes the recording of a gyro in a thermal chamber from first principles";
-  command.example = "fogcomp simulate -o run.csv --profile paper --effect shupe:peak=0.03 --seed 7";
+  command.summary = "makes the recording of a gyro in a chamber from first principles";
+  command.example = "fogcomp simulate -o run.csv --effect shupe:peak=0.03 --seed 7";
   command.options = {
       {"o", "FILE", "recording to write", ""},
-      {"profile", "NAME|FILE", "chamber programme; --list shows the ready-made ones", "paper",
-       false, names_of(ready_made_profiles())},
-      {"preset", "NAME|FILE", "gyro: paper, tactical, navigation, or none (ideal)", "paper", false,
+      {"profile", "NAME|FILE", "chamber programme (--list)", "paper", false,
+       names_of(ready_made_profiles())},
+      {"preset", "NAME|FILE", "gyro; none: an ideal one (--list)", "paper", false,
        names_of(ready_made_presets())},
-      {"rate", "HZ", "rows per second, 0.01 to 1000; a row is the mean over its period", "0.1"},
-      {"effect", "NAME[:k=v,...]", "switches an effect on, or changes it or a part of the gyro", "",
+      {"rate", "HZ", "0.01 to 1000; a row is the mean over its period", "0.1"},
+      {"effect", "NAME[:k=v,...]", "switches an effect on; changes it or a part of the gyro", "",
        true},
       {"without", "NAME", "switches off an effect of the preset", "", true},
       {"noise", "k=v,...|none", "changes the noise: white, flicker, ... (--list)", "", true},
@@ -215,8 +215,8 @@ Command simulate_command() {
       {"latitude", "DEG", "adds the Earth's rate; without it, it counts as removed", ""},
       {"axis", "DIRECTION", "of the sensitive axis, where the profile sets none", "up", false,
        kAxes},
-      {"columns", "NAME,...", "further columns: temperature2, magnetic, light_power, ..., all", ""},
-      {"hide", "FILE", "writes effects, parameters and contributions there, and only there", ""},
+      {"columns", "NAME,...", "further columns: temperature2, light_power, ..., all", ""},
+      {"hide", "FILE", "writes the truth there: every effect's share", ""},
       {"format",
        "csv|stream",
        "CSV, or the sensor stream that the board reads",

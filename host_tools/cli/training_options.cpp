@@ -26,9 +26,9 @@ std::vector<Option> training_options() {
   std::vector<Option> options{
       {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
       {"trainer", "NAME", trainer_help(), "lm", false, trainer_names()},
-      {"seed", "N", "of all that training draws", "1"},
   };
   for (Option& option : rarely({
+           {"seed", "N", "of all that training draws", "1"},
            {"activation",
             "NAME",
             "of the hidden neurons: logsig or tansig",

@@ -8,8 +8,8 @@ namespace fogcomp {
 
 const std::vector<Trainer>& trainers() {
   static const std::vector<Trainer> all{
-      {"lm", "Levenberg-Marquardt, Bayesian regularisation", train_levenberg_marquardt},
-      {"traingdx", "gradient descent, momentum, adaptive rate", train_gradient_descent},
+      {"lm", "Levenberg-Marquardt, Bayesian", train_levenberg_marquardt},
+      {"traingdx", "gradient descent", train_gradient_descent},
       {"pso-bp", "particle swarm, then traingdx", train_particle_swarm},
       {"ga-bp", "genetic algorithm, then traingdx", train_genetic},
   };

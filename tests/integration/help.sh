@@ -14,10 +14,11 @@ PATH=$PWD/bin:$PATH
 mapfile -t commands < <(fogcomp --help | sed -nE 's/^  ([a-z]+) .*/\1/p')
 ((${#commands[@]} > 10)) || fail "commands: ${commands[*]}"
 fogcomp man >fogcomp.1
+(($(fogcomp --help | wc -L) <= 80)) || fail "--help is $(fogcomp --help | wc -L) columns wide"
 for command in "${commands[@]}"; do
   fogcomp "$command" --help >short
   (($(wc -l <short) <= 24)) || fail "$command --help has $(wc -l <short) lines"
-  (($(wc -L <short) <= 100)) || fail "$command --help is $(wc -L <short) columns wide"
+  (($(wc -L <short) <= 80)) || fail "$command --help is $(wc -L <short) columns wide"
   (($(grep -c '^example: ' short) == 1)) || fail "$command --help has no example"
   fogcomp help "$command" >long
   # Every option has its entry in the manual, and at least its name on the screen.
@@ -51,7 +52,7 @@ mkdir files
 )
 for command in "${commands[@]}"; do
   [[ $command != paper && $command != health ]] || continue # minutes: json_output.sh runs it with less to do; needs a board
-  example=$(fogcomp "$command" --help | sed -n 's/^example: //p')
+  example=$(fogcomp "$command" --help | sed -n '/^example: /,$ { s/^example: //; p; }')
   rm -rf here
   cp -r files here
   status=0
