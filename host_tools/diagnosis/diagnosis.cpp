@@ -33,6 +33,7 @@ constexpr double kConfusable = 0.05;  // and from which an effect is among those
 // Of the excess, by one, two, three effects: what leaves more than that does not explain it.
 // Several effects together imitate a good deal of what is none of them.
 constexpr std::array<double, 3> kUnexplained{0.1, 0.06, 0.05};
+constexpr double kPossible = 9;          // fall of chi^2 by which a shape is not the best
 constexpr double kLeftoverLogP = -7;     // that what is left over is noise
 constexpr Eigen::Index kLeastRows = 60;  // for any opinion
 constexpr double kEnoughFreedom = 12;    // of the noise: from soaks alone
@@ -315,6 +316,11 @@ class Diagnoser {
       finding.explained_fraction =
           excess > 0 ? std::clamp((best.gain - static_cast<double>(range.count)) / excess, 0.0, 1.0)
                      : 0;
+      const double all_but = best.gain - kPossible * (1 + kModelFormTolerance * best.gain);
+      for (std::size_t s = 0; s < library_[i].size(); ++s) {
+        if (s != shape && space.gain({library_[i][s]}) < all_but) continue;
+        finding.possible.push_back(candidates_[i].shapes[s].term);
+      }
       std::vector<EffectTerm> terms = fit_.terms;
       put(terms, candidates_[i].shapes[shape].term);
       Refit completed = refit(std::move(terms), data_.series(), fit_);
@@ -416,7 +422,8 @@ class Diagnoser {
         event = true;
         continue;
       }
-      rivals.push_back({effect, result_.find(effect)->completed});
+      const CandidateFinding& finding = *result_.find(effect);
+      rivals.push_back({effect, finding.completed, finding.possible});
     }
     if (rivals.size() > 1) return propose_experiment(model_, rivals, fit_.noise);
     Experiment repeat;

@@ -30,10 +30,11 @@ struct CandidateFinding {
   std::string effect;
   /// The model with it: refitted terms with coefficients, this effect the last of them.
   std::vector<EffectTerm> completed;
-  double explained_fraction = 0;  ///< of what the model leaves above the noise, 0..1
-  double rms_after_dph = 0;       ///< rms of a row, this effect added and all refitted
-  double evidence = 0;            ///< ln of the odds against "nothing is missing"
-  double probability = 0;         ///< that this effect is among those that are missing
+  std::vector<EffectTerm> possible;  ///< its shapes that explain about as much as the best
+  double explained_fraction = 0;     ///< of what the model leaves above the noise, 0..1
+  double rms_after_dph = 0;          ///< rms of a row, this effect added and all refitted
+  double evidence = 0;               ///< ln of the odds against "nothing is missing"
+  double probability = 0;            ///< that this effect is among those that are missing
 
   const EffectTerm& term() const { return completed.back(); }
   bool is_expression() const { return term().expression.has_value(); }

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "dataset/input_columns.hpp"
+#include "diagnosis/hypotheses.hpp"
 #include "identification/least_squares.hpp"
 #include "identification/noise_weighted_fit.hpp"
-#include "identification/shape_search.hpp"
 #include "identification/signal_series.hpp"
 #include "identification/whitening.hpp"
 #include "model/catalogue.hpp"
@@ -19,8 +19,8 @@
 namespace fogcomp {
 namespace {
 
-// Separation below which a programme is not worth its chamber time.
-constexpr double kWorthwhile = 5;
+// Separation below which a programme is not worth its chamber time: odds of e^(3^2 / 2) = 90.
+constexpr double kWorthwhile = 3;
 constexpr double kLatitude_deg = 45;
 
 struct Choice {
@@ -28,13 +28,14 @@ struct Choice {
   fog::InputMask for_inputs;  // only where a rival needs one of these
   const char* what;
 };
-const std::array<Choice, 8> kMenu{{
+const std::array<Choice, 9> kMenu{{
     {"random_steps", 0, "random chamber steps at 3 degC/min"},
     {"heater_pulses", 0, "pulses of a heater on the spool"},
     {"minor_loops", 0, "minor temperature loops"},
     {"ramp_rates", 0, "ramps of several speeds"},
     {"power_cycles", 0, "restarts at several soaks"},
     {"reversed", 0, "the soak-and-ramp test the other way round"},
+    {"long_soak", bit_of(fog::Input::elapsed), "four days at one temperature"},
     {"axis_flips", bit_of(fog::Input::input_rate), "the axis turned over in every soak"},
     {"field_and_vibration",
      bit_of(fog::Input::magnetic) | bit_of(fog::Input::vibration) | bit_of(fog::Input::light_power),
@@ -60,21 +61,6 @@ Recording simulated(const std::string& profile, double row_s) {
   return recording;
 }
 
-// The term as fitted, and with its first shape parameter a little less and more.
-std::vector<EffectTerm> shapes_of(const EffectTerm& term) {
-  constexpr double kAside = 0.07;  // of the parameter's range
-  std::vector<EffectTerm> shapes{term};
-  const std::vector<ShapeParameter> parameters = shape_parameters({term});
-  if (parameters.empty()) return shapes;
-  const ShapeParameter& first = parameters[0];
-  const double unit = first.to_unit(term.parameters[first.index]);
-  for (const double place : {unit - kAside, unit + kAside}) {
-    shapes.push_back(term);
-    shapes.back().parameters[first.index] = first.from_unit(place);
-  }
-  return shapes;
-}
-
 class Trial {
  public:
   Trial(const Model& model, const Recording& recording, const NoiseModel& noise)
@@ -85,26 +71,31 @@ class Trial {
 
   double hours() const { return (longest_run_s(series_.rows()) + series_.rows().row_s) / 3600; }
 
-  // Standard deviations by which `truth` differs from the best that `imitator` can do.
+  // By how many standard deviations `truth` differs from the best that `imitator` can do: of noise,
+  // and of what a formula is allowed to be off. Many days of a faint difference tell nothing where
+  // neither formula is exact.
   double told(const Rival& truth, const Rival& imitator) const {
     const Eigen::VectorXd signal = whitening_->apply(series_.drift_dph(truth.terms));
-    double least = HUGE_VAL;
-    const EffectTerm& own = imitator.terms.back();
     std::vector<Eigen::MatrixXd> base;
     for (std::size_t i = 0; i + 1 < imitator.terms.size(); ++i) {
       base.push_back(series_.regressors(imitator.terms[i]));
     }
-    for (const EffectTerm& shape : shapes_of(own)) {
+    const double visible = left_by(base, signal);
+    double least = visible;
+    for (const EffectTerm& shape : imitator.shapes) {
       std::vector<Eigen::MatrixXd> parts = base;
       parts.push_back(series_.regressors(shape));
-      const Eigen::MatrixXd columns = side_by_side(parts, series_.rows().size());
-      const LinearFit fit = solve_linear(whitening_->apply(columns), signal);
-      least = std::min(least, fit.residual.norm());
+      least = std::min(least, left_by(parts, signal));
     }
-    return least;
+    return least / std::sqrt(1 + kModelFormTolerance * visible * visible);
   }
 
  private:
+  double left_by(const std::vector<Eigen::MatrixXd>& parts, const Eigen::VectorXd& signal) const {
+    const Eigen::MatrixXd columns = side_by_side(parts, series_.rows().size());
+    return solve_linear(whitening_->apply(columns), signal).residual.norm();
+  }
+
   Model model_;
   SignalSeries series_;
   std::optional<Whitening> whitening_;
@@ -150,9 +141,10 @@ Experiment propose_experiment(const Model& model, const std::vector<Rival>& riva
                                          : "");
     return best;
   }
-  best.sentence =
-      format("record `%s` (%s, %.0f h): there %s would differ by %.0f standard deviations",
-             best.profile.c_str(), what, best.hours, names.c_str(), best.separation);
+  best.sentence = format(
+      "record `%s` (%s, %.0f h): there %s would differ by %.0f standard deviations of "
+      "noise and of what formulas are off by",
+      best.profile.c_str(), what, best.hours, names.c_str(), best.separation);
   return best;
 }
 

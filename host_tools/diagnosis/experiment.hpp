@@ -17,16 +17,17 @@ struct Experiment {
   std::string sentence;   ///< for people
 };
 
-/// Rival completions of the same model: its terms with one effect more, all with coefficients.
+/// A rival completion of a model.
 struct Rival {
   std::string effect;
-  std::vector<EffectTerm> terms;
+  std::vector<EffectTerm> terms;   ///< with coefficients, the effect the last of them
+  std::vector<EffectTerm> shapes;  ///< of the effect, that the recordings leave possible
 };
 
 /// Simulates every programme of the menu (fast, reversed, minor loops, random steps, heater,
 /// restarts, axis flips...) for a typical gyro, and asks of each: if one rival is true as fitted,
-/// how much of it can the other not imitate there, with everything refitted? The programme whose
-/// least told pair of rivals is told best is proposed.
+/// how much of it can the other not imitate there, in any shape that is still possible and with
+/// everything refitted? The programme whose least told pair of rivals is told best is proposed.
 Experiment propose_experiment(const Model& model, const std::vector<Rival>& rivals,
                               const NoiseModel& noise);
 

@@ -41,6 +41,17 @@ awk -v last="$last" -v added="$added" 'BEGIN { exit !(last < 0.0275 && added >= 
 "$fogcomp" add shupe.model temperature_rate paper.csv -o better.model >/dev/null
 "$fogcomp" history better.model | grep -q 'add temperature_rate' || fail 'history'
 
+# What one run cannot tell apart, the test that is proposed can: an ageing looks like a slow warm-up for a day.
+ageing=(--preset none --effect bias --effect temperature_rate --effect aging:peak=0.03 --noise 'white=0.0015,flicker=0.001')
+"$fogcomp" simulate -o day.csv "${ageing[@]}" --seed 3 >/dev/null
+"$fogcomp" fit day.csv -o day.model --effects bias,bias_temperature,temperature_rate >/dev/null
+"$fogcomp" diagnose day.model day.csv --json >said.json
+grep -q '^{"verdict":"ambiguous","effect":null,"confusable":\["aging","warm_up"\],' said.json || fail 'ageing is told after a day'
+grep -q '"experiment_profile":"long_soak"' said.json || fail 'no long soak is proposed'
+"$fogcomp" simulate -o soak.csv "${ageing[@]}" --profile long_soak --seed 93 >/dev/null
+"$fogcomp" fit day.csv soak.csv -o both.model --effects bias,bias_temperature,temperature_rate >/dev/null
+"$fogcomp" diagnose both.model day.csv soak.csv | tee said.txt | grep -q '^missing effect: aging ' || fail "the soak tells: $(cat said.txt)"
+
 # A recording at rest gives the noise; rows of another length, and too few, are refused.
 "$fogcomp" simulate -o rest.csv --profile static --seed 8 >/dev/null
 "$fogcomp" diagnose shupe.model paper.csv --static rest.csv --json | grep -q '"effect":"temperature_rate"' ||

@@ -10,8 +10,11 @@ namespace fog::effects {
 /// power-on rather than carried as a state: nothing accumulates, and a restart of the thermal state
 /// does not warm the gyro up again.
 ///
-/// blocks / tau: the ratio has 31 fractional bits, 3.5e-5 of it at tau = 10^5 s, which changes the
-/// exponential by at most 1.3e-5. A tau shorter than a block counts as one block.
+/// tau ends at 5 h: what is slower is the housing's own temperature, which the sensor sees, and would
+/// pass for ageing.
+///
+/// blocks / tau: the ratio has 31 fractional bits, 6.3e-6 of it at the longest tau, which changes the
+/// exponential by at most 2.3e-6. A tau shorter than a block counts as one block.
 template <class N>
 class WarmUp {
  public:
@@ -25,7 +28,7 @@ class WarmUp {
       "IEEE Std 952, warm-up time; sizes are general knowledge of the field",
       bit_of(Input::elapsed)};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"tau", "s", 10000, 100000000, 1200000, false}}};
+      {{"tau", "s", 10000, 18000000, 1200000, false}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{{{"A", "deg/h", 0}}};
 
   static constexpr std::array<int, 1> constant_fractions{31};

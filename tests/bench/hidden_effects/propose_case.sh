@@ -16,7 +16,7 @@ if [[ ! $proposed ]]; then
 fi
 
 others=()
-for programme in paper reversed random_steps minor_loops ramp_rates power_cycles axis_flips rate_table heater_pulses field_and_vibration; do
+for programme in paper reversed random_steps minor_loops ramp_rates power_cycles axis_flips rate_table heater_pulses field_and_vibration long_soak; do
   [[ $programme == "$proposed" ]] || others+=("$programme")
 done
 drawn=${others[$(($(cksum <<<"$id" | cut -d' ' -f1) % ${#others[@]}))]}
