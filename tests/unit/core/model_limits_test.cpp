@@ -1,0 +1,345 @@
+// SPEC.md, "Model table", word by word: a table written by hand, every word of which arrives where
+// it belongs and is refused one beyond its limits.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/pipeline/model_parameters.hpp"
+
+namespace {
+
+using fog::ModelError;
+using fog::ModelParameters;
+
+constexpr std::int32_t kOneDegree = 65536;
+constexpr std::int32_t kHalf = 1 << 30;
+constexpr std::int32_t kSynthesisHalf = 1 << 14;
+
+std::int32_t halves(std::int32_t upper, std::int32_t lower) {
+  return static_cast<std::int32_t>((static_cast<std::uint32_t>(upper) << 16U) |
+                                   (static_cast<std::uint32_t>(lower) & 0xFFFFU));
+}
+
+/// Words with names. read() puts in how many there are, and the CRC.
+class Table {
+ public:
+  Table& put(const std::string& name, std::int32_t value) {
+    at_[name] = words_.size();
+    words_.push_back(value);
+    return *this;
+  }
+  std::int32_t& operator[](const std::string& name) { return words_.at(at_.at(name)); }
+  void insert(std::size_t at) { words_.insert(words_.begin() + static_cast<int>(at), 0); }
+  void erase(std::size_t at) { words_.erase(words_.begin() + static_cast<int>(at)); }
+  std::size_t size() const { return words_.size(); }
+
+  ModelError read(ModelParameters& parameters) {
+    words_[2] = static_cast<std::int32_t>(words_.size());
+    const fog::Span<const std::int32_t> table{words_.data(), words_.size()};
+    words_.back() = static_cast<std::int32_t>(fog::model_table_crc(table));
+    return fog::read_model(table, fog::kAnyModel, parameters);
+  }
+  ModelError read() {
+    ModelParameters parameters;
+    return read(parameters);
+  }
+
+ private:
+  std::vector<std::int32_t> words_;
+  std::map<std::string, std::size_t> at_;
+};
+
+void put_input(Table& table, const std::string& name, std::int32_t signal, std::int32_t decay) {
+  table.put(name + " signal", signal).put(name + " decay", decay).put(name + " centre", 7 + decay);
+  table.put(name + " reach", 1000 + decay).put(name + " shift", 3 + signal);
+}
+
+// What stands before the effects.
+Table table_begun() {
+  Table table;
+  table.put("magic", 0x464F474D).put("layout", 3).put("words", 0).put("model", 0x11223344);
+  table.put("period", 5000).put("block", 200).put("multiplier", kHalf + 1).put("shift", 30);
+  table.put("range", 1 << 20).put("stuck", 100);
+  table.put("decay", 1001).put("gain", 2002);
+  table.put("least", -40 * kOneDegree)
+      .put("most", 60 * kOneDegree)
+      .put("hold", 61)
+      .put("settle", 121);
+  table.put("fraction", 21);
+  return table;
+}
+
+// bias, a network of T and of T through a lag with one neuron or more, Haar's filter on one level.
+Table good_table(std::int32_t neurons = 1) {
+  Table table = table_begun();
+  table.put("effects", 1);
+  table.put("id", 0).put("constants", 0).put("coefficients", 1).put("coefficient", 12345);
+  table.put("expressions", 0).put("program", 0);
+  table.put("inputs", 2).put("neurons", neurons);
+  put_input(table, "T", 0, 0);
+  put_input(table, "lagged", 2, 55);
+  table.put("hidden shift", 1).put("output shift", 2);
+  for (std::int32_t i = 0; i < neurons; ++i) {
+    table.put("bias", 10).put("weight 0", 20).put("weight 1", 30).put("weight 2", 0);
+    table.put("weight 3", 0).put("output weight", 50);
+  }
+  table.put("output bias", 60).put("linear", 0).put("centre", 70).put("amplitude", 80);
+  table.put("levels", 1).put("taps", 2).put("rule", 0).put("mode", 0);
+  table.put("low 0", kHalf).put("low 1", kHalf).put("high 0", kHalf).put("high 1", -kHalf);
+  table.put("synthesis 0", halves(-kSynthesisHalf, kSynthesisHalf));
+  table.put("synthesis 1", halves(kSynthesisHalf, kSynthesisHalf));
+  table.put("threshold", 655).put("output", 2).put("crc", 0);
+  return table;
+}
+
+TEST(ModelLimits, EveryWordArrivesWhereItBelongs) {
+  Table table = good_table();
+  table["linear"] = table["mode"] = 1;
+  table["rule"] = 2;
+  ModelParameters got;
+  ASSERT_EQ(table.read(got), ModelError::none);
+  EXPECT_EQ(got.fault, fog::Status::none);
+  EXPECT_EQ(got.provenance, 0x11223344U);
+  EXPECT_EQ(got.acquisition.sample_period_us, 5000U);
+  EXPECT_EQ(got.samples_per_block, 200U);
+  EXPECT_EQ(got.calibration.multiplier, kHalf + 1);
+  EXPECT_EQ(got.calibration.shift, 30);
+  EXPECT_EQ(got.acquisition.range.raw(), 1 << 20);
+  EXPECT_EQ(got.acquisition.stuck_samples, 100U);
+  EXPECT_EQ(got.thermal.derivative.decay.raw(), 1001);
+  EXPECT_EQ(got.thermal.derivative.rate_gain.raw(), 2002);
+  EXPECT_EQ(got.thermal.least.raw(), -40 * kOneDegree);
+  EXPECT_EQ(got.thermal.most.raw(), 60 * kOneDegree);
+  EXPECT_EQ(got.policy.hold_blocks, 61U);
+  EXPECT_EQ(got.policy.settle_blocks, 121U);
+  EXPECT_EQ(got.effects.coefficient_fraction, 21);
+  EXPECT_EQ(got.effects.enabled(), 1U);
+  ASSERT_EQ(got.effects.by_id[0].coefficients.size, 1U);
+  EXPECT_EQ(got.effects.by_id[0].coefficients[0], 12345);
+  EXPECT_EQ(got.expressions.program.size, 0U);
+  ASSERT_EQ(got.network.input_count, 2U);
+  const fog::InputScaling& lagged = got.network.inputs[1];
+  EXPECT_EQ(got.network.inputs[0].signal, fog::NetworkInput::temperature);
+  EXPECT_EQ(lagged.signal, fog::NetworkInput::lagged_temperature);
+  EXPECT_EQ(lagged.decay.raw(), 55);
+  EXPECT_EQ(lagged.centre, 62);
+  EXPECT_EQ(lagged.reach, 1055);
+  EXPECT_EQ(lagged.shift, 5);
+  EXPECT_EQ(got.network.hidden_shift, 1);
+  EXPECT_EQ(got.network.output_shift, 2);
+  ASSERT_EQ(got.network.neurons.size, 6U);
+  EXPECT_EQ(got.network.neurons[5], 50);
+  EXPECT_EQ(got.network.output_bias, 60);
+  EXPECT_TRUE(got.network.linear_output);
+  EXPECT_EQ(got.network.centre.raw(), 70);
+  EXPECT_EQ(got.network.amplitude.raw(), 80);
+  EXPECT_EQ(got.denoise.rule, fog::ThresholdRule::heursure);
+  EXPECT_EQ(got.denoise.mode, fog::ThresholdMode::hard);
+  EXPECT_EQ(got.denoise.taps(), 2U);
+  EXPECT_EQ(got.denoise.high()[1], -kHalf);
+  ASSERT_EQ(got.denoise.levels(), 1U);
+  EXPECT_EQ(got.denoise.thresholds[0], 655);
+  EXPECT_EQ(got.output, fog::OutputSelection::both);
+}
+
+TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
+  const struct {
+    const char* name;
+    std::int32_t least, most;
+  } limits[] = {
+      {"period", 1, INT32_MAX},
+      {"block", 1, INT32_MAX},
+      {"multiplier", kHalf, INT32_MAX},
+      {"shift", 0, 62},
+      {"range", 1, INT32_MAX},
+      {"stuck", 0, INT32_MAX},
+      {"decay", 1, INT32_MAX},
+      {"gain", 1, INT32_MAX},
+      {"least", -70 * kOneDegree, 60 * kOneDegree},
+      {"most", -40 * kOneDegree, 130 * kOneDegree},
+      {"hold", 0, INT32_MAX},
+      {"settle", 0, INT32_MAX},
+      {"fraction", 10, 40},
+      {"T decay", 0, 0},
+      {"lagged decay", 1, INT32_MAX},
+      {"T reach", 1, INT32_MAX >> 3},
+      {"T shift", 0, 21},  // 1000 * 2^21 is the last below 2^31
+      {"hidden shift", 0, 16},
+      {"output shift", 0, 16},
+      {"linear", 0, 1},
+      {"rule", 0, 2},
+      {"mode", 0, 1},
+      {"threshold", 0, (32766 << 15) - 1},  // what 16 bits of noise can hold at the largest shift
+      {"output", 0, 2},
+  };
+  for (const auto& limit : limits) {
+    const auto read_with = [&](std::int32_t value) {
+      Table table = good_table();
+      table[limit.name] = value;
+      return table.read();
+    };
+    EXPECT_EQ(read_with(limit.least), ModelError::none) << limit.name;
+    EXPECT_EQ(read_with(limit.most), ModelError::none) << limit.name;
+    if (limit.least > INT32_MIN) {
+      EXPECT_EQ(read_with(limit.least - 1), ModelError::out_of_range) << limit.name;
+    }
+    if (limit.most < INT32_MAX) {
+      EXPECT_EQ(read_with(limit.most + 1), ModelError::out_of_range) << limit.name;
+    }
+  }
+  Table table = good_table();
+  table["T reach"] = 1;
+  table["T shift"] = 30;
+  EXPECT_EQ(table.read(), ModelError::none);
+}
+
+TEST(ModelLimits, SignalsOfTheNetworkAreTheFiveThatThereAre) {
+  for (std::int32_t signal = -1; signal <= 5; ++signal) {
+    Table table = good_table();
+    table["T signal"] = signal;
+    table["T decay"] = signal == 2 ? 1 : 0;
+    EXPECT_EQ(table.read(), signal >= 0 && signal < 5 ? ModelError::none : ModelError::out_of_range)
+        << signal;
+  }
+}
+
+TEST(ModelLimits, ANetworkHasUpTo32NeuronsAndNoneWithoutInputs) {
+  EXPECT_EQ(good_table(32).read(), ModelError::none);
+  EXPECT_EQ(good_table(33).read(), ModelError::out_of_range);
+  Table table = good_table();
+  table["inputs"] = 5;
+  EXPECT_EQ(table.read(), ModelError::out_of_range);
+  Table without = table_begun();
+  without.put("effects", 0).put("expressions", 0).put("program", 0).put("inputs", 0);
+  without.put("neurons", 0).put("levels", 0).put("taps", 0).put("rule", 0).put("mode", 0);
+  without.put("output", 1).put("crc", 0);
+  ModelParameters got;
+  ASSERT_EQ(without.read(got), ModelError::none);
+  EXPECT_FALSE(got.network.present());
+  EXPECT_EQ(got.denoise.levels(), 0U);
+  EXPECT_EQ(got.output, fog::OutputSelection::compact);
+}
+
+TEST(ModelLimits, SumsOfANeuronAndOfTheOutputCannotOverflow) {
+  const auto read_with = [](std::int32_t weight0, std::int32_t weight1, std::int32_t bias) {
+    Table table = good_table();
+    table["weight 0"] = weight0;
+    table["weight 1"] = weight1;
+    table["bias"] = bias;
+    return table.read();
+  };
+  EXPECT_EQ(read_with(INT32_MAX, -INT32_MAX, 0), ModelError::none);  // 2^32 - 2
+  EXPECT_EQ(read_with(INT32_MAX, INT32_MIN, 0), ModelError::out_of_range);
+  EXPECT_EQ(read_with(INT32_MAX, INT32_MAX, -1), ModelError::out_of_range);
+  EXPECT_EQ(read_with(INT32_MAX, 1, -kHalf + 1), ModelError::none);
+  EXPECT_EQ(read_with(INT32_MAX, 1, kHalf), ModelError::out_of_range);
+  for (const std::int32_t sign : {1, -1}) {
+    Table table = good_table();
+    table["output weight"] = sign * INT32_MAX;
+    table["output bias"] = sign * (kHalf - 1);
+    EXPECT_EQ(table.read(), ModelError::none);
+    table["output bias"] = sign * kHalf;
+    EXPECT_EQ(table.read(), ModelError::out_of_range);
+  }
+}
+
+TEST(ModelLimits, AnEffectComesOnceWithItsOwnConstantsAndCoefficients) {
+  for (const char* name : {"constants", "coefficients", "effects"}) {
+    for (const std::int32_t off : {-1, 1}) {
+      Table table = good_table();
+      table[name] += off;
+      EXPECT_EQ(table.read(), ModelError::out_of_range) << name << off;
+    }
+  }
+  Table twice = table_begun();
+  twice.put("effects", 2);
+  for (const std::int32_t id : {0, 2}) {  // bias and the temperature's rate, one coefficient each
+    twice.put("id " + std::to_string(id), id).put("constants", 0).put("coefficients", 1);
+    twice.put("coefficient", 1);
+  }
+  for (const char* name : {"expressions", "program", "inputs", "neurons", "levels", "taps", "rule",
+                           "mode", "output", "crc"}) {
+    twice.put(name, 0);
+  }
+  ModelParameters got;
+  ASSERT_EQ(twice.read(got), ModelError::none);
+  EXPECT_EQ(got.effects.enabled(), 0x5U);
+  twice["id 2"] = 0;
+  EXPECT_EQ(twice.read(), ModelError::out_of_range);
+}
+
+TEST(ModelLimits, LevelsAndTapsComeTogetherAndTapsInPairs) {
+  for (const auto& [levels, taps] : {std::pair{0, 2}, {1, 0}, {11, 2}, {1, 3}, {1, 32}}) {
+    Table table = good_table();
+    table["levels"] = levels;
+    table["taps"] = taps;
+    EXPECT_EQ(table.read(), ModelError::out_of_range) << levels << " " << taps;
+  }
+}
+
+// Whatever word is left out or put in, the sections no longer end where the table does, or
+// something in them is out of its range. Words that only hold numbers shift the others all the
+// same.
+TEST(ModelLimits, ATableIsExactlyAsLongAsItsSections) {
+  Table longer = good_table();
+  longer.insert(longer.size() - 1);
+  EXPECT_EQ(longer.read(), ModelError::out_of_range);
+  Table shorter = good_table();
+  shorter.erase(shorter.size() - 2);
+  EXPECT_EQ(shorter.read(), ModelError::out_of_range);
+  for (std::size_t at = good_table().size() - 1; at > 4; --at) {
+    Table cut = good_table();
+    while (cut.size() > at) cut.erase(cut.size() - 2);
+    EXPECT_EQ(cut.read(), ModelError::out_of_range) << at;
+  }
+  for (const std::size_t size : {std::size_t{4}, fog::kMostModelWords + 1}) {
+    Table table = good_table();
+    while (table.size() > size) table.erase(table.size() - 2);
+    while (table.size() < size) table.insert(table.size() - 1);
+    EXPECT_EQ(table.read(), ModelError::not_a_model) << size;
+  }
+  Table longest = good_table();
+  while (longest.size() < fog::kMostModelWords) longest.insert(longest.size() - 1);
+  EXPECT_EQ(longest.read(), ModelError::out_of_range);
+}
+
+TEST(ModelLimits, ARefusedTableLeavesParametersOfABoardWithoutAModel) {
+  Table table = good_table();
+  ModelParameters parameters;
+  ASSERT_EQ(table.read(parameters), ModelError::none);
+  table["output"] = 3;
+  ASSERT_EQ(table.read(parameters), ModelError::out_of_range);
+  EXPECT_EQ(parameters.fault, fog::Status::model_refused);
+  EXPECT_EQ(parameters.effects.enabled(), 0U);
+  EXPECT_EQ(parameters.denoise.levels(), 0U);
+  EXPECT_FALSE(parameters.network.present());
+}
+
+// The taps' magnitudes sum to less than 2, so that no sum of products leaves 64 bits.
+TEST(ModelLimits, FiltersKeepTheirSumsWithin64Bits) {
+  const auto fits = [](std::int32_t tap, std::int32_t next_tap) {
+    Table table = table_begun();
+    table.put("effects", 0).put("expressions", 0).put("program", 0).put("inputs", 0);
+    table.put("neurons", 0).put("levels", 1).put("taps", 4).put("rule", 0).put("mode", 0);
+    const std::int32_t low[] = {tap, next_tap, kHalf - tap, kHalf - next_tap};
+    for (int i = 0; i < 4; ++i) table.put("low " + std::to_string(i), low[i]);
+    for (int i = 0; i < 4; ++i) {
+      table.put("high " + std::to_string(i), i % 2 == 0 ? low[3 - i] : -low[3 - i]);
+    }
+    const std::int32_t upper[] = {0, 0, -kSynthesisHalf, kSynthesisHalf};
+    for (int i = 0; i < 4; ++i) {
+      table.put("synthesis " + std::to_string(i), halves(upper[i], i < 2 ? kSynthesisHalf : 0));
+    }
+    table.put("threshold", 655).put("output", 2).put("crc", 0);
+    return table.read() == ModelError::none;
+  };
+  EXPECT_TRUE(fits(kHalf, kHalf));
+  EXPECT_TRUE(fits(INT32_MAX, kHalf));  // 2^32 - 2
+  EXPECT_FALSE(fits(INT32_MAX, kHalf + 1));
+  EXPECT_FALSE(fits(kHalf + 1, INT32_MAX));
+}
+
+}  // namespace
