@@ -5,6 +5,7 @@
 //
 // Not reached: what is computed while compiling (constexpr, tables, template arguments), pointers
 // and loops over ranges.
+#include <llvm/Analysis/ValueTracking.h>
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/IntrinsicInst.h>
@@ -160,12 +161,14 @@ class Mutator {
     branch.setCondition(builder.CreateXor(condition, chosen));
   }
 
-  // What is there is written again.
+  // What is there is written again. Only what outlives the function: a local variable would be left
+  // without any value, which is no mutant but whatever the compiler makes of it.
   void mutate_store(StoreInst& store) {
     Type* const type = store.getValueOperand()->getType();
     if (!type->isIntegerTy() && !type->isFloatingPointTy()) return;
-    // Mostly a name for what was computed.
-    if (isa<AllocaInst>(store.getPointerOperand()) || store.isVolatile()) return;
+    if (isa<AllocaInst>(getUnderlyingObject(store.getPointerOperand())) || store.isVolatile()) {
+      return;
+    }
     IRBuilder<> builder(&store);
     Value* const before = builder.CreateLoad(type, store.getPointerOperand());
     Value* const chosen = is_chosen(builder, "is not written");

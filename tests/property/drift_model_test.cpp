@@ -79,7 +79,7 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryInputOfANetwork) {
   const fogcomp::RealInput input_rate{fog::NetworkInput::input_rate, 8.47, 12, 0};
   for (const std::vector<fogcomp::RealInput>& inputs :
        {std::vector{temperature, rate, slow}, std::vector{fast, slow, temperature, elapsed},
-        std::vector{input_rate, rate}, std::vector{elapsed}}) {
+        std::vector{slow, fast, slow, fast}, std::vector{input_rate, rate}, std::vector{elapsed}}) {
     fogcomp::Model model = fog::test::paper_like_model();
     model.least_degc = -60;
     model.most_degc = 100;

@@ -58,6 +58,42 @@ TEST(SequenceMonitor, ADemodulatorThatCountsAnewIsFollowedAfterEightSamples) {
   EXPECT_EQ(time, 109U);
 }
 
+// SPEC.md, "Judging a sample".
+TEST(SequenceMonitor, AStepByHalfTheCircleIsLossAndByOneMoreIsLate) {
+  fog::SequenceMonitor loss;
+  loss.judge(0);
+  const auto lost = loss.judge(32768);
+  EXPECT_FALSE(lost.late);
+  EXPECT_EQ(lost.missing, 32767U);
+  EXPECT_EQ(lost.status, Status::sequence_gap);
+  fog::SequenceMonitor behind;
+  EXPECT_EQ(behind.judge(0).status, Status::none);
+  const auto late = behind.judge(32769);
+  EXPECT_TRUE(late.late);
+  EXPECT_EQ(late.missing, 0U);
+  EXPECT_EQ(behind.judge(1).status, Status::none) << "time stood";
+}
+
+TEST(SequenceMonitor, LateSamplesAreARestartOnlyEightInARow) {
+  fog::SequenceMonitor monitor;
+  monitor.judge(1000);
+  for (int round = 0; round < 3; ++round) {
+    for (int i = 0; i < 7; ++i) EXPECT_TRUE(monitor.judge(10).late);
+    EXPECT_FALSE(monitor.judge(static_cast<std::uint16_t>(1001 + round)).late);
+  }
+}
+
+TEST(StuckMonitor, IsOffWithALimitOfNone) {
+  fog::StuckMonitor monitor(0);
+  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(monitor.judge(7));
+}
+
+TEST(StuckMonitor, CountsDriftingByAnLsbNowAndThenAreAlive) {
+  fog::StuckMonitor monitor(100);
+  for (int i = 0; i < 5000; ++i) EXPECT_FALSE(monitor.judge(i / 49)) << i;
+  for (int i = 5000; i > 0; --i) EXPECT_FALSE(monitor.judge(i / 49)) << i;
+}
+
 TEST(StuckMonitor, CallsConstantAndTogglingCountsStuckAndNothingElse) {
   for (const std::int32_t toggle : {0, 1, -1}) {
     for (const std::int32_t at : {0, 12345, INT32_MAX, INT32_MIN}) {
@@ -89,6 +125,71 @@ TEST(RateMonitor, RangeIsSetAt97AndAHalfAndClearedBelow92AndAHalfFor50Millisecon
     for (int i = 1; i < 10; ++i) EXPECT_TRUE(flagged(369.9)) << i;
     EXPECT_FALSE(flagged(369.9));
   }
+}
+
+TEST(RateMonitor, LimitsOfTheRangeAreExactToTheLsb) {
+  const auto flagged_at = [](fog::RateMonitor& monitor, std::int32_t raw) {
+    return any(monitor.judge(Rate::from_raw(raw), true, 1), Status::rate_out_of_range);
+  };
+  for (const std::int32_t sign : {1, -1}) {
+    // A second a sample: nothing is a jump, and one sample inside is enough.
+    fog::RateMonitor slow(Rate::from_raw(1'000'001), 1'000'000);
+    EXPECT_FALSE(flagged_at(slow, sign * 974'999));
+    EXPECT_TRUE(flagged_at(slow, sign * 975'000));
+    EXPECT_TRUE(flagged_at(slow, sign * 925'001));
+    EXPECT_FALSE(flagged_at(slow, sign * 925'000));
+    EXPECT_FALSE(flagged_at(slow, sign * 950'000));
+    // 50 ms of 4.9 ms are 11 samples, of 5 ms 10.
+    for (const auto& [period_us, samples] : {std::pair{4900U, 11}, {5000U, 10}, {50'000U, 1}}) {
+      fog::RateMonitor monitor(Rate::from_raw(1'000'000), period_us);
+      EXPECT_TRUE(flagged_at(monitor, sign * 975'000));
+      for (int i = 1; i < samples; ++i) EXPECT_TRUE(flagged_at(monitor, 0)) << i;
+      EXPECT_FALSE(flagged_at(monitor, 0)) << period_us;
+    }
+    fog::RateMonitor gap(Rate::from_raw(1'000'000), 5000);
+    EXPECT_TRUE(flagged_at(gap, sign * 975'000));
+    EXPECT_TRUE(any(gap.judge(Rate{}, true, 9), Status::rate_out_of_range));
+    EXPECT_FALSE(flagged_at(gap, 0)) << "lost samples are time as well";
+  }
+}
+
+constexpr std::int32_t kStep = 73'728 * 100;  // LSB within 100 us
+
+TEST(RateMonitor, AStepIsExactToTheLsb) {
+  for (const std::int32_t sign : {1, -1}) {
+    const auto judge = [&](fog::RateMonitor& monitor, std::int32_t raw, std::uint32_t elapsed = 1) {
+      return monitor.judge(Rate::from_raw(sign * raw), true, elapsed);
+    };
+    fog::RateMonitor exact(Rate::highest(), 100);
+    EXPECT_EQ(judge(exact, 0), Status::none);
+    EXPECT_EQ(judge(exact, kStep), Status::none);
+    EXPECT_EQ(judge(exact, 2 * kStep + 1), Status::rate_jump);
+    EXPECT_EQ(judge(exact, kStep), Status::none);
+    EXPECT_EQ(judge(exact, 5 * kStep, 4), Status::none);
+    EXPECT_EQ(judge(exact, 1), Status::rate_jump);
+
+    // Within two steps of the last accepted one, two samples ago, and within one of the one before.
+    fog::RateMonitor near(Rate::highest(), 100);
+    EXPECT_EQ(judge(near, 0), Status::none);
+    EXPECT_EQ(judge(near, 3 * kStep), Status::rate_jump);
+    EXPECT_EQ(judge(near, 2 * kStep), Status::none);
+    fog::RateMonitor far(Rate::highest(), 100);
+    EXPECT_EQ(judge(far, 0), Status::none);
+    EXPECT_EQ(judge(far, 3 * kStep + 1), Status::rate_jump);
+    EXPECT_EQ(judge(far, 2 * kStep), Status::rate_jump);
+    EXPECT_EQ(judge(far, 2 * kStep), Status::none);
+  }
+}
+
+TEST(RateMonitor, OnlyValidRatesInRangeAreAccepted) {
+  fog::RateMonitor invalid(Rate::highest(), 100);
+  EXPECT_EQ(invalid.judge(Rate{}, false, 1), Status::none);
+  EXPECT_EQ(invalid.judge(Rate::from_raw(9 * kStep), true, 1), Status::none) << "the first";
+  EXPECT_EQ(invalid.judge(Rate::from_raw(10 * kStep), false, 1), Status::none);
+  EXPECT_EQ(invalid.judge(Rate::from_raw(9 * kStep), true, 1), Status::none);
+  fog::RateMonitor beyond(Rate::from_raw(100 * kStep), 100);
+  EXPECT_EQ(beyond.judge(Rate::from_raw(99 * kStep), true, 1), Status::rate_out_of_range);
+  EXPECT_FALSE(any(beyond.judge(Rate{}, true, 1), Status::rate_jump)) << "none accepted yet";
 }
 
 TEST(RateMonitor, ASpikeIsRefusedAndTheSampleAfterItAccepted) {
@@ -163,6 +264,120 @@ TEST_F(TemperatureMonitorTest, MissingAndImpossibleReadingsAreInvalid) {
   EXPECT_EQ(send(-70.1), Status::temperature_invalid);
   EXPECT_EQ(monitor_.judge(degc(20), false, 1), Status::temperature_invalid);
   EXPECT_EQ(send(20), Status::none);
+}
+
+TEST_F(TemperatureMonitorTest, LimitsAreExactToTheLsb) {
+  constexpr double kLsb = 1.0 / 65536;
+  for (const double sign : {1.0, -1.0}) {
+    const auto judge = [](fog::TemperatureMonitor& monitor, double temperature, int samples = 1) {
+      return monitor.judge(degc(temperature), true, static_cast<std::uint32_t>(samples));
+    };
+    fog::TemperatureMonitor possible(kPeriodUs);
+    const double end = sign > 0 ? 130 : -70;
+    EXPECT_EQ(judge(possible, end + sign * kLsb), Status::temperature_invalid);
+    EXPECT_EQ(judge(possible, end), Status::none);
+
+    fog::TemperatureMonitor at_once(kPeriodUs);
+    EXPECT_EQ(judge(at_once, 20), Status::none);
+    EXPECT_EQ(judge(at_once, 20 + sign * 2), Status::none);
+    EXPECT_EQ(judge(at_once, 20 + sign * (4 + 1.0 / 100)), kJump);
+
+    // 2 degC and 1 degC for each second, and within 2 degC of the reading before.
+    fog::TemperatureMonitor steady(kPeriodUs);
+    EXPECT_EQ(judge(steady, 20), Status::none);
+    EXPECT_EQ(judge(steady, 20 + sign * 5), kJump);
+    EXPECT_EQ(judge(steady, 20 + sign * (5 + kLsb), 3 * kSecond - 1), kJump);
+    EXPECT_EQ(judge(steady, 20 + sign * 5), Status::none);
+    fog::TemperatureMonitor before(kPeriodUs);
+    EXPECT_EQ(judge(before, 20), Status::none);
+    EXPECT_EQ(judge(before, 20 + sign * (5 + kLsb)), kJump);
+    EXPECT_EQ(judge(before, 20 + sign * 3, 3 * kSecond), kJump);
+    EXPECT_EQ(judge(before, 20 + sign * 5), Status::none);
+
+    fog::TemperatureMonitor near(kPeriodUs);
+    EXPECT_EQ(judge(near, 85 + sign), Status::none);
+    EXPECT_EQ(judge(near, 85), Status::none);
+    fog::TemperatureMonitor off(kPeriodUs);
+    EXPECT_EQ(judge(off, 85 + sign * (1 + kLsb)), Status::none);
+    EXPECT_EQ(judge(off, 85), kJump);
+  }
+}
+
+// (a) of SPEC.md: noise is changes of eight resolutions, four more often than others.
+TEST_F(TemperatureMonitorTest, NoiseIsChangesOfEightResolutionsFourMoreThanOthers) {
+  constexpr double kResolution = 1.0 / 1024;
+  const auto after = [&](int large, double size) {
+    fog::TemperatureMonitor monitor(kPeriodUs);
+    double reading = 20;
+    monitor.judge(degc(reading), true, 1);
+    monitor.judge(degc(reading += kResolution), true, 1);
+    for (int i = 0; i < large; ++i) {
+      reading += i % 2 == 0 ? size * kResolution : -size * kResolution;
+      EXPECT_EQ(monitor.judge(degc(reading), true, 1), Status::none);
+    }
+    EXPECT_EQ(monitor.judge(degc(reading), true, 60 * kSecond - 1), Status::none);
+    return monitor.judge(degc(reading), true, 1);
+  };
+  EXPECT_EQ(after(3, 8), Status::none);
+  EXPECT_EQ(after(4, 8), kFrozen);
+  EXPECT_EQ(after(100, 8), kFrozen);
+  EXPECT_EQ(after(100, 7), Status::none);
+}
+
+TEST_F(TemperatureMonitorTest, LargeChangesAreCountedUpToEightAndTakenBackBySmallOnes) {
+  constexpr double kResolution = 1.0 / 1024;
+  for (const int small : {4, 5}) {
+    fog::TemperatureMonitor monitor(kPeriodUs);
+    double reading = 20;
+    monitor.judge(degc(reading), true, 1);
+    monitor.judge(degc(reading += kResolution), true, 1);
+    for (int i = 0; i < 50; ++i) {
+      monitor.judge(degc(reading += (i % 2 == 0 ? 8 : -8) * kResolution), true, 1);
+    }
+    for (int i = 0; i < small; ++i) {
+      monitor.judge(degc(reading += (i % 2 == 0 ? 1 : -1) * kResolution), true, 1);
+    }
+    EXPECT_EQ(monitor.judge(degc(reading), true, 60 * kSecond),
+              small == 4 ? kFrozen : Status::none);
+  }
+}
+
+// (b): a quarter of a degree, and four resolutions, since the start of the minute before.
+TEST_F(TemperatureMonitorTest, MovingIsAQuarterOfADegreeAndFourResolutions) {
+  const auto after = [&](double step, int steps) {
+    fog::TemperatureMonitor monitor(kPeriodUs);
+    double reading = 20;
+    EXPECT_EQ(monitor.judge(degc(reading), true, 1), Status::none);
+    for (int i = 0; i < steps; ++i) {
+      EXPECT_EQ(monitor.judge(degc(reading += step), true, kSecond), Status::none);
+    }
+    EXPECT_EQ(monitor.judge(degc(reading), true, 120 * kSecond - 1), Status::none);
+    return monitor.judge(degc(reading), true, 1);
+  };
+  EXPECT_EQ(after(1.0 / 16, 4), kFrozen);
+  EXPECT_EQ(after(-1.0 / 16, 4), kFrozen);
+  EXPECT_EQ(after(1.0 / 16, 3), Status::none);
+  EXPECT_EQ(after(1.0 / 32, 8), kFrozen);
+  EXPECT_EQ(after(1.0 / 32, 7), Status::none);
+  EXPECT_EQ(after(1.0 / 8, 3), Status::none);  // three resolutions
+  EXPECT_EQ(after(1.0 / 8, 4), kFrozen);
+}
+
+TEST_F(TemperatureMonitorTest, WhatMovedLongerAgoThanTheMinuteBeforeDoesNotCount) {
+  for (const int rest_s : {110, 118}) {
+    fog::TemperatureMonitor monitor(kPeriodUs);
+    double reading = 20;
+    monitor.judge(degc(reading), true, 1);
+    for (int i = 0; i < 4; ++i) monitor.judge(degc(reading += 1.0 / 16), true, kSecond);
+    for (int i = 0; i < rest_s; ++i) {
+      EXPECT_EQ(monitor.judge(degc(reading), true, kSecond), Status::none);
+    }
+    // Two changes more, which alone would be none of a moving coil.
+    for (int i = 0; i < 2; ++i) monitor.judge(degc(reading += 1.0 / 16), true, 1);
+    EXPECT_EQ(monitor.judge(degc(reading), true, 120 * kSecond),
+              rest_s == 110 ? kFrozen : Status::none)
+        << rest_s;
+  }
 }
 
 // 1 degC/min in steps of 1/16 degC, then nothing.

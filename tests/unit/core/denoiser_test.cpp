@@ -112,20 +112,57 @@ std::vector<double> textbook(const std::vector<double>& input, const std::vector
 
 TEST_F(DenoiserTest, SubtractingWhatIsRemovedEqualsShrinkingTheCoefficients) {
   constexpr double kThreshold = 0.8;
-  const auto denoiser = make(kThreshold, fog::ThresholdMode::soft);
-  auto input = random_input(6000, 400);
-  for (std::size_t i = 3000; i < input.size(); ++i)
-    input[i] += 3 * static_cast<std::int32_t>(i - 3000);
-  const auto output = run(*denoiser, input);
-  std::vector<double> real;
-  for (const std::int32_t raw : input) real.push_back(raw / 1024.0);
-  const auto expected = textbook(real, filter_, 5, kThreshold);
-  double worst = 0;
-  for (std::size_t i = 2 * kDelay; i < output.size(); ++i) {
-    worst = std::max(worst, std::abs(output[i] / 1024.0 - expected[i]));
+  // Filters of an even and of an odd number of pairs, short ones and the longest.
+  const std::pair<const char*, int> banks[] = {{"sym8", 5}, {"haar", 4}, {"db2", 4},  {"db3", 4},
+                                               {"db5", 1},  {"db7", 2},  {"coif5", 3}};
+  for (const auto& [wavelet, levels] : banks) {
+    const auto denoiser = make(kThreshold, fog::ThresholdMode::soft, wavelet, levels);
+    auto input = random_input(denoiser->delay() * 4 + 1000, 400);
+    const std::size_t half = input.size() / 2;
+    for (std::size_t i = half; i < input.size(); ++i) {
+      input[i] += 3 * static_cast<std::int32_t>(i - half);
+    }
+    const auto output = run(*denoiser, input);
+    std::vector<double> real;
+    for (const std::int32_t raw : input) real.push_back(raw / 1024.0);
+    const auto expected = textbook(real, filter_, static_cast<std::size_t>(levels), kThreshold);
+    double worst = 0;
+    for (std::size_t i = 2 * denoiser->delay(); i < output.size(); ++i) {
+      worst = std::max(worst, std::abs(output[i] / 1024.0 - expected[i]));
+    }
+    RecordProperty("worst_error_dph", std::to_string(worst));
+    EXPECT_LE(worst, 1.0 / 1024 + removal_bound(filter_, levels) * kThreshold * kNoiseResolution)
+        << wavelet;
   }
-  RecordProperty("worst_error_dph", std::to_string(worst));
-  EXPECT_LE(worst, 1.0 / 1024 + removal_bound(filter_, 5) * kThreshold * kNoiseResolution);
+}
+
+// Haar's filter passes what is removed on a level as it is, and a bit for each rounding.
+TEST(NoiseShift, IsTheSmallestWithWhichNoSumOfRemovedDetailsOverflows) {
+  const std::int32_t half = 1 << 14;
+  const std::int32_t lower_only[] = {half, half};
+  const std::int32_t filters[] = {0, 0, 0, 0, lower_only[0], lower_only[1]};
+  const auto shift_of = [&](const std::vector<std::int32_t>& thresholds,
+                            fog::ThresholdRule rule = fog::ThresholdRule::fixed) {
+    fog::DenoiseParameters parameters;
+    parameters.filters = {filters, 6};
+    parameters.thresholds = {thresholds.data(), thresholds.size()};
+    parameters.rule = rule;
+    return fog::noise_shift(parameters);
+  };
+  EXPECT_EQ(shift_of({0}), 0);
+  EXPECT_EQ(shift_of({32765}), 0);
+  EXPECT_EQ(shift_of({32766}), 1);
+  EXPECT_EQ(shift_of({2 * 32766 - 1}), 1);
+  EXPECT_EQ(shift_of({2 * 32766}), 2);
+  EXPECT_EQ(shift_of({(32766 << 15) - 1}), 15);
+  EXPECT_EQ(shift_of({32766 << 15}), -1);
+  EXPECT_EQ(shift_of({1 << 30}), -1);
+  EXPECT_EQ(shift_of({16383, 16380}), 0);  // two levels: two bits for each
+  EXPECT_EQ(shift_of({16383, 16381}), 1);
+  for (const auto rule : {fog::ThresholdRule::sqtwolog, fog::ThresholdRule::heursure}) {
+    EXPECT_EQ(shift_of({8191}, rule), 0);  // up to four times as much
+    EXPECT_EQ(shift_of({8192}, rule), 1);
+  }
 }
 
 TEST_F(DenoiserTest, KeepsAConstantAndHasNoStartUpTransient) {

@@ -254,6 +254,66 @@ TEST(HealthRecord, ReturnsWhatWasPutInAndRefusesDamage) {
   }
 }
 
+// SPEC.md, "Health record", byte by byte.
+TEST(HealthRecord, HasTheLayoutOfItsSpecification) {
+  fog::HealthRecord record;
+  record.model = 0x04030201;
+  record.image_crc = 0x08070605;
+  record.samples = 0x0C0B0A09;
+  record.invalid_rates = 0x100F0E0D;
+  record.sequence_gaps = 0x14131211;
+  record.discarded_bytes = 0x18171615;
+  record.status_last = static_cast<Status>(0x1C1B1A19);
+  record.status_seen = static_cast<Status>(0x201F1E1D);
+  record.image_passes = 0x24232221;
+  record.memory_passes = 0x28272625;
+  record.stack_bytes = 0x2A29;
+  record.stack_unused_bytes = 0x2C2B;
+  record.reset_cause = {'-', '.', '/', '0', '1', '2', '3', '4', '5', '6', '7', '8', '9', ':', ';'};
+  for (unsigned flags = 0; flags < 8; ++flags) {
+    record.image_intact = flags % 2 != 0;
+    record.memory_good = flags / 2 % 2 != 0;
+    record.model_good = flags / 4 != 0;
+    const fog::HealthResponse sent = fog::encode_health_response(record);
+    EXPECT_EQ(sent[0], 0xC3);
+    EXPECT_EQ(sent[1], 0x99);
+    EXPECT_EQ(sent[2], 1);
+    EXPECT_EQ(sent[3], flags);
+    for (std::size_t i = 4; i < 63; ++i) EXPECT_EQ(sent[i], i - 3) << i;
+    EXPECT_EQ(sent[63], 0);
+    const std::uint32_t crc = fog::crc32(sent.data(), 64);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(sent[64 + i], (crc >> (8 * i)) & 0xFFU);
+
+    fog::HealthRecord got;
+    got.image_intact = !record.image_intact;
+    got.memory_good = !record.memory_good;
+    got.model_good = !record.model_good;
+    ASSERT_TRUE(fog::decode_health_response(sent.data(), got));
+    EXPECT_EQ(got.image_intact, record.image_intact);
+    EXPECT_EQ(got.memory_good, record.memory_good);
+    EXPECT_EQ(got.model_good, record.model_good);
+    EXPECT_EQ(fog::encode_health_response(got), sent);
+  }
+}
+
+TEST(HealthRecord, EndsItsResetCauseAndLeavesAloneWhatItRefuses) {
+  fog::HealthRecord record = some_record();
+  record.reset_cause.fill('x');
+  fog::HealthResponse response = fog::encode_health_response(record);
+  fog::HealthRecord got;
+  ASSERT_TRUE(fog::decode_health_response(response.data(), got));
+  EXPECT_STREQ(got.reset_cause.data(), "xxxxxxxxxxxxxxx");
+  for (const std::size_t sync : {0U, 1U, 2U}) {  // with a good CRC
+    fog::HealthResponse other = response;
+    other[sync] ^= 1U;
+    const std::uint32_t crc = fog::crc32(other.data(), 64);
+    for (std::size_t i = 0; i < 4; ++i) other[64 + i] = static_cast<std::uint8_t>(crc >> (8 * i));
+    fog::HealthRecord untouched;
+    EXPECT_FALSE(fog::decode_health_response(other.data(), untouched));
+    EXPECT_EQ(untouched.samples, 0U);
+  }
+}
+
 TEST(HealthRecord, CountsWhatIsWrongWithSamples) {
   fog::HealthRecord record;
   fog::OutputSample sample;

@@ -201,8 +201,14 @@ TEST(ModelLimits, SignalsOfTheNetworkAreTheFiveThatThereAre) {
     Table table = good_table();
     table["T signal"] = signal;
     table["T decay"] = signal == 2 ? 1 : 0;
-    EXPECT_EQ(table.read(), signal >= 0 && signal < 5 ? ModelError::none : ModelError::out_of_range)
+    ModelParameters got;
+    EXPECT_EQ(table.read(got),
+              signal >= 0 && signal < 5 ? ModelError::none : ModelError::out_of_range)
         << signal;
+    const fog::InputMask needs = signal == 3   ? fog::bit_of(fog::Input::elapsed)
+                                 : signal == 4 ? fog::bit_of(fog::Input::input_rate)
+                                               : 0U;
+    EXPECT_EQ(got.needs(), needs) << signal;
   }
 }
 

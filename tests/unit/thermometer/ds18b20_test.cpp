@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "core/protocol/crc.hpp"
 #include "support/ds18b20_model.hpp"
 
@@ -115,6 +117,45 @@ TEST(Ds18b20, GivesUpAReadingThatIsOldAndComesBack) {
   line.sensor.lose_power();
   line.run(2 * kOneReading);
   EXPECT_TRUE(line.reading().valid);
+}
+
+TEST(Ds18b20, AReadingIsGoodForThreeSecondsToTheMillisecond) {
+  Line line;
+  EXPECT_FALSE(line.driver.reading(0).valid) << "none yet";
+  while (!line.reading().valid) line.make_slot();
+  const std::uint32_t read_at = line.now_ms();
+  EXPECT_TRUE(line.driver.reading(read_at + 3000).valid);
+  EXPECT_FALSE(line.driver.reading(read_at + 3001).valid);
+}
+
+TEST(Ds18b20, SlotsAreThoseOfTheDataSheet) {
+  Line line;
+  // Skip ROM, write scratchpad, the mark, 12 bits; skip ROM, convert T; least significant bit
+  // first.
+  for (const std::vector<int>& command :
+       {std::vector{0xCC, 0x4E, 0x5F, 0xA6, 0x7F}, std::vector{0xCC, 0x44}}) {
+    EXPECT_EQ(line.driver.next_slot(), OneWireSlot::reset);
+    line.make_slot();
+    for (const int byte : command) {
+      for (int bit = 0; bit < 8; ++bit) {
+        const bool one = ((byte >> bit) & 1) != 0;
+        EXPECT_EQ(line.driver.next_slot(), one ? OneWireSlot::write_1 : OneWireSlot::write_0);
+        line.make_slot();
+      }
+    }
+  }
+  EXPECT_EQ(line.driver.next_slot(), OneWireSlot::read) << "until it is ready";
+  while (line.driver.next_slot() == OneWireSlot::read) line.make_slot();
+  EXPECT_EQ(line.driver.next_slot(), OneWireSlot::reset);
+}
+
+TEST(Ds18b20, GivesUpAConversionAfterASecond) {
+  Line line;
+  line.sensor.never_ready = true;
+  while (line.driver.next_slot() != OneWireSlot::read) line.make_slot();
+  const std::uint32_t asked_at = line.now_ms();
+  while (line.driver.next_slot() == OneWireSlot::read) line.make_slot();
+  EXPECT_EQ(line.now_ms() - asked_at, 1001U);
 }
 
 TEST(Ds18b20, GivesUpAConversionThatNeverEnds) {
