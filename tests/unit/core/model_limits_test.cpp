@@ -194,6 +194,9 @@ TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
   table["T reach"] = 1;
   table["T shift"] = 30;
   EXPECT_EQ(table.read(), ModelError::none);
+  table["T reach"] = INT32_MAX;
+  table["T shift"] = 0;
+  EXPECT_EQ(table.read(), ModelError::none);
 }
 
 TEST(ModelLimits, SignalsOfTheNetworkAreTheFiveThatThereAre) {

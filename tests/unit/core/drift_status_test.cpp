@@ -1,0 +1,123 @@
+// SPEC.md, "Drift model": how long a drift is held, when it is given up and when it has settled.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "core/compensation/drift_model.hpp"
+
+namespace {
+
+using fog::Status;
+using fog::Temperature;
+using Model = fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs>;
+
+class DriftStatus : public testing::Test {
+ protected:
+  DriftStatus() {
+    thermal_.derivative.decay = decltype(thermal_.derivative.decay)::from_raw(1 << 29);
+    thermal_.derivative.rate_gain = decltype(thermal_.derivative.rate_gain)::from_raw(1 << 24);
+    thermal_.least = fog::from_integer<Temperature>(-40);
+    thermal_.most = fog::from_integer<Temperature>(60);
+    policy_.hold_blocks = 5;
+    policy_.settle_blocks = 3;
+    effects_.coefficient_fraction = 20;
+  }
+  Model make() const { return {thermal_, effects_, expressions_, network_, policy_}; }
+  static fog::BlockMeans<fog::BoardNumbers> at(std::int32_t raw) {
+    return {Temperature::from_raw(raw)};
+  }
+
+  fog::ThermalParameters<fog::BoardNumbers> thermal_;
+  fog::EffectsParameters effects_;
+  fog::ExpressionParameters expressions_;
+  fog::NetworkParameters network_;
+  fog::DriftPolicy policy_;
+};
+
+TEST_F(DriftStatus, NoDriftIsNotAGoodOne) {
+  Model model = make();
+  EXPECT_FALSE(model.started());
+  EXPECT_EQ(model.status(), Status::drift_given_up | Status::thermal_settling);
+  model.step(at(0));  // a start
+  EXPECT_TRUE(model.started());
+  EXPECT_EQ(model.status(), Status::thermal_settling);
+}
+
+TEST_F(DriftStatus, SettlesAfterAsManyBlocksAsThePolicySays) {
+  Model model = make();
+  model.start(at(0));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(model.status(), Status::thermal_settling) << i;
+    model.step(at(0));
+  }
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(model.status(), Status::none) << i;
+    model.step(at(0));
+  }
+}
+
+TEST_F(DriftStatus, IsHeldForAsManyBlocksAsThePolicySaysThenGivenUpThenStartedAnew) {
+  Model model = make();
+  model.start(at(0));
+  for (int i = 0; i < 3; ++i) model.step(at(0));
+  model.hold(2);
+  EXPECT_EQ(model.status(), Status::drift_held);
+  model.hold(3);
+  EXPECT_EQ(model.status(), Status::drift_held);
+  model.step(at(0));  // in time: it goes on
+  EXPECT_EQ(model.status(), Status::none);
+  model.hold(5);
+  EXPECT_EQ(model.status(), Status::drift_held);
+  model.hold(1);
+  EXPECT_EQ(model.status(), Status::drift_held | Status::drift_given_up);
+  model.step(at(0));
+  EXPECT_EQ(model.status(), Status::thermal_settling);
+  model.hold(6);
+  EXPECT_EQ(model.status(), Status::drift_held | Status::drift_given_up | Status::thermal_settling);
+}
+
+TEST_F(DriftStatus, StaysGivenUpHoweverLongNothingComes) {
+  policy_.hold_blocks = INT32_MAX;
+  Model model = make();
+  model.start(at(0));
+  for (const std::uint32_t blocks : {0x7FFFFFFFU, 0x7FFFFFFFU, 5U, 0x7FFFFFFFU, 0x7FFFFFFFU}) {
+    model.hold(blocks);
+    EXPECT_TRUE(any(model.status(), Status::drift_held));
+  }
+  EXPECT_TRUE(any(model.status(), Status::drift_given_up));
+  model.hold(7);
+  EXPECT_TRUE(any(model.status(), Status::drift_given_up));
+}
+
+TEST_F(DriftStatus, ATemperatureIsClampedBeyondTheTrainedRangeToTheLsb) {
+  policy_.settle_blocks = 0;
+  Model model = make();
+  for (const std::int32_t sign : {1, -1}) {
+    const std::int32_t end = (sign > 0 ? 60 : -40) * 65536;
+    model.start(at(end));
+    EXPECT_EQ(model.status(), Status::none);
+    model.step(at(end + sign));
+    EXPECT_EQ(model.status(), Status::temperature_clamped);
+    model.step(at(end));
+    EXPECT_EQ(model.status(), Status::none);
+  }
+}
+
+TEST_F(DriftStatus, TheRateIsClampedTo32DegreesAMinute) {
+  const std::int32_t coefficient = 1 << 20;
+  effects_.by_id[2].coefficients = {&coefficient, 1};  // temperature_rate alone
+  for (const std::int32_t sign : {1, -1}) {
+    Model model = make();
+    model.start(at(0));
+    EXPECT_EQ(model.drift(), fog::Rate{});
+    model.step(at(sign * 1024 * 65536));
+    const fog::Rate most = model.drift();
+    EXPECT_NE(most, fog::Rate{});
+    Model further = make();
+    further.start(at(0));
+    further.step(at(sign * 2048 * 65536));
+    EXPECT_EQ(further.drift(), most);
+  }
+}
+
+}  // namespace
