@@ -1,0 +1,96 @@
+// What a model table may build an effect from: as many constants as the effect has, each within
+// what its formulas hold, and as many coefficients as it then has regressors. Formats are the
+// headers'.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/effects/effect_check.hpp"
+
+namespace {
+
+using Constants = std::vector<std::int32_t>;
+
+bool accepted(std::size_t id, const Constants& constants, std::size_t coefficient_count) {
+  const std::vector<std::int32_t> coefficients(coefficient_count, 1);
+  fog::EffectParameters effect;
+  effect.constants = constants.data();
+  effect.coefficients = {coefficients.data(), coefficients.size()};
+  return fog::effect_fits<fog::kAllEffects>(id, effect, constants.size());
+}
+
+constexpr std::int32_t kMost = INT32_MAX;
+constexpr std::int32_t k256Degrees = 256 << 22;
+
+struct EffectLimits {
+  const char* name;
+  std::size_t id;
+  std::size_t coefficients;
+  std::vector<Constants> good;
+  std::vector<Constants> bad;
+};
+
+const EffectLimits kEffects[] = {
+    {"bias", 0, 1, {{}}, {}},
+    {"temperature_rate", 2, 1, {{}}, {}},
+    {"shupe", 3, 1, {{1}, {kMost}}, {{0}, {-1}}},
+    {"thermal_lag", 4, 1, {{1}, {kMost}}, {{0}, {-1}}},
+    {"temperature_rate_product", 5, 1, {{}}, {}},
+    {"axial_gradient", 6, 2, {{1, 1}, {kMost, kMost}}, {{0, 1}, {1, 0}, {-1, 1}, {1, -1}}},
+    {"polarization_ripple, one", 7, 2, {{1, 0}, {kMost, 0}}, {{0, 0}, {-1, 0}, {1, -1}}},
+    {"polarization_ripple, two", 7, 4, {{1, 1}, {kMost, kMost}}, {{0, 1}, {1, -1}}},
+    {"thermal_hysteresis, one",
+     8,
+     1,
+     {{1, 1, 0, 0}, {k256Degrees - 1, 1, 0, 0}},
+     {{0, 1, 0, 0}, {k256Degrees, 1, 0, 0}, {1, 1, -1, 0}}},
+    {"thermal_hysteresis, two",
+     8,
+     2,
+     {{1, 1, 1, 1}, {1, 1, k256Degrees - 1, 1}},
+     {{0, 1, 1, 1}, {1, 1, k256Degrees, 1}}},
+    {"glass_transition",
+     9,
+     2,
+     {{0, 1}, {k256Degrees - 1, kMost}, {1 - k256Degrees, 1}},
+     {{0, 0}, {k256Degrees, 1}, {-k256Degrees, 1}, {0, -1}}},
+    {"warm_up", 11, 1, {{1}, {kMost}}, {{0}, {-1}}},
+    {"aging", 12, 1, {{1}, {kMost}}, {{0}, {-1}}},
+};
+
+TEST(EffectConstants, AreAcceptedUpToTheirLimitsAndRefusedBeyond) {
+  for (const EffectLimits& effect : kEffects) {
+    for (const Constants& constants : effect.good) {
+      EXPECT_TRUE(accepted(effect.id, constants, effect.coefficients)) << effect.name;
+      EXPECT_FALSE(accepted(effect.id, constants, effect.coefficients + 1)) << effect.name;
+      EXPECT_FALSE(accepted(effect.id, constants, effect.coefficients - 1)) << effect.name;
+      Constants more = constants;
+      more.push_back(0);
+      EXPECT_FALSE(accepted(effect.id, more, effect.coefficients)) << effect.name;
+    }
+    for (const Constants& constants : effect.bad) {
+      EXPECT_FALSE(accepted(effect.id, constants, effect.coefficients))
+          << effect.name << testing::PrintToString(constants);
+    }
+  }
+}
+
+TEST(EffectConstants, APolynomialHasAsManyCoefficientsAsItsOrderUpToNine) {
+  for (std::int32_t order = 0; order <= 10; ++order) {
+    for (std::size_t coefficients = 1; coefficients <= 10; ++coefficients) {
+      const bool right =
+          order >= 1 && order <= 9 && static_cast<std::size_t>(order) == coefficients;
+      EXPECT_EQ(accepted(1, {order}, coefficients), right) << order << " " << coefficients;
+    }
+  }
+}
+
+TEST(EffectConstants, OfAnEffectThatAnImageLeavesOutAreNotLookedAt) {
+  fog::EffectParameters effect;
+  EXPECT_TRUE(fog::effect_fits<0>(3, effect, 99));
+  EXPECT_FALSE(fog::effect_fits<(1U << 3U)>(3, effect, 99));
+}
+
+}  // namespace
