@@ -14,7 +14,8 @@ cd "$work"
 while read -r seconds test; do
   program=("$tree/tests/$test")
   [[ $test != golden_* ]] || program=("$golden/outputs_match.sh" "$tree/tests/$test" "$golden/${test#golden_}.txt")
-  if ! (ulimit -t "$seconds" && exec "${program[@]}" </dev/null >/dev/null 2>&1); then
+  # The shell would say by which signal.
+  if ! { (ulimit -t "$seconds" && exec "${program[@]}" </dev/null >/dev/null); } 2>/dev/null; then
     echo "$test ${mutant#* }"
     exit
   fi

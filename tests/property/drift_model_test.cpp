@@ -89,6 +89,36 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryInputOfANetwork) {
   EXPECT_EQ(fog::test::overflows(), 0U);
 }
 
+TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForALinearOutput) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  model.network.output.activation = fog::Activation::linear;
+  EXPECT_LE(worst_difference(model, 17, 20), 2.0 / 1024);
+  EXPECT_EQ(fog::test::overflows(), 0U);
+}
+
+// Time is what a block counts, not how many there were.
+TEST(DriftModel, EffectsOfTimeAreTheSameWhateverTheBlock) {
+  for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
+    if (term.name != "warm_up" && term.name != "aging") continue;
+    fogcomp::Model model = fog::test::paper_like_model();
+    model.network = {};
+    model.terms = {term};
+    const auto drift_after = [&](double time_s, double block_s) {
+      fogcomp::RealDriftModel real(model, block_s);
+      fogcomp::RealBlock block;
+      block.elapsed = time_s / block_s;
+      real.start(block);
+      return real.drift_dph();
+    };
+    for (const double time_s : {0.0, 100.0, 5000.0, 100000.0}) {
+      const double drift_dph = drift_after(time_s, 1);
+      EXPECT_NEAR(drift_after(time_s, 0.5), drift_dph, 1e-9) << term.name;
+      EXPECT_NEAR(drift_after(time_s, 5), drift_dph, 1e-9) << term.name;
+    }
+    EXPECT_GT(std::abs(drift_after(5000, 1) - drift_after(0, 1)), 1e-3) << term.name;
+  }
+}
+
 // One effect alone, its shape at the ends and in the middle of its bounds.
 struct EffectCase {
   const char* name;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <random>
 #include <vector>
 
@@ -46,6 +47,44 @@ TEST(StreamParser, ReturnsWhatWasSent) {
   EXPECT_EQ(parser.sample().temperature_q16, sent.temperature_q16);
   EXPECT_TRUE(parser.sample().gyro_valid);
   EXPECT_FALSE(parser.sample().temperature_valid);
+}
+
+// What a later format might mean by them is not known, so it is no frame, whatever its CRC.
+TEST(StreamParser, RefusesReservedBytesUnknownBitsAndUnknownInputsWithAGoodCrc) {
+  const auto sample_is_taken = [](std::size_t at, std::uint8_t value) {
+    SensorFrame frame = encode_sensor_frame(sample_of(1));
+    frame[at] = value;
+    const std::uint16_t crc = fog::crc16(&frame[2], 12);
+    frame[14] = static_cast<std::uint8_t>(crc);
+    frame[15] = static_cast<std::uint8_t>(crc >> 8U);
+    SensorSample got;
+    return fog::decode_sensor_frame(frame.data(), got);
+  };
+  for (unsigned status = 0; status < 256; ++status) {
+    EXPECT_EQ(sample_is_taken(12, static_cast<std::uint8_t>(status)), status < 4) << status;
+  }
+  EXPECT_TRUE(sample_is_taken(13, 0));
+  for (const std::uint8_t reserved : std::initializer_list<std::uint8_t>{1, 2, 128})
+    EXPECT_FALSE(sample_is_taken(13, reserved));
+  EXPECT_FALSE(sample_is_taken(0, 0xA4));
+  EXPECT_FALSE(sample_is_taken(1, 0x5B));
+
+  const auto record_is_taken = [](std::size_t at, std::uint8_t value) {
+    fog::ExtensionFrame frame = fog::encode_extension_frame({});
+    frame[at] = value;
+    const std::uint16_t crc = fog::crc16(&frame[1], 7);
+    frame[8] = static_cast<std::uint8_t>(crc);
+    frame[9] = static_cast<std::uint8_t>(crc >> 8U);
+    fog::ExtensionRecord got;
+    return fog::decode_extension_frame(frame.data(), got);
+  };
+  for (std::uint8_t input = 0; input < 8; ++input) {
+    EXPECT_EQ(record_is_taken(2, input), input < 5) << unsigned{input};
+  }
+  for (const std::uint8_t reserved : std::initializer_list<std::uint8_t>{1, 2, 128})
+    EXPECT_FALSE(record_is_taken(3, reserved));
+  EXPECT_FALSE(record_is_taken(0, 0xA4));
+  EXPECT_FALSE(record_is_taken(1, 0xC2));
 }
 
 TEST(StreamParser, IsBackWithinOneGoodFrameWhereverBytesAreLost) {
