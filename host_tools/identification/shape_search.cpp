@@ -14,31 +14,48 @@ constexpr int kGridPoints = 24;
 // From 2 to 60 degC: half a turn over 100 degC from each point to the next, as a cosine that is
 // half a turn off at the end of the data explains nothing of them.
 constexpr int kPeriodGridPoints = 96;
-constexpr int kGridRounds = 2;
+constexpr std::size_t kMostStarts = 3;  // of one parameter
 constexpr int kGaussNewtonSteps = 12;
-constexpr double kConverged = 1e-9;       // relative fall of the cost
+// Relative fall of the cost that is worth another step: to compare starts, and at the end.
+constexpr double kRoughly = 1e-5;
+constexpr double kConverged = 1e-9;
 constexpr double kDifferenceStep = 1e-4;  // of a parameter's range, for derivatives
+constexpr double kDependent = 1e-8;
 
-void search_grid(WhitenedProblem& problem, const ShapeParameter& parameter) {
-  double best = problem.value(parameter);
-  double least_cost = problem.cost();
-  const int points =
-      parameter.scale == ShapeParameter::Scale::frequency ? kPeriodGridPoints : kGridPoints;
-  for (int i = 0; i < points; ++i) {
-    const double value = parameter.from_unit((i + 0.5) / points);
-    problem.set(parameter, value);
-    const double cost = problem.cost();
-    if (cost < least_cost) {
-      least_cost = cost;
-      best = value;
-    }
-  }
-  problem.set(parameter, best);
+int grid_points(const ShapeParameter& parameter) {
+  return parameter.scale == ShapeParameter::Scale::frequency ? kPeriodGridPoints : kGridPoints;
 }
 
-// One step; false where none lowers the cost any more.
-bool gauss_newton_step(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters) {
-  const double cost = problem.cost();
+// Where one parameter may belong, the most promising place first: the deepest dips of the cost over
+// its grid, but for the dip in which it is.
+std::vector<double> starts_of(const WhitenedProblem& problem,
+                              const std::vector<ShapeParameter>& parameters, std::size_t which) {
+  const ShapeParameter& parameter = parameters[which];
+  std::vector<ShapeParameter> others = parameters;
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(which));
+  const int points = grid_points(parameter);
+  std::vector<double> values;
+  for (int i = 0; i < points; ++i) values.push_back(parameter.from_unit((i + 0.5) / points));
+  const std::vector<double> costs = problem.costs(parameter, values, others);
+
+  const double here = parameter.to_unit(problem.value(parameter)) * points - 0.5;
+  std::vector<std::size_t> dips;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const bool lower =
+        (i == 0 || costs[i] < costs[i - 1]) && (i + 1 == costs.size() || costs[i] <= costs[i + 1]);
+    if (lower && std::abs(static_cast<double>(i) - here) > 1) dips.push_back(i);
+  }
+  const std::size_t count = std::min(kMostStarts, dips.size());
+  std::partial_sort(dips.begin(), dips.begin() + static_cast<std::ptrdiff_t>(count), dips.end(),
+                    [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
+  std::vector<double> starts;
+  for (std::size_t i = 0; i < count; ++i) starts.push_back(values[dips[i]]);
+  return starts;
+}
+
+// One step from where the cost is given; returns the new one, the same where none lowers it.
+double gauss_newton_step(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters,
+                         double cost) {
   const Eigen::MatrixXd jacobian = problem.jacobian(parameters);
   const LinearFit fit = solve_linear(jacobian, problem.measured());
   std::vector<double> start;
@@ -50,10 +67,39 @@ bool gauss_newton_step(WhitenedProblem& problem, const std::vector<ShapeParamete
       problem.set(parameters[i],
                   parameters[i].from_unit(parameters[i].to_unit(start[i]) + length * step));
     }
-    if (problem.cost() < cost) return problem.cost() < cost * (1 - kConverged);
+    const double now = problem.cost();
+    if (now < cost) return now;
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) problem.set(parameters[i], start[i]);
-  return false;
+  return cost;
+}
+
+double descend(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters,
+               double worth_a_step) {
+  double cost = problem.cost();
+  for (int step = 0; step < kGaussNewtonSteps; ++step) {
+    const double before = cost;
+    cost = gauss_newton_step(problem, parameters, before);
+    if (cost >= before * (1 - worth_a_step)) break;
+  }
+  return cost;
+}
+
+// Tries one parameter over its whole range; from each promising place all go downhill together.
+void search_range(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters,
+                  std::size_t which) {
+  const WhitenedProblem before = problem;
+  double least_cost = descend(problem, parameters, kRoughly);
+  WhitenedProblem best = problem;
+  for (const double start : starts_of(before, parameters, which)) {
+    problem = before;
+    problem.set(parameters[which], start);
+    const double cost = descend(problem, parameters, kRoughly);
+    if (cost >= least_cost) continue;
+    least_cost = cost;
+    best = problem;
+  }
+  problem = best;
 }
 
 ShapeParameter::Scale scale_of(const std::string& name, const ShapeBounds& bounds) {
@@ -141,8 +187,8 @@ std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& term
 
 WhitenedProblem::WhitenedProblem(const SignalSeries& series, const Whitening& whitening,
                                  std::vector<EffectTerm> terms, const Eigen::MatrixXd& nuisance)
-    : series_(series),
-      whitening_(whitening),
+    : series_(&series),
+      whitening_(&whitening),
       terms_(std::move(terms)),
       measured_(whitening.apply(series.rows().drift_dph)) {
   for (const EffectTerm& term : terms_) columns_.push_back(whitened(term));
@@ -150,7 +196,7 @@ WhitenedProblem::WhitenedProblem(const SignalSeries& series, const Whitening& wh
 }
 
 Eigen::MatrixXd WhitenedProblem::whitened(const EffectTerm& term) const {
-  return whitening_.apply(series_.regressors(term));
+  return whitening_->apply(series_->regressors(term));
 }
 
 double WhitenedProblem::value(const ShapeParameter& parameter) const {
@@ -178,6 +224,34 @@ double WhitenedProblem::cost() const {
   return solve_linear(matrix(), measured_).residual.squaredNorm();
 }
 
+Eigen::Index WhitenedProblem::first_column(std::size_t term) const {
+  Eigen::Index first = 0;
+  for (std::size_t i = 0; i < term; ++i) first += columns_[i].cols();
+  return first;
+}
+
+std::vector<double> WhitenedProblem::costs(const ShapeParameter& parameter,
+                                           const std::vector<double>& values,
+                                           const std::vector<ShapeParameter>& others) const {
+  const Eigen::MatrixXd all = jacobian(others);
+  const Eigen::Index first = first_column(parameter.term);
+  const Eigen::Index behind = all.cols() - first - columns_[parameter.term].cols();
+  const Eigen::MatrixXd basis = orthonormal(
+      side_by_side({all.leftCols(first), all.rightCols(behind)}, all.rows()), kDependent);
+  const auto without = [&](Eigen::MatrixXd columns) -> Eigen::MatrixXd {
+    columns -= basis * (basis.transpose() * columns).eval();
+    return columns;
+  };
+  const Eigen::VectorXd left = without(measured_);
+  EffectTerm moved = terms_[parameter.term];
+  std::vector<double> costs;
+  for (const double value : values) {
+    moved.parameters[parameter.index] = value;
+    costs.push_back(solve_linear(without(whitened(moved)), left).residual.squaredNorm());
+  }
+  return costs;
+}
+
 Eigen::MatrixXd WhitenedProblem::jacobian(const std::vector<ShapeParameter>& parameters) const {
   const Eigen::MatrixXd linear = matrix();
   const Eigen::VectorXd coefficients = solve_linear(linear, measured_).coefficients;
@@ -185,9 +259,8 @@ Eigen::MatrixXd WhitenedProblem::jacobian(const std::vector<ShapeParameter>& par
   all.leftCols(linear.cols()) = linear;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const ShapeParameter& parameter = parameters[i];
-    Eigen::Index first = 0;
-    for (std::size_t term = 0; term < parameter.term; ++term) first += columns_[term].cols();
-    const Eigen::VectorXd part = coefficients.segment(first, columns_[parameter.term].cols());
+    const Eigen::VectorXd part =
+        coefficients.segment(first_column(parameter.term), columns_[parameter.term].cols());
     EffectTerm moved = terms_[parameter.term];
     const double unit = parameter.to_unit(moved.parameters[parameter.index]);
     const double up = std::min(unit + kDifferenceStep, 1.0);
@@ -204,17 +277,11 @@ Eigen::MatrixXd WhitenedProblem::jacobian(const std::vector<ShapeParameter>& par
 void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters,
                    const std::function<void(double)>& progress) {
   if (parameters.empty()) return;
-  const auto searches = static_cast<double>(kGridRounds) * static_cast<double>(parameters.size());
-  double done = 0;
-  for (int round = 0; round < kGridRounds; ++round) {
-    for (const ShapeParameter& parameter : parameters) {
-      search_grid(problem, parameter);
-      if (progress) progress(++done / searches);
-    }
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    search_range(problem, parameters, i);
+    if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(parameters.size()));
   }
-  for (int step = 0; step < kGaussNewtonSteps; ++step) {
-    if (!gauss_newton_step(problem, parameters)) break;
-  }
+  descend(problem, parameters, kConverged);
   order_parts(problem, parameters);
 }
 

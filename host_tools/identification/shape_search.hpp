@@ -50,22 +50,29 @@ class WhitenedProblem {
   const Eigen::VectorXd& measured() const { return measured_; }
   /// Sum of squares that the best coefficients leave.
   double cost() const;
+  /// cost() for each of some values of one parameter, where the coefficients are the best and the
+  /// other parameters move too, to first order from where they are: so that a period which is a
+  /// little off elsewhere does not pass for a second one here.
+  std::vector<double> costs(const ShapeParameter& parameter, const std::vector<double>& values,
+                            const std::vector<ShapeParameter>& others) const;
   /// matrix() and, behind it, what a change of each parameter's place in its range does with the
   /// best coefficients.
   Eigen::MatrixXd jacobian(const std::vector<ShapeParameter>& parameters) const;
 
  private:
   Eigen::MatrixXd whitened(const EffectTerm& term) const;
+  Eigen::Index first_column(std::size_t term) const;
 
-  const SignalSeries& series_;
-  const Whitening& whitening_;
+  const SignalSeries* series_;
+  const Whitening* whitening_;
   std::vector<EffectTerm> terms_;
   std::vector<Eigen::MatrixXd> columns_;  // of each term, then the nuisance
   Eigen::VectorXd measured_;
 };
 
-/// Moves the parameters to where the projected cost is least (Golub & Pereyra 1973): each over a
-/// bounded grid with the others held, twice round, then Gauss-Newton on all with the coefficients.
+/// Moves the parameters to where the projected cost is least (Golub & Pereyra 1973): each in turn
+/// over a bounded grid, the others following to first order, then Gauss-Newton on all with the
+/// coefficients, from where they are and from the deepest dips of that grid.
 /// `progress` is told how much is done, 0..1.
 void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters,
                    const std::function<void(double)>& progress = {});
