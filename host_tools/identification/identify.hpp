@@ -50,7 +50,8 @@ struct IdentifySettings {
 /// of `series` together; sets the trained ranges.
 ///
 /// Noise-weighted: rows are whitened with white + Gauss-Markov noise taken from the soaks. Shape
-/// parameters by variable projection: a bounded grid each, then Gauss-Newton on all together. Rows
+/// parameters by variable projection: a bounded grid each, then Gauss-Newton on all together.
+/// Smoothed temperatures as instruments keep the sensor's noise out of the coefficients. Rows
 /// beyond 4 sigma count with weight (4/x)^2. Standard deviations are those of the whitened problem,
 /// times the misfit where that is above 1.
 ///

@@ -34,6 +34,15 @@ LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& val
   return fit;
 }
 
+LinearFit solve_with_instruments(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& instruments,
+                                 const Eigen::VectorXd& values) {
+  const Eigen::MatrixXd basis = orthonormal(instruments, kRankThreshold);
+  if (basis.cols() < matrix.cols()) return solve_linear(matrix, values);
+  LinearFit fit = solve_linear(basis.transpose() * matrix, basis.transpose() * values);
+  fit.residual = values - matrix * fit.coefficients;
+  return fit;
+}
+
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshold) {
   Eigen::VectorXd scale = columns.colwise().norm().transpose();
   scale = scale.unaryExpr([](double norm) { return norm > 0 ? 1 / norm : 1.0; });

@@ -16,6 +16,12 @@ struct LinearFit {
 /// rows x columns matrix, a value per row.
 LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values);
 
+/// The same for a matrix with noise of its own, which `instruments` (of the same size) share little
+/// of: coefficients that the noise does not make smaller (two-stage least squares). Where the
+/// instruments depend on each other, solve_linear().
+LinearFit solve_with_instruments(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& instruments,
+                                 const Eigen::VectorXd& values);
+
 /// An orthonormal basis of what the columns span, each of them first made one long; directions
 /// below `rank_threshold` of the largest pivot, and columns of zeros, add nothing.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshold);

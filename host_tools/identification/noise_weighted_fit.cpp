@@ -90,19 +90,19 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
       if (settings.progress) settings.progress((round + done) / kRounds);
     });
     fit.terms = problem.terms();
-    const LinearFit solved = solve_linear(problem.matrix(), problem.measured());
+    const LinearFit solved = problem.solve();
     fit.rank = solved.rank;
     fit.coefficients = solved.coefficients;
     fit.whitened = problem.jacobian(fit.shapes);
     fit.whitened_measured = problem.measured();
     fit.whitened_residual = solved.residual;
+    fit.covariance = problem.solve(fit.shapes).covariance;
     if (!fit.shapes.empty()) fit.columns = all_columns(series, fit.terms, nuisance);
     fit.residual_dph = rows.drift_dph - fit.columns * fit.coefficients;
     const Whitening plain(fit.noise, rows, rows.weights.cwiseProduct(kept));
     fit.robust = outlier_weights(plain.apply(fit.residual_dph)).cwiseProduct(kept);
   }
   fit.outliers = static_cast<std::size_t>((fit.robust.array() < 1 && kept.array() > 0).count());
-  fit.covariance = solve_linear(fit.whitened, fit.whitened_measured).covariance;
   return fit;
 }
 

@@ -195,8 +195,8 @@ WhitenedProblem::WhitenedProblem(const SignalSeries& series, const Whitening& wh
   columns_.push_back(whitening.apply(nuisance));
 }
 
-Eigen::MatrixXd WhitenedProblem::whitened(const EffectTerm& term) const {
-  return whitening_->apply(series_->regressors(term));
+Eigen::MatrixXd WhitenedProblem::whitened(const EffectTerm& term, Reading reading) const {
+  return whitening_->apply(series_->regressors(term, reading));
 }
 
 double WhitenedProblem::value(const ShapeParameter& parameter) const {
@@ -218,6 +218,17 @@ Eigen::MatrixXd WhitenedProblem::matrix() const {
     at += columns.cols();
   }
   return all;
+}
+
+LinearFit WhitenedProblem::solve(const std::vector<ShapeParameter>& parameters) const {
+  const Eigen::MatrixXd columns = jacobian(parameters);
+  if (series_->phase() == Phase::zero) return solve_linear(columns, measured_);
+  Eigen::MatrixXd instruments = columns;
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    instruments.middleCols(first_column(i), columns_[i].cols()) =
+        whitened(terms_[i], Reading::smoothed);
+  }
+  return solve_with_instruments(columns, instruments, measured_);
 }
 
 double WhitenedProblem::cost() const {

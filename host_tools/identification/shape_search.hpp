@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "identification/least_squares.hpp"
 #include "identification/signal_series.hpp"
 #include "identification/whitening.hpp"
 #include "model/model.hpp"
@@ -48,6 +49,11 @@ class WhitenedProblem {
   /// All regressors side by side, in the order of the terms, then the nuisance columns.
   Eigen::MatrixXd matrix() const;
   const Eigen::VectorXd& measured() const { return measured_; }
+  /// The coefficients of matrix() and, behind them, those of what a change of each parameter's
+  /// place does (0 at the best place), with their covariance. The noise of the temperature sensor
+  /// makes no coefficient smaller: smoothed readings stand for what really was (instrumental
+  /// variables), as a rate or its change otherwise counts the less the noisier it is.
+  LinearFit solve(const std::vector<ShapeParameter>& parameters = {}) const;
   /// Sum of squares that the best coefficients leave.
   double cost() const;
   /// cost() for each of some values of one parameter, where the coefficients are the best and the
@@ -60,7 +66,7 @@ class WhitenedProblem {
   Eigen::MatrixXd jacobian(const std::vector<ShapeParameter>& parameters) const;
 
  private:
-  Eigen::MatrixXd whitened(const EffectTerm& term) const;
+  Eigen::MatrixXd whitened(const EffectTerm& term, Reading reading = Reading::of_sensor) const;
   Eigen::Index first_column(std::size_t term) const;
 
   const SignalSeries* series_;

@@ -11,6 +11,14 @@
 
 namespace fogcomp {
 
+namespace {
+
+// Of the lags that smooth a temperature, relative to the derivative's: an eighth of its noise is
+// left in a rate, and heat that the derivative still follows hardly differs.
+constexpr double kSmoothing = 2;
+
+}  // namespace
+
 // Stands where walk_blocks expects a drift model, and keeps what one would see.
 class SignalRecorder {
  public:
@@ -93,7 +101,7 @@ std::int64_t blocks_per_row(double average_s, double block_s) {
 
 void SignalSeries::add(const BlockSeries& series) {
   require_inputs(model_, series);
-  runs_.push_back({series.block_s, {}});
+  runs_.push_back({series.block_s, {}, {}});
   const std::int64_t per_row = blocks_per_row(model_.average_s, series.block_s);
   RowCollector rows(per_row, rows_.size());
   if (phase_ == Phase::board) {
@@ -106,6 +114,11 @@ void SignalSeries::add(const BlockSeries& series) {
 }
 
 void SignalSeries::add_as_the_board(const BlockSeries& series, RowCollector& rows) {
+  Run smoothed{series.block_s, {}, {}};
+  SignalRecorder smooth_recorder(model_, smoothed);
+  walk_blocks(with_smooth_temperature(series, kSmoothing * model_.derivative_tau_s),
+              smooth_recorder, [](const BlockSeries::Block&) {});
+  for (const Block& block : smoothed.blocks) runs_.back().smoothed.push_back(block.signals);
   SignalRecorder recorder(model_, runs_.back());
   walk_blocks(series, recorder,
               [&](const BlockSeries::Block& block) { rows.take(block, recorder.current()); });
@@ -138,7 +151,7 @@ void SignalSeries::append_rows(const std::vector<RowSums>& sums, double sample_s
 }
 
 template <class Make>
-Eigen::MatrixXd SignalSeries::row_means(const Make& make) const {
+Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading) const {
   Eigen::MatrixXd sums;
   Eigen::VectorXd samples = Eigen::VectorXd::Zero(rows_.size());
   Eigen::VectorXd values;
@@ -148,9 +161,12 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make) const {
       values.resize(static_cast<Eigen::Index>(part.size()));
       sums.setZero(rows_.size(), values.size());
     }
-    for (const Block& block : run.blocks) {
-      if (block.restart) part.reset(block.signals);
-      part.step(block.signals, values.data());
+    const bool smoothed = reading == Reading::smoothed && !run.smoothed.empty();
+    for (std::size_t i = 0; i < run.blocks.size(); ++i) {
+      const Block& block = run.blocks[i];
+      const fog::Signals<RealNumbers>& signals = smoothed ? run.smoothed[i] : block.signals;
+      if (block.restart) part.reset(signals);
+      part.step(signals, values.data());
       if (block.row == kNoRow) continue;
       sums.row(block.row) += block.samples * values.transpose();
       samples[block.row] += block.samples;
@@ -187,7 +203,7 @@ Eigen::VectorXd SignalSeries::drift_dph(const std::vector<EffectTerm>& terms) co
   return drift;
 }
 
-Eigen::MatrixXd SignalSeries::regressors(const EffectTerm& term) const {
+Eigen::MatrixXd SignalSeries::regressors(const EffectTerm& term, Reading reading) const {
   struct Part {
     std::unique_ptr<RealEffect> effect;
     std::size_t size() const { return effect->regressor_count(); }
@@ -196,7 +212,7 @@ Eigen::MatrixXd SignalSeries::regressors(const EffectTerm& term) const {
       effect->step(signals, values);
     }
   };
-  return row_means([&](double block_s) { return Part{make_effect(term, block_s)}; });
+  return row_means([&](double block_s) { return Part{make_effect(term, block_s)}; }, reading);
 }
 
 SignalRanges SignalSeries::signal_ranges() const {

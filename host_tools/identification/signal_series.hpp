@@ -34,6 +34,12 @@ enum class Phase : std::uint8_t {
   zero,   ///< without delay (zero_phase.hpp): what a diagnosis looks at
 };
 
+/// Whose temperature the effects see.
+enum class Reading : std::uint8_t {
+  of_sensor,  ///< with the noise and the steps of the sensor, as the board has it
+  smoothed,   ///< with little of them: through two more lags, forward and backward
+};
+
 /// What effects see over one or more recordings, kept so that an effect of any shape can be run
 /// over it: signals block by block, and the row that each block is part of.
 class SignalSeries {
@@ -49,8 +55,10 @@ class SignalSeries {
 
   const Rows& rows() const { return rows_; }
 
-  /// The row means of an effect's regressors, rows x regressors of the effect.
-  Eigen::MatrixXd regressors(const EffectTerm& term) const;
+  /// The row means of an effect's regressors, rows x regressors of the effect. In Phase::zero both
+  /// readings are one.
+  Eigen::MatrixXd regressors(const EffectTerm& term, Reading reading = Reading::of_sensor) const;
+  Phase phase() const { return phase_; }
   /// The row means of what the terms make together with their coefficients, deg/h.
   Eigen::VectorXd drift_dph(const std::vector<EffectTerm>& terms) const;
 
@@ -74,6 +82,7 @@ class SignalSeries {
   struct Run {
     double block_s = 0;
     std::vector<Block> blocks;
+    std::vector<fog::Signals<RealNumbers>> smoothed;  ///< per block; none in Phase::zero
   };
   friend class SignalRecorder;
   friend class RowCollector;
@@ -84,7 +93,7 @@ class SignalSeries {
   // Row means of what make(block_s) gives block by block: an object with size(), reset(signals) and
   // step(signals, values).
   template <class Make>
-  Eigen::MatrixXd row_means(const Make& make) const;
+  Eigen::MatrixXd row_means(const Make& make, Reading reading = Reading::of_sensor) const;
 
   const Model& model_;
   Phase phase_;

@@ -52,13 +52,24 @@ void lag(Iterator first, Iterator end, double decay) {
   }
 }
 
-std::vector<double> rates(const std::vector<double>& temperature_degc, double block_s,
-                          double tau_s) {
-  const auto beyond = static_cast<std::size_t>(std::ceil(kRunInTaus * tau_s / block_s)) + 1;
+// Temperatures of a stretch behind both lags, with so many more at either end.
+std::vector<double> smoothed(const std::vector<double>& temperature_degc, std::size_t beyond,
+                             double block_s, double tau_s) {
   std::vector<double> smooth = extended(temperature_degc, beyond);
   const double decay = -std::expm1(-block_s / tau_s);
   lag(smooth.begin(), smooth.end(), decay);
   lag(smooth.rbegin(), smooth.rend(), decay);
+  return smooth;
+}
+
+std::size_t run_in(double block_s, double tau_s) {
+  return static_cast<std::size_t>(std::ceil(kRunInTaus * tau_s / block_s)) + 1;
+}
+
+std::vector<double> rates(const std::vector<double>& temperature_degc, double block_s,
+                          double tau_s) {
+  const std::size_t beyond = run_in(block_s, tau_s);
+  const std::vector<double> smooth = smoothed(temperature_degc, beyond, block_s, tau_s);
   constexpr double kMost = fog::kMostRateDegcPerMin;
   std::vector<double> result;
   for (std::size_t i = beyond; i < beyond + temperature_degc.size(); ++i) {
@@ -68,16 +79,25 @@ std::vector<double> rates(const std::vector<double>& temperature_degc, double bl
   return result;
 }
 
-}  // namespace
-
-ZeroPhaseSignals zero_phase_signals(const BlockSeries& series, double derivative_tau_s) {
+// Calls visit(first, end) for the blocks of every stretch that the board does not start anew in.
+template <class Visit>
+void each_stretch(const BlockSeries& series, const Visit& visit) {
   const auto most_held = static_cast<std::int64_t>(hold_blocks(series.block_s));
-  ZeroPhaseSignals result;
   std::size_t first = 0;
   for (std::size_t end = 1; end <= series.blocks.size(); ++end) {
     const bool goes_on = end < series.blocks.size() &&
                          series.blocks[end].number - series.blocks[end - 1].number - 1 <= most_held;
     if (goes_on) continue;
+    visit(first, end);
+    first = end;
+  }
+}
+
+}  // namespace
+
+ZeroPhaseSignals zero_phase_signals(const BlockSeries& series, double derivative_tau_s) {
+  ZeroPhaseSignals result;
+  each_stretch(series, [&](std::size_t first, std::size_t end) {
     const std::vector<double> rate =
         rates(bridged(series, first, end), series.block_s, derivative_tau_s);
     for (std::size_t i = first; i < end; ++i) {
@@ -86,9 +106,23 @@ ZeroPhaseSignals zero_phase_signals(const BlockSeries& series, double derivative
       result.signals.push_back({block.means.temperature, rate[at], block.means});
       result.restart.push_back(i == first);
     }
-    first = end;
-  }
+  });
   return result;
+}
+
+BlockSeries with_smooth_temperature(BlockSeries series, double tau_s) {
+  const std::size_t beyond = run_in(series.block_s, tau_s);
+  each_stretch(series, [&](std::size_t first, std::size_t end) {
+    const std::vector<double> smooth =
+        smoothed(bridged(series, first, end), beyond, series.block_s, tau_s);
+    for (std::size_t i = first; i < end; ++i) {
+      BlockSeries::Block& block = series.blocks[i];
+      const auto at = static_cast<std::size_t>(block.number - series.blocks[first].number);
+      block.means.temperature = smooth[beyond + at];
+    }
+  });
+  if (!series.blocks.empty()) series.first.temperature = series.blocks[0].means.temperature;
+  return series;
 }
 
 }  // namespace fogcomp

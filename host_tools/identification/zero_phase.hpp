@@ -21,4 +21,8 @@ struct ZeroPhaseSignals {
 /// so that a ramp goes on as a ramp; gaps that the board would hold over are bridged by a line.
 ZeroPhaseSignals zero_phase_signals(const BlockSeries& series, double derivative_tau_s);
 
+/// The recording as it would be with a sensor of less noise: temperatures through such lags,
+/// forward and backward.
+BlockSeries with_smooth_temperature(BlockSeries series, double tau_s);
+
 }  // namespace fogcomp

@@ -110,7 +110,7 @@ Fold leave_out(const SignalSeries& series, const std::vector<EffectTerm>& terms,
   const Eigen::MatrixXd offsets = run_offset_columns(rows, with.run_offsets);
   WhitenedProblem problem(series, whitening, terms, offsets);
   search_shapes(problem, shape_parameters(terms));
-  const LinearFit fit = solve_linear(problem.matrix(), problem.measured());
+  const LinearFit fit = problem.solve();
   Fold fold;
   fold.determined = fit.rank == fit.coefficients.size();
   if (fold.determined) fold.sigma_dph = fit.covariance.diagonal().cwiseSqrt();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "identification/effect_list.hpp"
 #include "support/input_error.hpp"
@@ -101,6 +102,21 @@ TEST(Identify, RefusesWhatTheDataCannotDetermine) {
   fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
   for (double& temperature : recording.temperature_degc) temperature = 25;
   EXPECT_THROW(fit(model, recording), fogcomp::InputError);
+}
+
+// How far the coil is before or behind the sensor shows at the corners of ramps alone, where it is
+// hardly more than the sensor's noise.
+TEST(Identify, IsNotMisledByTheNoiseOfTheTemperatureSensor) {
+  Model real = truth();
+  real.terms.push_back(fog::test::natural_term("thermal_lag", {60}, {-0.2}));
+  auto recording = fog::test::recording_of(real, {0.002, 0, 300}, 1);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0, 0.06);
+  for (double& temperature : recording.temperature_degc) temperature += noise(random);
+  Model model = real;
+  fit(model, recording);
+  const double found = model.terms.back().coefficients_dph[0];
+  EXPECT_NEAR(found / real.terms.back().coefficients_dph[0], 1, 0.1);
 }
 
 // Two play operators, of which the second is off unless it is asked for; the narrower is the first,

@@ -48,4 +48,19 @@ TEST(ZeroPhase, StartsAnewAfterALongGap) {
   for (const auto& signals : seen.signals) EXPECT_NEAR(signals.temperature_rate, 0, 1e-9);
 }
 
+TEST(ZeroPhase, SmoothsATemperatureAndLeavesARampAsItIs) {
+  const auto ramp = series_of(300, [](double time_s) { return 20 + time_s / 60; });
+  const auto noisy = series_of(
+      300, [](double time_s) { return 20 + time_s / 60 + 0.03 * std::sin(2.4 * time_s); });
+  const auto smooth_ramp = fogcomp::with_smooth_temperature(ramp, 60);
+  const auto smooth = fogcomp::with_smooth_temperature(noisy, 60);
+  for (std::size_t i = 0; i < 300; ++i) {
+    const double degc = ramp.blocks[i].means.temperature;
+    EXPECT_NEAR(smooth_ramp.blocks[i].means.temperature, degc, 1e-3) << i;
+    // The point at which a stretch is reflected keeps its noise.
+    const double left = i > 30 && i < 270 ? 0.003 : 0.03;
+    EXPECT_NEAR(smooth.blocks[i].means.temperature, degc, left) << i;
+  }
+}
+
 }  // namespace
