@@ -11,8 +11,8 @@
 namespace fogcomp {
 namespace {
 
-constexpr double kRow = 10;  // s
-constexpr double kDerivativeTau = 20;
+constexpr double kRow = 10;            // s
+constexpr double kDerivativeTau = 30;  // what `fit` has by default
 
 Eigen::VectorXd denoised(Eigen::VectorXd values, const DenoiseMethod& method) {
   denoise({values.data(), static_cast<std::size_t>(values.size())}, method);
@@ -62,7 +62,7 @@ Score score(const SimulatedRun& run, const Eigen::VectorXd& predicted) {
 }  // namespace
 
 const char* const kStudyEffects =
-    "bias,bias_temperature:order=2,temperature_rate,temperature_rate_product,"
+    "bias,bias_temperature:order=2,temperature_rate,temperature_rate_product,shupe:tau=120,"
     "polarization_ripple:period2=?,warm_up";
 
 MeanStd mean_and_std(const Eigen::VectorXd& values) {
