@@ -10,11 +10,11 @@ namespace fog::effects {
 /// power-on rather than carried as a state: nothing accumulates, and a restart of the thermal state
 /// does not warm the gyro up again.
 ///
-/// tau ends at 5 h: what is slower is the housing's own temperature, which the sensor sees, and would
-/// pass for ageing.
+/// tau ends at 5 h: what is slower is the housing's own temperature, which the sensor sees, and
+/// would pass for ageing.
 ///
-/// blocks / tau: the ratio has 31 fractional bits, 6.3e-6 of it at the longest tau, which changes the
-/// exponential by at most 2.3e-6. A tau shorter than a block counts as one block.
+/// blocks / tau: the ratio has 31 fractional bits, 6.3e-6 of it at the longest tau, which changes
+/// the exponential by at most 2.3e-6. A tau shorter than a block counts as one block.
 template <class N>
 class WarmUp {
  public:
