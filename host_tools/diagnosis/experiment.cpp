@@ -142,8 +142,8 @@ Experiment propose_experiment(const Model& model, const std::vector<Rival>& riva
     return best;
   }
   best.sentence = format(
-      "record `%s` (%s, %.0f h): there %s would differ by %.0f standard deviations of "
-      "noise and of what formulas are off by",
+      "record `%s` (%s, %.0f h): there %s would differ by %.0f standard deviations "
+      "(noise and model error)",
       best.profile.c_str(), what, best.hours, names.c_str(), best.separation);
   return best;
 }
