@@ -265,6 +265,7 @@ std::vector<double> WhitenedProblem::costs(const ShapeParameter& parameter,
 
 Eigen::MatrixXd WhitenedProblem::jacobian(const std::vector<ShapeParameter>& parameters) const {
   const Eigen::MatrixXd linear = matrix();
+  if (parameters.empty()) return linear;
   const Eigen::VectorXd coefficients = solve_linear(linear, measured_).coefficients;
   Eigen::MatrixXd all(linear.rows(), linear.cols() + static_cast<Eigen::Index>(parameters.size()));
   all.leftCols(linear.cols()) = linear;
