@@ -207,7 +207,9 @@ bool EmulatedBoard::exchange(std::chrono::milliseconds patience) {
   std::array<std::uint8_t, 16384> bytes;
   const auto take = [&](int port, auto& into) {
     const ssize_t count = recv(port, bytes.data(), bytes.size(), 0);
-    if (count <= 0) return;
+    // It closes its ports some time before it can be waited for.
+    if (count == 0) throw std::runtime_error("QEMU has ended");
+    if (count < 0) return;
     into.insert(into.end(), bytes.data(), bytes.data() + count);
     came = true;
   };
