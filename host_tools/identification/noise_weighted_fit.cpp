@@ -96,7 +96,7 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
     fit.whitened = problem.jacobian(fit.shapes);
     fit.whitened_measured = problem.measured();
     fit.whitened_residual = solved.residual;
-    fit.covariance = problem.solve(fit.shapes).covariance;
+    if (round + 1 == kRounds) fit.covariance = problem.solve(fit.shapes).covariance;
     if (!fit.shapes.empty()) fit.columns = all_columns(series, fit.terms, nuisance);
     fit.residual_dph = rows.drift_dph - fit.columns * fit.coefficients;
     const Whitening plain(fit.noise, rows, rows.weights.cwiseProduct(kept));
