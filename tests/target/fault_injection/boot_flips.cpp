@@ -7,7 +7,6 @@
 #include <exception>
 #include <map>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -23,18 +22,11 @@ using fogcomp::injection::EmulatedBoard;
 using fogcomp::injection::Flip;
 using fogcomp::injection::HealthyStream;
 using fogcomp::injection::OutputReader;
+using fogcomp::injection::QemuEnded;
 
 constexpr auto kQuiet = 400ms;  // after which nothing more is expected
 constexpr auto kLongest = 6s;   // for a board that keeps talking
 constexpr std::size_t kRestartsSeen = 3;
-
-std::size_t count(const std::string& text, const char* word) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-    ++found;
-  }
-  return found;
-}
 
 /// What became of one boot, in words.
 const std::string kValid = "a RATE MARKED VALID";
@@ -44,9 +36,7 @@ const std::string kGarbled = "output that no driver accepts";
 const std::string kSilent = "no output";
 const std::string kLockUp = "processor locked up";
 
-const std::string& boot(EmulatedBoard& board, std::size_t samples) {
-  board.drain();
-  board.reset();
+const std::string& feed(EmulatedBoard& board, std::size_t samples) {
   board.resume();
   HealthyStream stream;
   OutputReader reader;
@@ -59,9 +49,9 @@ const std::string& boot(EmulatedBoard& board, std::size_t samples) {
     if (reader.valid() > 0) return kValid;
     if (reader.accepted() >= samples) return kRefused;
     if (std::chrono::steady_clock::now() > deadline) return kGarbled;
-    if (count(board.console, "restarting") >= kRestartsSeen) return kRestarts;
-    if (board.ended()) throw std::runtime_error("QEMU has ended");
-    const std::size_t boots = count(board.console, "image: ");  // the last line of the boot message
+    const std::size_t restarts = board.times_said("restarting");
+    if (restarts >= kRestartsSeen) return kRestarts;
+    const std::size_t boots = board.boots();
     if (boots > kRestartsSeen) return kRestarts;
     if (boots > boots_fed) {
       boots_fed = boots;
@@ -73,26 +63,18 @@ const std::string& boot(EmulatedBoard& board, std::size_t samples) {
       board.send_to_sensor_port(stream.next(static_cast<int>(samples)));
       continue;
     }
-    if (count(board.console, "restarting") > 0) return kRestarts;
+    if (restarts > 0) return kRestarts;
     return board.output.empty() ? kSilent : kGarbled;
   }
 }
 
-/// The board is stopped before and after, its image whole.
 const std::string& boot_with(EmulatedBoard& board, const Flip& flip, std::size_t samples) {
-  const std::uint8_t byte = board.read_byte(flip.address);
-  const auto flipped = static_cast<std::uint8_t>(byte ^ (1U << flip.bit));
-  board.write_byte(flip.address, flipped);
-  if (board.read_byte(flip.address) != flipped) throw std::runtime_error("the flip did not take");
-  const std::string* outcome = &kLockUp;
+  board.flip(flip);
   try {
-    outcome = &boot(board, samples);
-    board.stop();
-    board.write_byte(flip.address, byte);
-  } catch (const std::runtime_error&) {  // QEMU ended, or answers no more
-    board.replace();
+    return feed(board, samples);
+  } catch (const QemuEnded&) {
+    return kLockUp;
   }
-  return *outcome;
 }
 
 volatile std::sig_atomic_t stopped = 0;
@@ -105,18 +87,18 @@ int run(const std::vector<std::string>& words) {
   std::mt19937 random(static_cast<std::mt19937::result_type>(std::stoul(words[2])));
   const std::size_t samples = std::stoul(words[3]);
   const auto flips = fogcomp::injection::plan_flips({words.begin() + 4, words.end()}, random);
-  EmulatedBoard board(words[0], words[1]);
-  if (boot(board, samples) != kValid) {
+  EmulatedBoard whole(words[0], words[1]);
+  if (feed(whole, samples) != kValid) {
     std::fputs("boot_flips: the image as it is gives no valid rate\n", stderr);
     return 1;
   }
   std::map<std::string, std::map<std::string, int>> outcomes;
   int accepted = 0;
-  board.stop();
   std::size_t done = 0;
   for (const Flip& flip : flips) {
     if (stopped != 0) break;
     ++done;
+    EmulatedBoard board(words[0], words[1]);
     const std::string& outcome = boot_with(board, flip, samples);
     ++outcomes[flip.area][outcome];
     if (outcome != kValid) continue;

@@ -37,13 +37,13 @@ void close_port(int& port) {
 
 }  // namespace
 
-EmulatedBoard::EmulatedBoard(std::string machine, std::string elf)
-    : machine_(std::move(machine)), elf_(std::move(elf)) {
+EmulatedBoard::EmulatedBoard(std::string machine, const std::string& elf)
+    : machine_(std::move(machine)) {
   signal(SIGPIPE, SIG_IGN);
   std::string pattern = (std::filesystem::temp_directory_path() / "fog_board_XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
   folder_ = pattern;
-  start();
+  start(elf);
 }
 
 EmulatedBoard::~EmulatedBoard() {
@@ -52,9 +52,9 @@ EmulatedBoard::~EmulatedBoard() {
   std::filesystem::remove_all(folder_, ignored);
 }
 
-void EmulatedBoard::start() {
+void EmulatedBoard::start(const std::string& elf) {
   std::vector<std::string> words{"qemu-system-arm", "-M",   machine_, "-display", "none",
-                                 "-monitor",        "none", "-S",     "-kernel",  elf_};
+                                 "-monitor",        "none", "-S",     "-kernel",  elf};
   for (const char* port : {"output", "sensor", "console"}) {
     words.insert(words.end(), {"-serial", "unix:" + folder_ + "/" + port + ",server=on,wait=off"});
   }
@@ -94,20 +94,6 @@ void EmulatedBoard::end() {
   }
   process_ = -1;
   for (int* port : {&output_port_, &sensor_port_, &console_port_, &debug_port_}) close_port(*port);
-}
-
-void EmulatedBoard::replace() {
-  end();
-  for (const char* port : {"output", "sensor", "console", "debug"}) {
-    std::filesystem::remove(folder_ + "/" + port);
-  }
-  drain();
-  start();
-}
-
-bool EmulatedBoard::ended() {
-  if (process_ > 0 && waitpid(process_, nullptr, WNOHANG) == process_) process_ = -1;
-  return process_ < 0;
 }
 
 int EmulatedBoard::connect_to(const std::string& port) {
@@ -176,11 +162,11 @@ void EmulatedBoard::write_byte(std::uint32_t address, std::uint8_t value) {
   }
 }
 
-void EmulatedBoard::reset() {
-  std::string request;
-  for (const char c : std::string("system_reset")) request += hex(static_cast<std::uint8_t>(c), 2);
-  std::string answer = command("qRcmd," + request);
-  while (answer != "OK") answer = receive_packet();  // what the monitor says on the way
+void EmulatedBoard::flip(const Flip& flip) {
+  const std::uint8_t byte = read_byte(flip.address);
+  const auto flipped = static_cast<std::uint8_t>(byte ^ (1U << flip.bit));
+  write_byte(flip.address, flipped);
+  if (read_byte(flip.address) != flipped) throw std::runtime_error("the flip did not take");
 }
 
 void EmulatedBoard::resume() {
@@ -208,7 +194,7 @@ bool EmulatedBoard::exchange(std::chrono::milliseconds patience) {
   const auto take = [&](int port, auto& into) {
     const ssize_t count = recv(port, bytes.data(), bytes.size(), 0);
     // It closes its ports some time before it can be waited for.
-    if (count == 0) throw std::runtime_error("QEMU has ended");
+    if (count == 0) throw QemuEnded();
     if (count < 0) return;
     into.insert(into.end(), bytes.data(), bytes.data() + count);
     came = true;
@@ -225,14 +211,13 @@ bool EmulatedBoard::exchange(std::chrono::milliseconds patience) {
   return came;
 }
 
-void EmulatedBoard::drain() {
-  to_sensor_.clear();
-  if (process_ > 0) {
-    while (exchange(0ms)) {
-    }
+std::size_t EmulatedBoard::times_said(const std::string& text) const {
+  std::size_t times = 0;
+  for (std::size_t at = console.find(text); at != std::string::npos;
+       at = console.find(text, at + text.size())) {
+    ++times;
   }
-  output.clear();
-  console.clear();
+  return times;
 }
 
 }  // namespace fogcomp::injection

@@ -5,34 +5,33 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "flip_plan.hpp"
 
 namespace fogcomp::injection {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A board in QEMU whose serial ports and debug port (gdbstub) this program holds. It can be
-/// stopped, its memory changed, and started again from reset, hundreds of times in one process.
+/// QEMU has ended: it does where the processor locks up.
+struct QemuEnded : std::runtime_error {
+  QemuEnded() : std::runtime_error("QEMU has ended") {}
+};
+
+/// A board in a QEMU of its own, whose serial ports and debug port (gdbstub) this program holds.
 class EmulatedBoard {
  public:
-  /// Boots `elf` on QEMU's `machine`, stopped before the first instruction. Throws
+  /// Loads `elf` on QEMU's `machine`, stopped before the first instruction. Throws
   /// std::runtime_error where QEMU cannot be started.
-  EmulatedBoard(std::string machine, std::string elf);
+  EmulatedBoard(std::string machine, const std::string& elf);
   ~EmulatedBoard();
   EmulatedBoard(const EmulatedBoard&) = delete;
   EmulatedBoard& operator=(const EmulatedBoard&) = delete;
 
-  /// Whether QEMU has ended: it does where the processor locks up. Everything else then throws
-  /// std::runtime_error.
-  bool ended();
-  /// A new QEMU with the image as it is in the file.
-  void replace();
-
-  // Only while stopped; after them it still is.
-  std::uint8_t read_byte(std::uint32_t address);
-  void write_byte(std::uint32_t address, std::uint8_t value);
-  void reset();
+  /// Flips a bit of memory, only while stopped. Throws std::runtime_error where it stays as it was.
+  void flip(const Flip& flip);
 
   void resume();
   void stop();
@@ -42,24 +41,27 @@ class EmulatedBoard {
   std::size_t unsent() const { return to_sensor_.size(); }
 
   /// Moves what has come out since to the ends of output and console, waiting up to `patience` for
-  /// the first of it. Returns whether anything came.
+  /// the first of it. Returns whether anything came. Throws QemuEnded.
   bool exchange(std::chrono::milliseconds patience);
-  /// Forgets everything that is under way.
-  void drain();
+  /// How often the console has shown `text`.
+  std::size_t times_said(const std::string& text) const;
+  /// Boot messages so far, complete ones: a restart need not have said that it comes.
+  std::size_t boots() const { return times_said("image: "); }  // its last line
 
   Bytes output;
   std::string console;
 
  private:
-  void start();
-  void end();
+  void start(const std::string& elf);
   int connect_to(const std::string& port);
   std::string command(const std::string& packet);
   std::string receive_packet();
   void send_all(int socket, const std::string& text);
+  std::uint8_t read_byte(std::uint32_t address);
+  void write_byte(std::uint32_t address, std::uint8_t value);
+  void end();
 
   std::string machine_;
-  std::string elf_;
   std::string folder_;
   pid_t process_ = -1;
   int output_port_ = -1;

@@ -23,6 +23,7 @@ using fogcomp::injection::EmulatedBoard;
 using fogcomp::injection::Flip;
 using fogcomp::injection::HealthyStream;
 using fogcomp::injection::OutputReader;
+using fogcomp::injection::QemuEnded;
 
 constexpr auto kPatience = 12s;     // without a byte: the board promises 10 s
 constexpr std::size_t kAhead = 32;  // samples on their way
@@ -43,23 +44,10 @@ struct Outcome {
 class Session {
  public:
   explicit Session(EmulatedBoard& board) : board_(board) {
-    // A new QEMU: in the ports of one that is only reset may lie what the last session sent.
-    board_.replace();
     board_.resume();
-    while (!says("image: ")) {
+    while (board_.boots() == 0) {
       if (!board_.exchange(kPatience)) throw std::runtime_error("the board does not start");
     }
-  }
-
-  bool says(const char* word) const { return board_.console.find(word) != std::string::npos; }
-
-  /// Boot messages: a restart need not have said that it comes.
-  std::size_t boots() const {
-    std::size_t found = 0;
-    for (auto at = board_.console.find("image: "); at != std::string::npos; ++found) {
-      at = board_.console.find("image: ", at + 1);
-    }
-    return found;
   }
 
   /// Samples answered with a valid rate so far.
@@ -74,7 +62,7 @@ class Session {
       }
       const bool came = board_.exchange(kPatience);
       reader_.read(board_.output);
-      if (says("restarting") || boots() > 1) return kRestart;
+      if (board_.times_said("restarting") > 0 || board_.boots() > 1) return kRestart;
       if (reader_.saw_fault()) return kInvalid;
       if (!came) return kHang;
       if (reader_.valid() >= valid) return kUnseen;
@@ -93,14 +81,13 @@ Outcome run_with(EmulatedBoard& board, const Flip& flip, std::size_t healthy, st
   const std::string& first = session.feed_until(healthy);
   if (first != kUnseen) throw std::runtime_error("the board is not healthy: " + first);
   board.stop();
-  const std::uint8_t byte = board.read_byte(flip.address);
-  board.write_byte(flip.address, static_cast<std::uint8_t>(byte ^ (1U << flip.bit)));
+  board.flip(flip);
   const std::size_t before = session.valid();
   board.resume();
   try {
     const std::string& what = session.feed_until(before + limit);
     return {what, session.valid() - before};
-  } catch (const std::runtime_error&) {  // QEMU ended
+  } catch (const QemuEnded&) {
     return {kLockUp, session.valid() - before};
   }
 }
@@ -113,12 +100,12 @@ int run(const std::vector<std::string>& words) {
   std::mt19937 random(static_cast<std::mt19937::result_type>(std::stoul(words[2])));
   const std::size_t limit = std::stoul(words[3]);
   const auto flips = fogcomp::injection::plan_flips({words.begin() + 4, words.end()}, random);
-  EmulatedBoard board(words[0], words[1]);
   std::map<std::string, std::map<std::string, int>> outcomes;
   std::size_t worst = 0;
   int unseen = 0;
   for (const Flip& flip : flips) {
     const std::size_t healthy = 10 + random() % 600U;  // so that it meets the scan anywhere
+    EmulatedBoard board(words[0], words[1]);
     const Outcome outcome = run_with(board, flip, healthy, limit);
     ++outcomes[flip.area][outcome.what];
     if (outcome.what == kUnseen || outcome.what == kHang) {
