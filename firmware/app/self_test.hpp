@@ -36,7 +36,7 @@ class SelfTest {
   bool memory_step();
 
   SealedScan sealed_;
-  MemoryScan memory_;
+  MemoryScan<> memory_;
   ImageProof& proof_;
   std::size_t bytes_a_step_;
   bool memory_good_ = false;

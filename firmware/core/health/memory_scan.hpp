@@ -17,6 +17,8 @@ struct LiveWords {
 };
 
 /// Marches over a memory in use, a block of kBlockWords at a time, with another pattern each pass.
+/// `Words`: how it is read and written.
+template <class Words = LiveWords>
 class MemoryScan {
  public:
   static constexpr std::size_t kBlockWords = 4;
@@ -30,7 +32,7 @@ class MemoryScan {
     const Span<volatile std::uint32_t> block{memory_.data + position_, kBlockWords};
     bool good = true;
     if (block.end() <= in_use.begin() || block.begin() >= in_use.end()) {
-      LiveWords words{block.data};
+      Words words{block.data};
       good = march_and_restore<kBlockWords>(words, kMarchPatterns[pattern_]);
     }
     position_ += kBlockWords;

@@ -380,6 +380,20 @@ TEST_F(TemperatureMonitorTest, WhatMovedLongerAgoThanTheMinuteBeforeDoesNotCount
   }
 }
 
+// Minutes end with the 60th, 120th ... reading of a second each: what the first of them moved
+// counts until the second has ended.
+TEST_F(TemperatureMonitorTest, AMinuteIsSixtySeconds) {
+  for (const int moves_again : {120, 121}) {
+    fog::TemperatureMonitor monitor(1'000'000);
+    double reading = 20;
+    for (int second = 1; second <= moves_again; ++second) {
+      if ((second > 1 && second <= 5) || second == moves_again) reading += 1.0 / 16;
+      EXPECT_EQ(monitor.judge(degc(reading), true, 1), Status::none) << second;
+    }
+    EXPECT_EQ(monitor.judge(degc(reading), true, 120), moves_again == 120 ? kFrozen : Status::none);
+  }
+}
+
 // 1 degC/min in steps of 1/16 degC, then nothing.
 TEST_F(TemperatureMonitorTest, ACoarseSensorThatStopsWithinARampIsFrozenAfterTwoMinutes) {
   double reading = 20;

@@ -58,6 +58,47 @@ TEST(RiskHistogram, ChoosesTheCandidateOfLeastRiskWhereTheSignalIsStrong) {
   }
 }
 
+// 64 details of one size and 64 of another, in 64ths of the universal threshold: which candidate is
+// best is then a matter of one bin.
+std::uint32_t chosen(std::uint32_t small, std::uint32_t large, std::uint32_t unit = 10) {
+  fog::RiskHistogram histogram;
+  for (int i = 0; i < 64; ++i) {
+    histogram.add(small * unit, 64 * unit);
+    histogram.add(large * unit, 64 * unit);
+  }
+  EXPECT_TRUE(histogram.choose());
+  return histogram.sixteenths();
+}
+
+TEST(RiskHistogram, BinsAreSixteenthsOfTheUniversalThreshold) {
+  // Small ones are noise, and best cut off just above (larger ones would be signal too).
+  for (std::uint32_t bin = 1; bin < 5; ++bin) {
+    EXPECT_EQ(chosen(4 * bin, 1000), bin + 1);
+    EXPECT_EQ(chosen(4 * bin - 1, 1000), bin);
+    EXPECT_EQ(chosen(4 * bin, 1000, 511), bin + 1);
+  }
+  EXPECT_EQ(chosen(0, 1000), 1U);
+}
+
+// In units of 16 / 64 of the threshold, squared: one detail counts at most (4 * 4)^2 = 256, and the
+// signal is weak below 557.
+TEST(RiskHistogram, ASignalIsWeakBelowItsLimitOfEnergy) {
+  const auto weak = [](std::uint32_t magnitude, int times, int units) {
+    fog::RiskHistogram histogram;
+    for (int i = 0; i < times; ++i) histogram.add(magnitude, 640);
+    for (int i = 0; i < units; ++i) histogram.add(160, 640);
+    while (!histogram.full()) histogram.add(0, 640);
+    histogram.choose();
+    return histogram.sixteenths() == fog::RiskHistogram::kWhole;
+  };
+  for (const std::uint32_t large : {2560U, 5000U, 0xFFFFFFFFU}) {
+    EXPECT_TRUE(weak(large, 2, 556 - 512));
+    EXPECT_FALSE(weak(large, 2, 557 - 512));
+  }
+  EXPECT_TRUE(weak(2549, 2, 556 - 504));  // 254^2 / 256 = 252
+  EXPECT_FALSE(weak(2549, 2, 557 - 504));
+}
+
 TEST(RiskHistogram, TakesAnyMagnitude) {
   fog::RiskHistogram histogram;
   while (!histogram.full()) histogram.add(0xFFFFFFFFU, 32767);

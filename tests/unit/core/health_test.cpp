@@ -129,7 +129,7 @@ struct FaultyMemory {
   }
 };
 
-constexpr std::size_t kWords = fog::MemoryScan::kBlockWords;
+constexpr std::size_t kWords = fog::MemoryScan<>::kBlockWords;
 
 bool any_pattern_fails(FaultyMemory memory) {
   bool failed = false;
@@ -204,16 +204,68 @@ TEST(March, FindsEveryPairOfCoupledCells) {
   EXPECT_EQ(missed, 0);
 }
 
+/// Words of which one cannot hold bit 3 high.
+struct WornWords {
+  static inline const volatile std::uint32_t* worn = nullptr;
+  volatile std::uint32_t* words;
+
+  std::uint32_t read(std::size_t i) const { return words[i]; }
+  void write(std::size_t i, std::uint32_t value) {
+    words[i] = words + i == worn ? value & ~8U : value;
+  }
+};
+
+// Which blocks are left out, to the word, and that each pass sees all others.
 TEST(MemoryScan, GoesOverAllBlocksButThoseInUseAndRestoresThem) {
-  std::vector<std::uint32_t> memory(10 * kWords + 3);
+  constexpr std::size_t kBlocks = 10;
+  std::vector<std::uint32_t> memory(kBlocks * kWords + 3);
   std::mt19937 random(1);
-  for (std::uint32_t& word : memory) word = static_cast<std::uint32_t>(random());
+  for (std::uint32_t& word : memory) word = static_cast<std::uint32_t>(random()) & ~8U;
   const auto before = memory;
   volatile std::uint32_t* const start = memory.data();
-  fog::MemoryScan scan({start, memory.size()});
-  EXPECT_EQ(scan.blocks(), 10U);
-  for (int i = 0; i < 100; ++i) EXPECT_TRUE(scan.step({start + 5, 3 * kWords}));
-  EXPECT_EQ(memory, before);
+  for (const std::size_t from : {0U, 4U, 5U, 7U, 8U}) {
+    for (const std::size_t size : {0U, 1U, 4U, 12U}) {
+      const fog::Span<volatile std::uint32_t> in_use{start + from, size};
+      for (std::size_t worn = 0; worn < memory.size(); ++worn) {
+        WornWords::worn = start + worn;
+        fog::MemoryScan<WornWords> scan({start, memory.size()});
+        ASSERT_EQ(scan.blocks(), kBlocks);
+        const std::size_t block = worn / kWords;
+        const bool left_out = block * kWords < from + size && (block + 1) * kWords > from;
+        for (std::size_t step = 0; step < fog::kMarchPatterns.size() * kBlocks; ++step) {
+          const bool good = step % kBlocks != block || left_out;
+          ASSERT_EQ(scan.step(in_use), good) << from << " " << size << " " << worn << " " << step;
+        }
+        ASSERT_EQ(memory, before);
+      }
+    }
+  }
+}
+
+/// Notes what is written first in place of what a word held: the pass's pattern.
+struct NotedWords {
+  static inline std::vector<std::uint32_t> patterns;
+  volatile std::uint32_t* words;
+
+  std::uint32_t read(std::size_t i) const { return words[i]; }
+  void write(std::size_t i, std::uint32_t value) {
+    if (words[i] == kHeld && value != kHeld) patterns.push_back(value);
+    words[i] = value;
+  }
+  static constexpr std::uint32_t kHeld = 0x12345678;
+};
+
+TEST(MemoryScan, TakesAnotherPatternEachPass) {
+  std::vector<std::uint32_t> memory(3 * kWords, NotedWords::kHeld);
+  fog::MemoryScan<NotedWords> scan({memory.data(), memory.size()});
+  NotedWords::patterns.clear();
+  std::vector<std::uint32_t> expected;
+  for (std::size_t pass = 0; pass < 2 * fog::kMarchPatterns.size(); ++pass) {
+    for (int block = 0; block < 3; ++block) EXPECT_TRUE(scan.step({memory.data(), 0}));
+    expected.insert(expected.end(), memory.size(),
+                    fog::kMarchPatterns[pass % fog::kMarchPatterns.size()]);
+  }
+  EXPECT_EQ(NotedWords::patterns, expected);
 }
 
 // ---- record ----
