@@ -78,13 +78,13 @@ TEST(PaperStudy, GyrosSideBySideAreTheGyrosByThemselves) {
   fogcomp::StudySettings settings = small_settings();
   settings.epochs = 100;
   settings.iterations = 2;
-  settings.models = {"bp", "effects"};
+  settings.models = {"bp", "polynomial"};
   const auto together = fogcomp::study_gyros(settings, 3, [](double) {});
   ASSERT_EQ(together.size(), 3U);
   settings.seed = 3;
   const fogcomp::Study alone = run_study(settings);
   EXPECT_EQ(together[2].model("bp").own_dph, alone.model("bp").own_dph);
-  EXPECT_EQ(together[2].model("effects").own_dph, alone.model("effects").own_dph);
+  EXPECT_EQ(together[2].model("polynomial").own_dph, alone.model("polynomial").own_dph);
   EXPECT_NE(together[1].model("bp").own_dph, alone.model("bp").own_dph);
 }
 

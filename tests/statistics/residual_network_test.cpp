@@ -24,4 +24,9 @@ TEST(NetworkOnNoise, IsNotKept) {
   }
 }
 
+TEST(NetworkOnNoise, IsTheSameForTheSameSeed) {
+  EXPECT_EQ(fit_network(truth(), kSlowNoise, 1, true).network_dph,
+            fit_network(truth(), kSlowNoise, 1, true).network_dph);
+}
+
 }  // namespace

@@ -14,11 +14,8 @@ fi
 
 # build OUTPUT TEMPERATURE: an image with these choices.
 build() {
-  image=$folder/$1_$2/fogcomp.elf
-  cmake -S "$source" -B "$folder/$1_$2" --preset stm32f405 -DFOG_OUTPUT="$1" -DFOG_TEMPERATURE="$2" \
-    >"$folder/build.log"
-  cmake --build "$folder/$1_$2" --target fogcomp >>"$folder/build.log" ||
-    { cat "$folder/build.log"; exit 1; }
+  image=$folder/$1_$2.elf
+  "$source/tests/target/build_variant.sh" "$images" stm32f405 fogcomp "$image" -DFOG_OUTPUT="$1" -DFOG_TEMPERATURE="$2"
   "$source/tests/budget/forbidden_symbols.sh" "$image"
   echo "$1, $2: $(arm-none-eabi-size "$image" | awk 'NR == 2 { print $1 + $2 }') bytes of flash"
 }
@@ -38,7 +35,7 @@ done
 mkfifo "$folder/line.in" "$folder/line.out" 2>/dev/null || true
 "$ds18b20" "$folder/line.out" "$folder/line.in" 42 &
 trap 'kill $! 2>/dev/null || true' EXIT
-"$source/tests/target/run_uart.sh" netduinoplus2 "$folder/polled_ds18b20/fogcomp.elf" "$input" "$folder/out.bin" \
+"$source/tests/target/run_uart.sh" netduinoplus2 "$folder/polled_ds18b20.elf" "$input" "$folder/out.bin" \
   $((36 * frames)) -serial null -serial null -serial "pipe:$folder/line"
 temperatures=$(od -An -v -t u1 -w36 "$folder/out.bin" | awk '$29 == 4 { print 256 * $31 + $32 }' | sort | uniq -c)
 echo "temperatures of valid frames with a sensor of 42 degC: $temperatures"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# images_are_reproducible.sh PLATFORM IMAGES: the firmware built from a copy of the sources in another
-# folder is the same to the byte as in IMAGES/PLATFORM.
+# images_are_reproducible.sh PLATFORM IMAGES: product and bulk image built from a copy of the sources in another
+# folder are the same to the byte as in IMAGES/PLATFORM.
 set -euo pipefail
 platform=$1 images=$2
 root=$(realpath "$(dirname "$0")/../..")
@@ -12,7 +12,7 @@ mkdir "$copy/tests"
 cp -r "$root/tests/on_target" "$copy/tests"
 cd "$copy"
 cmake --preset "$platform" >/dev/null
-cmake --build --preset "$platform" >/dev/null
-for image in "$images/$platform"/*.elf "$images/$platform"/*.bin "$images/$platform"/*.hex; do
+cmake --build --preset "$platform" --target fogcomp fogcomp_bulk >/dev/null
+for image in "$images/$platform"/fogcomp{,_bulk}.{elf,bin,hex}; do
   cmp "$image" "build/$platform/${image##*/}"
 done

@@ -22,8 +22,6 @@ TEST(ResidualNetwork, LearnsAnEffectThatIsLeftOut) {
   ASSERT_TRUE(fitted.model.network.present());
   EXPECT_GT(fitted.result.network_judged->gain, 5 * fogcomp::kLeastGain);
   EXPECT_LT(mean_square(fitted.left_dph - fitted.network_dph), 0.1 * mean_square(fitted.left_dph));
-  EXPECT_EQ(fit_network(gyro, kQuietNoise, 1, true).network_dph, fitted.network_dph)
-      << "not the same again";
 }
 
 }  // namespace
