@@ -87,8 +87,7 @@ int run(const std::vector<std::string>& words) {
   std::mt19937 random(static_cast<std::mt19937::result_type>(std::stoul(words[2])));
   const std::size_t samples = std::stoul(words[3]);
   const auto flips = fogcomp::injection::plan_flips({words.begin() + 4, words.end()}, random);
-  EmulatedBoard whole(words[0], words[1]);
-  if (feed(whole, samples) != kValid) {
+  if (EmulatedBoard whole(words[0], words[1]); feed(whole, samples) != kValid) {
     std::fputs("boot_flips: the image as it is gives no valid rate\n", stderr);
     return 1;
   }
