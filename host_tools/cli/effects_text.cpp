@@ -10,7 +10,10 @@ std::string without_value(const CatalogueEntry& entry, const fog::ParameterDescr
   if (entry.description.name == std::string(kBiasStep)) return "searched for";
   const std::string start = format("%g", parameter.default_milli / 1000.0);
   if (parameter.whole) return start;
-  if (parameter.default_milli == 0) return format("left out; %s=? identifies it", parameter.name);
+  if (parameter.default_milli == 0) {
+    return format("%s; %s=? identifies it", is_optional_part(parameter) ? "left out" : "0",
+                  parameter.name);
+  }
   return "identified, from " + start;
 }
 

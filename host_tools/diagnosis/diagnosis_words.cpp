@@ -186,7 +186,7 @@ std::string shape_words(const EffectTerm& term) {
   const TermInfo info = info_of(term);
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
     const TermInfo::Parameter& parameter = info.parameters[i];
-    if (term.parameters[i] == 0 && parameter.bounds.least > 0) continue;
+    if (is_left_at_zero(term, i)) continue;
     text += (text.empty() ? "" : ", ") +
             format("%s %.3g", parameter.name.c_str(), term.parameters[i]) +
             (parameter.unit.empty() ? "" : " " + parameter.unit);

@@ -62,8 +62,7 @@ class Search {
   bool may_stand_twice(std::size_t candidate) const {
     if (is_step(candidate) || candidates_[candidate].is_expression()) return false;
     const CatalogueEntry& entry = find_effect(candidates_[candidate].effect);
-    return std::any_of(entry.parameters.begin(), entry.parameters.end(),
-                       [](const auto& parameter) { return parameter.default_milli == 0; });
+    return std::any_of(entry.parameters.begin(), entry.parameters.end(), is_optional_part);
   }
 
   // Moves the shapes, one part at a time, to where they explain most together.

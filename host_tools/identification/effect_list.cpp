@@ -133,7 +133,7 @@ std::vector<EffectTerm> grown_terms(const EffectTerm& own) {
     if (parameter.whole && own.parameters[i] < parameter.most_milli / 1000.0) {
       term.parameters[i] += 1;
       more.push_back(term);
-    } else if (parameter.default_milli == 0 && own.parameters[i] == 0 && !is_event(own)) {
+    } else if (is_optional_part(parameter) && own.parameters[i] == 0 && !is_event(own)) {
       term.identified[i] = true;
       term.parameters[i] = catalogue_bounds(entry, i).least;
       more.push_back(term);

@@ -112,7 +112,7 @@ ShapeParameter::Scale scale_of(const std::string& name, const ShapeBounds& bound
 // order; the smaller is the first. Only where both were searched in the same range, so that no
 // bound is left.
 bool is_second_part(const EffectTerm& term, std::size_t parameter) {
-  return !term.expression && find_effect(term.name).parameters[parameter].default_milli == 0;
+  return !term.expression && is_optional_part(find_effect(term.name).parameters[parameter]);
 }
 void order_parts(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters) {
   for (std::size_t i = 1; i < parameters.size(); ++i) {

@@ -127,8 +127,12 @@ fog::InputMask needs_of(const Model& model) {
   return needs;
 }
 
+bool is_optional_part(const fog::ParameterDescription& parameter) {
+  return parameter.default_milli == 0 && parameter.least_milli == 0;
+}
+
 ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index) {
-  const bool second = index > 0 && entry.parameters[index].least_milli == 0;
+  const bool second = index > 0 && is_optional_part(entry.parameters[index]);
   const fog::ParameterDescription& parameter = entry.parameters[second ? index - 1 : index];
   return {parameter.least_milli / 1000.0, parameter.most_milli / 1000.0};
 }

@@ -59,8 +59,11 @@ EffectTerm expression_term(const std::string& definition);
 /// What the effects and the network of a model need beside the coil's temperature.
 fog::InputMask needs_of(const Model& model);
 
-/// Where parameter `index` is searched. One that may be 0, which leaves the effect's second part
-/// out, is searched where the one before it, the first part's, is.
+/// Whether a parameter is of an effect's second part, which 0 leaves out.
+bool is_optional_part(const fog::ParameterDescription& parameter);
+
+/// Where parameter `index` is searched. That of an optional part is searched where the one before
+/// it, the first part's, is.
 ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index);
 
 /// The one effect that is an event of a recording rather than a property of the gyro.

@@ -36,6 +36,7 @@ std::string describe(const Model& model) {
     const TermInfo entry = info_of(term);
     text += format("  %-24s %s", term.name.c_str(), entry.equation.c_str());
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+      if (is_left_at_zero(term, i)) continue;
       text += format(", %s %.5g", entry.parameters[i].name.c_str(), term.parameters[i]);
       if (term.identified[i]) text += format(" +- %.2g", term.parameter_sigma[i]);
       if (!entry.parameters[i].unit.empty()) text += " " + entry.parameters[i].unit;

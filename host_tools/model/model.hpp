@@ -30,6 +30,11 @@ struct EffectTerm {
   std::optional<ExpressionTerm> expression{};
 };
 
+/// Whether a part of the shape is not used: not identified, and 0.
+inline bool is_left_at_zero(const EffectTerm& term, std::size_t parameter) {
+  return term.parameters[parameter] == 0 && !term.identified[parameter];
+}
+
 /// Names of fog::ThresholdRule, in its order.
 inline const std::vector<std::string> kBoardRules{"fixed", "sqtwolog", "heursure"};
 

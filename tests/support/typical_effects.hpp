@@ -12,7 +12,8 @@
 // Every effect of the board at the size that effects have in tactical and navigation gyros.
 namespace fog::test {
 
-/// A term from coefficients in the natural units of the catalogue.
+/// A term from coefficients in the natural units of the catalogue. Parameters that are not given
+/// have their defaults.
 inline fogcomp::EffectTerm natural_term(const std::string& name,
                                         const std::vector<double>& parameters,
                                         const std::vector<double>& coefficients) {
@@ -20,8 +21,11 @@ inline fogcomp::EffectTerm natural_term(const std::string& name,
   fogcomp::EffectTerm term;
   term.name = name;
   term.parameters = parameters;
-  term.identified.assign(parameters.size(), false);
-  term.parameter_sigma.assign(parameters.size(), 0);
+  while (term.parameters.size() < entry.parameters.size()) {
+    term.parameters.push_back(entry.parameters[term.parameters.size()].default_milli / 1000.0);
+  }
+  term.identified.assign(term.parameters.size(), false);
+  term.parameter_sigma.assign(term.parameters.size(), 0);
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
     const CoefficientDescription& description = entry.coefficients[i];
     term.coefficients_dph.push_back(std::ldexp(coefficients[i], description.scale_log2) /
@@ -57,7 +61,7 @@ inline std::vector<fogcomp::EffectTerm> typical_terms() {
           natural_term("thermal_lag", {960}, {0.14}),
           natural_term("temperature_rate_product", {}, {1e-3}),
           natural_term("axial_gradient", {30}, {0.9, 0.1}),
-          natural_term("polarization_ripple", {13, 4.8}, {0.02, -0.03, 0.005, 0.004}),
+          natural_term("polarization_ripple", {13, 4.8, 0.05}, {0.02, -0.03, 0.005, 0.004}),
           natural_term("thermal_hysteresis", {3, 10}, {0.03, 0.02}),
           natural_term("glass_transition", {-20, 4}, {0.1, 0.14}),
           natural_term("scale_factor_temperature", {}, {300}),

@@ -22,6 +22,7 @@ bool accepted(std::size_t id, const Constants& constants, std::size_t coefficien
 }
 
 constexpr std::int32_t kMost = INT32_MAX;
+constexpr std::int32_t kLeast = INT32_MIN;
 constexpr std::int32_t k256Degrees = 256 << 22;
 
 struct EffectLimits {
@@ -39,8 +40,16 @@ const EffectLimits kEffects[] = {
     {"thermal_lag", 4, 1, {{1}, {kMost}}, {{0}, {-1}}},
     {"temperature_rate_product", 5, 1, {{}}, {}},
     {"axial_gradient", 6, 2, {{1, 1}, {kMost, kMost}}, {{0, 1}, {1, 0}, {-1, 1}, {1, -1}}},
-    {"polarization_ripple, one", 7, 2, {{1, 0}, {kMost, 0}}, {{0, 0}, {-1, 0}, {1, -1}}},
-    {"polarization_ripple, two", 7, 4, {{1, 1}, {kMost, kMost}}, {{0, 1}, {1, -1}}},
+    {"polarization_ripple, one",
+     7,
+     2,
+     {{1, 0, kLeast}, {kMost, 0, kMost}},
+     {{0, 0, 0}, {-1, 0, 0}, {1, -1, 0}}},
+    {"polarization_ripple, two",
+     7,
+     4,
+     {{1, 1, 0}, {kMost, kMost, kLeast}},
+     {{0, 1, 0}, {1, -1, 0}}},
     {"thermal_hysteresis, one",
      8,
      1,

@@ -162,6 +162,22 @@ TEST(Identify, FindsASecondPeriodOfTheRippleWhereAsked) {
   EXPECT_LT(term.parameter_sigma[1], 2);
 }
 
+TEST(Identify, FindsTheChirpOfTheRippleWhereAsked) {
+  Model real = truth();
+  real.terms.push_back(fog::test::natural_term("polarization_ripple", {13, 0, 0.05}, {0.02, 0.01}));
+  const auto recording = fog::test::recording_of(real, {0.024, 0.003, 300}, 3);
+  Model model = unknown();
+  model.terms = fogcomp::parse_effects(
+      "bias,bias_temperature:order=3,temperature_rate,polarization_ripple:chirp=?");
+  fit(model, recording);
+  const fogcomp::EffectTerm& term = model.terms.back();
+  EXPECT_NEAR(term.parameters[0], 13, 4 * term.parameter_sigma[0]);
+  EXPECT_NEAR(term.parameters[2], 0.05, 4 * term.parameter_sigma[2]);
+  EXPECT_LT(term.parameter_sigma[2], 0.01);
+  EXPECT_EQ(fogcomp::parse_effects("polarization_ripple")[0].identified,
+            (std::vector<bool>{true, false, false}));
+}
+
 // A strong ripple whose period is a little off leaves more than the weak one has, so that a
 // neighbour of the strong one can pass for it.
 TEST(Identify, FindsAWeakSecondPeriodBesideAStrongOneWhereverTheyAre) {
