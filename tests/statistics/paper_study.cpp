@@ -58,9 +58,9 @@ TEST(PaperStudy, NetworksOfTimeAndTemperatureFitTheirRunAndFailOnOthers) {
 TEST(PaperStudy, EffectsHoldOnProgrammesTheyNeverSaw) {
   for (const char* name : {"effects", "effects+network"}) {
     const fogcomp::ModelResult& model = study().model(name);
-    EXPECT_LT(model.own.truth_rms_dph, 0.008) << name;
+    EXPECT_LT(model.own.truth_rms_dph, 0.005) << name;
     for (std::size_t run = 0; run < model.held_out.size(); ++run) {
-      EXPECT_LT(model.held_out[run].truth_rms_dph, 0.015) << name;
+      EXPECT_LT(model.held_out[run].truth_rms_dph, 0.008) << name;
       EXPECT_LT(model.held_out[run].truth_rms_dph,
                 study().model("polynomial").held_out[run].truth_rms_dph / 2)
           << name;
