@@ -1,16 +1,8 @@
 # RV32IMAC with its control registers, no floating point: not a board of ours, but a second instruction set that keeps the core honest.
-set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR rv32) # a folder of firmware/platform
 
-set(CMAKE_C_COMPILER riscv64-unknown-elf-gcc)
-set(CMAKE_CXX_COMPILER riscv64-unknown-elf-g++)
-set(CMAKE_ASM_COMPILER riscv64-unknown-elf-gcc)
-set(CMAKE_OBJCOPY riscv64-unknown-elf-objcopy)
-set(CMAKE_SIZE riscv64-unknown-elf-size)
-set(CMAKE_NM riscv64-unknown-elf-nm)
-
-# No start files and no libc exist to link a test program with.
-set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+set(toolchain riscv64-unknown-elf)
+include("${CMAKE_CURRENT_LIST_DIR}/bare_metal.cmake")
 
 # Debian has this compiler without the freestanding C++ headers (<array>, <cstdint>, ...). Those of the other
 # cross compiler, which is the same version of GCC, hold nothing that depends on the processor.
@@ -31,7 +23,3 @@ set(cpu_flags "-march=rv32imac -misa-spec=2.2 -mabi=ilp32 -mcmodel=medlow -msmal
 set(CMAKE_C_FLAGS_INIT "${cpu_flags}")
 set(CMAKE_CXX_FLAGS_INIT "${cpu_flags}${standard_headers}")
 set(CMAKE_ASM_FLAGS_INIT "${cpu_flags}")
-
-set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
-set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)

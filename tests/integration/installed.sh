@@ -40,7 +40,7 @@ fi
 
 command -v arm-none-eabi-g++ >/dev/null || { echo "skipped: no arm-none-eabi-g++ here"; exit 77; }
 cp -r "$here/installed_core" own
-cp "$source/cmake/toolchains/arm-none-eabi.cmake" own # any other would do
+cp "$source"/cmake/toolchains/{arm-none-eabi,bare_metal}.cmake own # any other would do
 cmake -S own -B built -G Ninja -DCMAKE_TOOLCHAIN_FILE="$PWD/own/arm-none-eabi.cmake" -DCMAKE_PREFIX_PATH="$PWD/prefix" \
   -DMODEL_FOLDER="$PWD" >configured.txt || { cat configured.txt; exit 1; }
 cmake --build built -j 2 >built.txt || { cat built.txt; exit 1; }
