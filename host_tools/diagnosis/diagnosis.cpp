@@ -348,17 +348,15 @@ class Diagnoser {
   // What each term of the model is worth.
   void weigh_terms() {
     result_.terms = fit_.terms;
-    Eigen::Index first = 0;
-    for (EffectTerm& term : result_.terms) {
-      const auto width =
-          static_cast<Eigen::Index>(make_effect(term, rows_.row_s)->regressor_count());
-      const Eigen::VectorXd own = fit_.coefficients.segment(first, width);
-      term.coefficients_dph.assign(own.begin(), own.end());
+    const std::vector<ColumnRange> columns = columns_of(fit_.terms, rows_.row_s);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const auto [first, count] = columns[i];
+      const Eigen::VectorXd own = fit_.coefficients.segment(first, count);
+      result_.terms[i].coefficients_dph.assign(own.begin(), own.end());
       result_.term_gain.push_back(
           fit_.covariance.size() == 0
               ? 0
-              : own.dot(fit_.covariance.block(first, first, width, width).llt().solve(own)));
-      first += width;
+              : own.dot(fit_.covariance.block(first, first, count, count).llt().solve(own)));
     }
   }
 

@@ -3,13 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace fogcomp {
+#include "identification/term_columns.hpp"
 
-/// Consecutive columns of an ExplainedSpace.
-struct ColumnRange {
-  Eigen::Index first = 0;
-  Eigen::Index count = 0;
-};
+namespace fogcomp {
 
 /// Columns and a residual as inner products, so that "how much would these columns explain
 /// together?" costs a small linear system, whatever the number of rows. Everything in it is

@@ -7,6 +7,7 @@
 #include "diagnosis/hypotheses.hpp"
 #include "identification/least_squares.hpp"
 #include "identification/row_filters.hpp"
+#include "identification/term_columns.hpp"
 #include "model/catalogue.hpp"
 
 namespace fogcomp {
@@ -37,12 +38,12 @@ constexpr Eigen::Index kPriors = 2 + kLagging.size();
 // What the model's coefficients of the temperature rate make of the drift.
 Eigen::VectorXd drift_of_rate_terms(const Rows& rows, const NoiseWeightedFit& fit) {
   Eigen::VectorXd drift = Eigen::VectorXd::Zero(rows.size());
-  Eigen::Index column = 0;
-  for (const EffectTerm& term : fit.terms) {
-    const std::size_t count = make_effect(term, rows.row_s)->regressor_count();
-    const TermInfo info = info_of(term);
-    for (std::size_t i = 0; i < count; ++i, ++column) {
-      if (!of_temperature_rate(info.coefficients[i])) continue;
+  const std::vector<ColumnRange> columns = columns_of(fit.terms, rows.row_s);
+  for (std::size_t term = 0; term < columns.size(); ++term) {
+    const TermInfo info = info_of(fit.terms[term]);
+    for (Eigen::Index i = 0; i < columns[term].count; ++i) {
+      if (!of_temperature_rate(info.coefficients[static_cast<std::size_t>(i)])) continue;
+      const Eigen::Index column = columns[term].first + i;
       drift += fit.columns.col(column) * fit.coefficients[column];
     }
   }

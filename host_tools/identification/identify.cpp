@@ -6,6 +6,7 @@
 #include "identification/expression_survey.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/step_search.hpp"
+#include "identification/term_columns.hpp"
 #include "model/catalogue.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -20,24 +21,8 @@ constexpr double kConfused = 0.95;  // correlation of two effects' coefficients 
 constexpr double kVisible = 5;      // standard deviations
 constexpr double kRampDegcPerMin = 0.1;
 
-// Columns of each term within the matrix of all.
-struct Columns {
-  Eigen::Index first = 0;
-  Eigen::Index count = 0;
-};
-std::vector<Columns> columns_of(const std::vector<EffectTerm>& terms, double block_s) {
-  std::vector<Columns> columns;
-  Eigen::Index first = 0;
-  for (const EffectTerm& term : terms) {
-    const auto count = static_cast<Eigen::Index>(make_effect(term, block_s)->regressor_count());
-    columns.push_back({first, count});
-    first += count;
-  }
-  return columns;
-}
-
 // Largest correlation between any coefficient of one effect and any of the other.
-double correlation(const Eigen::MatrixXd& covariance, const Columns& a, const Columns& b) {
+double correlation(const Eigen::MatrixXd& covariance, const ColumnRange& a, const ColumnRange& b) {
   double largest = 0;
   for (Eigen::Index i = a.first; i < a.first + a.count; ++i) {
     for (Eigen::Index j = b.first; j < b.first + b.count; ++j) {
@@ -49,7 +34,7 @@ double correlation(const Eigen::MatrixXd& covariance, const Columns& a, const Co
 }
 
 std::vector<std::string> confusions(const std::vector<EffectTerm>& terms,
-                                    const std::vector<Columns>& columns,
+                                    const std::vector<ColumnRange>& columns,
                                     const Eigen::MatrixXd& covariance) {
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -143,7 +128,7 @@ Identification identify(Model& model, const SignalSeries& series,
   result.outliers = fit.outliers;
   const double widening = std::max(1.0, result.misfit);
   const Eigen::VectorXd sigma = fit.covariance.diagonal().cwiseSqrt() * widening;
-  const std::vector<Columns> columns = columns_of(model.terms, rows.row_s);
+  const std::vector<ColumnRange> columns = columns_of(model.terms, rows.row_s);
   const Eigen::Index coefficients = columns.back().first + columns.back().count;
   const auto offset_values = fit.coefficients.segment(coefficients, offsets.cols());
   result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());
