@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "diagnosis/explained_space.hpp"
+#include "diagnosis/explanation.hpp"
 #include "diagnosis/hypotheses.hpp"
 #include "diagnosis/null_test.hpp"
 #include "diagnosis/refit.hpp"
@@ -28,13 +29,8 @@ const double kLibraryLogP = std::log(0.0001);
 const double kStructureLogP = std::log(0.0005);
 const double kFastLogP = std::log(0.0005);
 
-constexpr double kNamed = 0.92;       // probability from which one name is given
-constexpr double kConfusable = 0.05;  // and from which an effect is among those that it may be
-// Of the excess, by one, two, three effects: what leaves more than that does not explain it.
-// Several effects together imitate a good deal of what is none of them.
-constexpr std::array<double, 3> kUnexplained{0.1, 0.06, 0.05};
+constexpr double kConfusable = 0.05;     // and from which an effect is among those that it may be
 constexpr double kPossible = 9;          // fall of chi^2 by which a shape is not the best
-constexpr double kLeftoverLogP = -7;     // that what is left over is noise
 constexpr Eigen::Index kLeastRows = 60;  // for any opinion
 constexpr double kEnoughFreedom = 12;    // of the noise: from soaks alone
 
@@ -152,19 +148,6 @@ class Diagnoser {
     for (Diagnosis::Share& segment : result_.segments) segment.share /= sum > 0 ? sum : 1;
   }
 
-  double width(const std::vector<ColumnRange>& ranges) const {
-    double columns = 0;
-    for (const ColumnRange& range : ranges) columns += static_cast<double>(range.count);
-    return columns;
-  }
-  std::vector<ColumnRange> ranges_of(const Hypothesis& hypothesis) const {
-    std::vector<ColumnRange> ranges;
-    for (const Hypothesis::Part& part : hypothesis.parts) {
-      ranges.push_back(library_[part.candidate][part.shape]);
-    }
-    return ranges;
-  }
-
   void judge(const ExplainedSpace& space, const VisibleStructure& structure,
              const Eigen::VectorXd& residual) {
     if (library_.empty()) {
@@ -175,7 +158,7 @@ class Diagnoser {
         test_against_noise(space, library_, structure_, fit_.noise.freedom, settings_.seed);
     const std::vector<Hypothesis> hypotheses = find_hypotheses(space, candidates_, library_);
     if (hypotheses.empty()) return;
-    const Explanation explanation = explain(space, hypotheses);
+    const Explanation explanation = explain(space, library_, structure_, hypotheses);
     result_.unexplained_fraction = explanation.unexplained;
     result_.fast =
         find_fast_structure(rows_, without(space, structure, *explanation.best, residual));
@@ -192,7 +175,7 @@ class Diagnoser {
     list_explanations(hypotheses, explanation.excess);
     if (!something) return;
     const double fast_gain = fast_excess();
-    const bool fast_left = fast_gain > kUnexplained[0] * (fast_gain + explanation.excess);
+    const bool fast_left = fast_gain > kMostUnexplained[0] * (fast_gain + explanation.excess);
     if (!fast_left) result_.fast_kind = FastKind::none;
     if (fast_left && fast_gain > explanation.excess) result_.variable = "time_s";
     if (explanation.enough && !fast_left && test.library_log_p < kLibraryLogP) {
@@ -227,44 +210,10 @@ class Diagnoser {
     return result_.jumps.gain;
   }
 
-  struct Explanation {
-    const Hypothesis* best = nullptr;
-    double excess = 0;       // chi^2 above noise that there is to explain
-    double unexplained = 0;  // share of it
-    bool enough = false;     // what is left is noise, or little of the whole
-  };
-
-  // The smallest set of effects that explains enough; else the best one, which does not.
-  Explanation explain(const ExplainedSpace& space,
-                      const std::vector<Hypothesis>& hypotheses) const {
-    Explanation result;
-    std::array<const Hypothesis*, kUnexplained.size()> best{};
-    for (const Hypothesis& hypothesis : hypotheses) {
-      const Hypothesis*& place = best[hypothesis.parts.size() - 1];
-      if (place == nullptr || hypothesis.gain > place->gain) place = &hypothesis;
-    }
-    const auto left_width = static_cast<double>(structure_.count);
-    for (std::size_t size = 0; size < best.size() && !result.enough; ++size) {
-      if (best[size] == nullptr) continue;
-      std::vector<ColumnRange> ranges = ranges_of(*best[size]);
-      const double own_width = width(ranges);
-      ranges.push_back(structure_);
-      const double all = space.gain(ranges);
-      const double left = all - best[size]->gain;
-      result.best = best[size];
-      result.excess = std::max(all - left_width, best[size]->gain) - own_width;
-      result.unexplained =
-          result.excess > 0 ? std::clamp((left - left_width) / result.excess, 0.0, 1.0) : 0;
-      result.enough = result.unexplained < kUnexplained[size] ||
-                      tail_log_p(standard_score(std::max(left, 0.0), left_width)) > kLeftoverLogP;
-    }
-    return result;
-  }
-
   // The residual without what a hypothesis and smooth functions explain of it.
   Eigen::VectorXd without(const ExplainedSpace& space, const VisibleStructure& structure,
                           const Hypothesis& hypothesis, const Eigen::VectorXd& residual) const {
-    std::vector<ColumnRange> ranges = ranges_of(hypothesis);
+    std::vector<ColumnRange> ranges = ranges_of(library_, hypothesis);
     ranges.push_back(structure_);
     const Eigen::VectorXd coefficients = space.coefficients(ranges);
     Eigen::VectorXd left = residual;
@@ -286,9 +235,11 @@ class Diagnoser {
       }
       entry.probability = hypotheses[i].probability;
       entry.explained_fraction =
-          excess > 0 ? std::clamp((hypotheses[i].gain - width(ranges_of(hypotheses[i]))) / excess,
-                                  0.0, 1.0)
-                     : 0;
+          excess > 0
+              ? std::clamp((hypotheses[i].gain - column_count(ranges_of(library_, hypotheses[i]))) /
+                               excess,
+                           0.0, 1.0)
+              : 0;
       result_.explanations.push_back(std::move(entry));
     }
   }
@@ -364,7 +315,7 @@ class Diagnoser {
   void name_effects(const ExplainedSpace& space, const std::vector<Hypothesis>& hypotheses) {
     std::vector<double> leads(candidates_.size(), 0);
     for (const Hypothesis& hypothesis : hypotheses) {
-      leads[leading(space, hypothesis)] += hypothesis.probability;
+      leads[leading_candidate(space, library_, hypothesis)] += hypothesis.probability;
     }
     struct Rank {
       double lead;
@@ -388,25 +339,6 @@ class Diagnoser {
       if (rank.lead >= kConfusable) result_.confusable.push_back(rank.effect);
     }
     result_.experiment = experiment_for_rivals();
-  }
-
-  // The effect without which a set would explain least.
-  std::size_t leading(const ExplainedSpace& space, const Hypothesis& hypothesis) const {
-    std::size_t best = hypothesis.parts.front().candidate;
-    double least = HUGE_VAL;
-    for (const Hypothesis::Part& part : hypothesis.parts) {
-      std::vector<ColumnRange> others;
-      for (const Hypothesis::Part& other : hypothesis.parts) {
-        if (other.candidate != part.candidate) {
-          others.push_back(library_[other.candidate][other.shape]);
-        }
-      }
-      const double gain = others.empty() ? 0 : space.gain(others);
-      if (gain >= least) continue;
-      least = gain;
-      best = part.candidate;
-    }
-    return best;
   }
 
   // What would tell the most probable rivals apart.
@@ -441,49 +373,6 @@ class Diagnoser {
 };
 
 }  // namespace
-
-const char* name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::none:
-      return "none";
-    case Verdict::missing_effect:
-      return "missing_effect";
-    case Verdict::ambiguous:
-      return "ambiguous";
-    case Verdict::unknown:
-      break;
-  }
-  return "unknown";
-}
-
-const CandidateFinding* Diagnosis::find(const std::string& name) const {
-  const auto found =
-      std::find_if(candidates.begin(), candidates.end(),
-                   [&](const CandidateFinding& finding) { return finding.effect == name; });
-  return found == candidates.end() ? nullptr : &*found;
-}
-
-std::string effect_to_add(const Diagnosis& diagnosis) {
-  constexpr double kClearly = 0.97;  // of the rms
-  constexpr double kMainPart = 0.5;
-  if (diagnosis.verdict == Verdict::missing_effect) return diagnosis.effect;
-  if (diagnosis.verdict == Verdict::ambiguous) {
-    std::string best = diagnosis.confusable.front();
-    for (const std::string& effect : diagnosis.confusable) {
-      const double rms = diagnosis.find(effect)->rms_after_dph;
-      if (rms < kClearly * diagnosis.find(best)->rms_after_dph) best = effect;
-    }
-    return best;
-  }
-  if (diagnosis.verdict == Verdict::unknown && !diagnosis.candidates.empty()) {
-    const auto most =
-        std::max_element(diagnosis.candidates.begin(), diagnosis.candidates.end(),
-                         [](const auto& a, const auto& b) { return a.evidence < b.evidence; });
-    const bool main = most->probability >= kNamed && most->explained_fraction >= kMainPart;
-    if (main) return most->effect;
-  }
-  return "";
-}
 
 Diagnosis diagnose(const Model& model, const DiagnosisData& data,
                    const DiagnosisSettings& settings) {

@@ -22,6 +22,9 @@ namespace fogcomp {
 enum class Verdict : std::uint8_t { none, missing_effect, ambiguous, unknown };
 const char* name_of(Verdict verdict);
 
+/// Probability from which one effect is named.
+constexpr double kNamed = 0.92;
+
 /// Structure that no smooth function describes.
 enum class FastKind : std::uint8_t { none, line, band, two_levels };
 

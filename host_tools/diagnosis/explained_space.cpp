@@ -64,6 +64,12 @@ Eigen::VectorXd ExplainedSpace::coefficients(const std::vector<ColumnRange>& par
   return all.matrix.llt().solve(all.right);
 }
 
+double column_count(const std::vector<ColumnRange>& ranges) {
+  double columns = 0;
+  for (const ColumnRange& range : ranges) columns += static_cast<double>(range.count);
+  return columns;
+}
+
 double log_evidence(double gain, double columns) {
   if (gain <= columns) return 0;
   return (gain - columns) / 2 - columns / 2 * std::log(gain / columns);

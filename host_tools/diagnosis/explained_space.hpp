@@ -42,6 +42,8 @@ class ExplainedSpace {
   Eigen::VectorXd along_;
 };
 
+double column_count(const std::vector<ColumnRange>& ranges);
+
 /// Logarithm of the evidence for `columns` regressors that explain `gain` (a fall of chi^2) against
 /// none: unit-variance noise, coefficients with a normal prior in the shape of the regressors'
 /// own covariance, of the size that suits the data best (empirical Bayes). 0 where gain <= columns.

@@ -47,15 +47,6 @@ class Search {
   }
 
  private:
-  std::vector<ColumnRange> columns(const Hypothesis& hypothesis, std::size_t without) const {
-    std::vector<ColumnRange> ranges;
-    for (std::size_t i = 0; i < hypothesis.parts.size(); ++i) {
-      const Hypothesis::Part& part = hypothesis.parts[i];
-      if (i != without) ranges.push_back(library_[part.candidate][part.shape]);
-    }
-    return ranges;
-  }
-
   bool is_step(std::size_t candidate) const { return candidates_[candidate].effect == kBiasStep; }
 
   // Where the effect itself has an optional second part of the same form.
@@ -73,14 +64,11 @@ class Search {
     for (std::size_t pass = 0; pass < passes; ++pass) {
       unlikely = 0;
       for (std::size_t i = h.parts.size(); i-- > 0;) {
-        const BestShape best =
-            best_shape(space_, library_[h.parts[i].candidate], columns(h, i), space_.along());
+        const BestShape best = best_shape(space_, library_[h.parts[i].candidate],
+                                          ranges_of(library_, h, i), space_.along());
         h.parts[i].shape = best.shape;
         h.gain = best.gain;
-        width = 0;
-        for (const ColumnRange& range : columns(h, h.parts.size())) {
-          width += static_cast<double>(range.count);
-        }
+        width = column_count(ranges_of(library_, h));
         unlikely += log_evidence(best.gain, width) - best.log_evidence;
       }
     }
@@ -92,7 +80,7 @@ class Search {
   // A set in which every part earns its place.
   void keep(Hypothesis h) {
     for (std::size_t i = 0; i < h.parts.size(); ++i) {
-      const std::vector<ColumnRange> rest = columns(h, i);
+      const std::vector<ColumnRange> rest = ranges_of(library_, h, i);
       const double without = rest.empty() ? 0 : space_.gain(rest);
       const bool step = is_step(h.parts[i].candidate);
       const double needed = step ? kLeastStepGain : rest.empty() ? 0 : kLeastGain;
@@ -143,6 +131,34 @@ class Search {
 };
 
 }  // namespace
+
+std::vector<ColumnRange> ranges_of(const Library& library, const Hypothesis& hypothesis,
+                                   std::size_t left_out) {
+  std::vector<ColumnRange> ranges;
+  for (std::size_t i = 0; i < hypothesis.parts.size(); ++i) {
+    const Hypothesis::Part& part = hypothesis.parts[i];
+    if (i != left_out) ranges.push_back(library[part.candidate][part.shape]);
+  }
+  return ranges;
+}
+
+std::size_t leading_candidate(const ExplainedSpace& space, const Library& library,
+                              const Hypothesis& hypothesis) {
+  std::size_t best = hypothesis.parts.front().candidate;
+  double least = HUGE_VAL;
+  for (const Hypothesis::Part& part : hypothesis.parts) {
+    std::vector<ColumnRange> others;
+    for (const Hypothesis::Part& other : hypothesis.parts) {
+      if (other.candidate != part.candidate)
+        others.push_back(library[other.candidate][other.shape]);
+    }
+    const double gain = others.empty() ? 0 : space.gain(others);
+    if (gain >= least) continue;
+    least = gain;
+    best = part.candidate;
+  }
+  return best;
+}
 
 bool Hypothesis::has(std::size_t candidate) const {
   return std::any_of(parts.begin(), parts.end(),

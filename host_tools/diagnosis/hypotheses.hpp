@@ -28,6 +28,15 @@ struct Hypothesis {
   std::size_t effects() const;
 };
 
+/// Where the parts of a hypothesis lie, in their order; one may be left out.
+constexpr std::size_t kEveryPart = static_cast<std::size_t>(-1);
+std::vector<ColumnRange> ranges_of(const Library& library, const Hypothesis& hypothesis,
+                                   std::size_t left_out = kEveryPart);
+
+/// The candidate without which a hypothesis would explain least.
+std::size_t leading_candidate(const ExplainedSpace& space, const Library& library,
+                              const Hypothesis& hypothesis);
+
 /// Average over the shapes of a candidate, given `others`: its evidence, and its best shape.
 struct BestShape {
   std::size_t shape = 0;

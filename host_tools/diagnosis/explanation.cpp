@@ -1,0 +1,36 @@
+#include "diagnosis/explanation.hpp"
+
+#include <algorithm>
+
+#include "support/chi_square.hpp"
+
+namespace fogcomp {
+
+Explanation explain(const ExplainedSpace& space, const Library& library,
+                    const ColumnRange& structure, const std::vector<Hypothesis>& hypotheses) {
+  constexpr double kLeftoverLogP = -7;  // that what is left over is noise
+  Explanation result;
+  std::array<const Hypothesis*, kMostUnexplained.size()> best{};
+  for (const Hypothesis& hypothesis : hypotheses) {
+    const Hypothesis*& place = best[hypothesis.parts.size() - 1];
+    if (place == nullptr || hypothesis.gain > place->gain) place = &hypothesis;
+  }
+  const auto left_width = static_cast<double>(structure.count);
+  for (std::size_t size = 0; size < best.size() && !result.enough; ++size) {
+    if (best[size] == nullptr) continue;
+    std::vector<ColumnRange> ranges = ranges_of(library, *best[size]);
+    const double own_width = column_count(ranges);
+    ranges.push_back(structure);
+    const double all = space.gain(ranges);
+    const double left = all - best[size]->gain;
+    result.best = best[size];
+    result.excess = std::max(all - left_width, best[size]->gain) - own_width;
+    result.unexplained =
+        result.excess > 0 ? std::clamp((left - left_width) / result.excess, 0.0, 1.0) : 0;
+    result.enough = result.unexplained < kMostUnexplained[size] ||
+                    tail_log_p(standard_score(std::max(left, 0.0), left_width)) > kLeftoverLogP;
+  }
+  return result;
+}
+
+}  // namespace fogcomp
