@@ -24,9 +24,11 @@ TEST(NetworkOnNoise, IsNotKept) {
   }
 }
 
-TEST(NetworkOnNoise, IsTheSameForTheSameSeed) {
-  EXPECT_EQ(fit_network(truth(), kSlowNoise, 1, true).network_dph,
-            fit_network(truth(), kSlowNoise, 1, true).network_dph);
+TEST(NetworkOnAnEffect, IsTheSameAgainForcedOrNot) {
+  fogcomp::Model gyro = truth();
+  gyro.terms.push_back(natural_term("polarization_ripple", {40, 0}, {0.03, 0.03}));
+  EXPECT_EQ(fit_network(gyro, kQuietNoise, 1, true).network_dph,
+            fit_network(gyro, kQuietNoise, 1, false).network_dph);
 }
 
 }  // namespace
