@@ -16,7 +16,6 @@
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/quiet_rows.hpp"
 #include "model/catalogue.hpp"
-#include "support/chi_square.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -29,7 +28,7 @@ const double kLibraryLogP = std::log(0.0001);
 const double kStructureLogP = std::log(0.0005);
 const double kFastLogP = std::log(0.0005);
 
-constexpr double kConfusable = 0.05;     // and from which an effect is among those that it may be
+constexpr double kConfusable = 0.05;     // probability of an effect that it may be
 constexpr double kPossible = 9;          // fall of chi^2 by which a shape is not the best
 constexpr Eigen::Index kLeastRows = 60;  // for any opinion
 constexpr double kEnoughFreedom = 12;    // of the noise: from soaks alone

@@ -24,4 +24,4 @@ rate=$("$fogcomp" info "$recording" --json | sed 's/.*"period_s":\([0-9.e+-]*\).
 "$fogcomp" stream "$folder/fog_model.h" "$recording" -o "$folder/in.bin"
 "$source/tests/target/header_matches_pc.sh" "$images" "$fogcomp" "$folder/fog_model.h" "$folder" "stm32f405 mps2_an386" \
   "$folder/in.bin"
-cmp "$folder/expected.bin" "$folder/stm32f405/expected.bin"
+cmp "$folder/expected.bin" "$folder/expected_in.bin"

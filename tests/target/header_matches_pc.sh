@@ -5,17 +5,18 @@ set -euo pipefail
 images=$1 fogcomp=$2 header=$(realpath "$3") folder=$4 platforms=$5
 shift 5
 here=$(realpath "$(dirname "$0")")
+mkdir -p "$folder"
+for stream in "$@"; do "$fogcomp" replay "$header" "$stream" -o "$folder/expected_${stream##*/}"; done
 declare -A machines=([stm32f405]=netduinoplus2 [mps2_an386]=mps2-an386)
 for platform in $platforms; do
   build=$folder/$platform
   mkdir -p "$build"
   "$here/build_variant.sh" "$images" "$platform" fogcomp_bulk "$build/fogcomp_bulk.elf" -DFOG_MODEL_HEADER="$header"
   for stream in "$@"; do
-    "$fogcomp" replay "$header" "$stream" -o "$build/expected.bin"
     ln -sf "$(realpath "$stream")" "$build/in.bin"
     rm -f "$build/out.bin"
     "$here/run_semihosted.sh" "${machines[$platform]}" "$build/fogcomp_bulk.elf" "$build"
-    cmp "$build/expected.bin" "$build/out.bin"
+    cmp "$folder/expected_${stream##*/}" "$build/out.bin"
     echo "$platform, ${stream##*/}: $(stat -c %s "$build/out.bin") bytes compared, 0 differ"
   done
 done

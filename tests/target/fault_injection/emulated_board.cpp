@@ -30,31 +30,31 @@ std::string hex(std::uint32_t value, int digits) {
   return text.data();
 }
 
-void close_port(int& port) {
-  if (port >= 0) close(port);
-  port = -1;
-}
-
 }  // namespace
 
-EmulatedBoard::EmulatedBoard(std::string machine, const std::string& elf)
-    : machine_(std::move(machine)) {
+EmulatedBoard::EmulatedBoard(const std::string& machine, const std::string& elf) {
   signal(SIGPIPE, SIG_IGN);
   std::string pattern = (std::filesystem::temp_directory_path() / "fog_board_XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
   folder_ = pattern;
-  start(elf);
+  start(machine, elf);
 }
 
 EmulatedBoard::~EmulatedBoard() {
-  end();
+  if (process_ > 0) {
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+  }
+  for (const int port : {output_port_, sensor_port_, console_port_, debug_port_}) {
+    if (port >= 0) close(port);
+  }
   std::error_code ignored;
   std::filesystem::remove_all(folder_, ignored);
 }
 
-void EmulatedBoard::start(const std::string& elf) {
-  std::vector<std::string> words{"qemu-system-arm", "-M",   machine_, "-display", "none",
-                                 "-monitor",        "none", "-S",     "-kernel",  elf};
+void EmulatedBoard::start(const std::string& machine, const std::string& elf) {
+  std::vector<std::string> words{"qemu-system-arm", "-M",   machine, "-display", "none",
+                                 "-monitor",        "none", "-S",    "-kernel",  elf};
   for (const char* port : {"output", "sensor", "console"}) {
     words.insert(words.end(), {"-serial", "unix:" + folder_ + "/" + port + ",server=on,wait=off"});
   }
@@ -85,15 +85,6 @@ void EmulatedBoard::start(const std::string& elf) {
   }
   debug_input_.clear();
   command("?");
-}
-
-void EmulatedBoard::end() {
-  if (process_ > 0) {
-    kill(process_, SIGKILL);
-    waitpid(process_, nullptr, 0);
-  }
-  process_ = -1;
-  for (int* port : {&output_port_, &sensor_port_, &console_port_, &debug_port_}) close_port(*port);
 }
 
 int EmulatedBoard::connect_to(const std::string& port) {

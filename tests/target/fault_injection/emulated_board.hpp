@@ -25,7 +25,7 @@ class EmulatedBoard {
  public:
   /// Loads `elf` on QEMU's `machine`, stopped before the first instruction. Throws
   /// std::runtime_error where QEMU cannot be started.
-  EmulatedBoard(std::string machine, const std::string& elf);
+  EmulatedBoard(const std::string& machine, const std::string& elf);
   ~EmulatedBoard();
   EmulatedBoard(const EmulatedBoard&) = delete;
   EmulatedBoard& operator=(const EmulatedBoard&) = delete;
@@ -52,16 +52,14 @@ class EmulatedBoard {
   std::string console;
 
  private:
-  void start(const std::string& elf);
+  void start(const std::string& machine, const std::string& elf);
   int connect_to(const std::string& port);
   std::string command(const std::string& packet);
   std::string receive_packet();
   void send_all(int socket, const std::string& text);
   std::uint8_t read_byte(std::uint32_t address);
   void write_byte(std::uint32_t address, std::uint8_t value);
-  void end();
 
-  std::string machine_;
   std::string folder_;
   pid_t process_ = -1;
   int output_port_ = -1;
