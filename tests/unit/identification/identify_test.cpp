@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "identification/effect_list.hpp"
 #include "support/input_error.hpp"
