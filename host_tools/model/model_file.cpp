@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <sstream>
 
 #include "core/denoise/denoise_parameters.hpp"
@@ -94,12 +96,14 @@ class Reader {
     return value;
   }
   std::size_t count(std::size_t most) {
+    return static_cast<std::size_t>(integer(0, static_cast<double>(most)));
+  }
+  std::int64_t integer(double least, double most) {
     const double value = number();
-    if (value < 0 || value > static_cast<double>(most) ||
-        value != static_cast<double>(static_cast<std::size_t>(value))) {
-      fail("a count is out of range");
+    if (value < least || value > most || value != std::trunc(value)) {
+      fail("a whole number is out of range");
     }
-    return static_cast<std::size_t>(value);
+    return static_cast<std::int64_t>(value);
   }
   std::vector<double> numbers(std::size_t size) {
     std::vector<double> values(size);
@@ -148,7 +152,7 @@ EffectTerm read_effect(Reader& in) {
 // The text is the last on the line, so that it may hold spaces.
 EffectTerm read_expression(Reader& in) {
   const std::string name = in.word();
-  const int scale_log2 = static_cast<int>(in.number());
+  const auto scale_log2 = static_cast<int>(in.integer(-1100, 1100));  // of any double
   const std::vector<double> parameters = in.numbers(in.count(16));
   const std::vector<double> sigma = in.numbers(parameters.size());
   const double coefficient = in.number();

@@ -78,6 +78,13 @@ TEST(ModelFile, KeepsExpressions) {
   EXPECT_EQ(read.terms.back().expression->scale_log2, model.terms.back().expression->scale_log2);
 }
 
+TEST(ModelFile, RefusesAScaleThatNoNumberHas) {
+  fogcomp::Model model = fog::test::expressions_model();
+  model.terms.back().expression->scale_log2 = 1 << 30;
+  EXPECT_NE(error_of(fogcomp::model_text(model)).find("whole number is out of range"),
+            std::string::npos);
+}
+
 TEST(ModelFile, RefusesEveryDamagedByte) {
   const std::string good = fogcomp::model_text(fog::test::paper_like_model());
   for (std::size_t i = 0; i < good.size(); ++i) {
