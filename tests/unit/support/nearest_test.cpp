@@ -20,6 +20,7 @@ TEST(Nearest, IsTheOnlyNameThatWasBegun) {
 TEST(Nearest, IsNothingWhereNothingIsNear) {
   EXPECT_EQ(fogcomp::nearest("wavelet", kNames), "");
   EXPECT_EQ(fogcomp::nearest("", kNames), "");
+  EXPECT_EQ(fogcomp::nearest(std::string(1U << 20U, 's'), kNames), "");
   EXPECT_EQ(fogcomp::did_you_mean("shup", kNames), " (did you mean 'shupe'?)");
 }
 
