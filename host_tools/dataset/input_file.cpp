@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -13,16 +14,13 @@
 namespace fogcomp {
 namespace {
 
-constexpr std::size_t kBufferBytes = 1U << 20U;
+constexpr std::size_t kMostBufferBytes = 1U << 20U;
+constexpr std::size_t kFewestBufferBytes = 1U << 16U;
 
 }  // namespace
 
 InputFile::InputFile(std::string path)
-    : path_(std::move(path)),
-      // One more for the line end that a last line may lack; not zeroed, as small files need
-      // little.
-      buffer_(new char[kBufferBytes + 1]),
-      progress_("reading " + path_) {
+    : path_(std::move(path)), buffer_bytes_(kMostBufferBytes), progress_("reading " + path_) {
   descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0) {
     throw InputError(path_,
@@ -36,6 +34,10 @@ InputFile::InputFile(std::string path)
     }
     if (S_ISREG(status.st_mode)) size_ = static_cast<std::size_t>(status.st_size);
   }
+  // Of a file no larger than it needs; with room to see its end.
+  if (size_ > 0) buffer_bytes_ = std::clamp(size_ + 1, kFewestBufferBytes, kMostBufferBytes);
+  // One more for the line end that a last line may lack; not zeroed, as most is not needed.
+  buffer_.reset(new char[buffer_bytes_ + 1]);
 }
 
 InputFile::~InputFile() {
@@ -47,8 +49,8 @@ void InputFile::fill() {
   std::memmove(buffer_.get(), buffer_.get() + begin_, end_ - begin_);
   end_ -= begin_;
   begin_ = 0;
-  while (!at_end_ && end_ < kBufferBytes) {
-    const ssize_t got = ::read(descriptor_, buffer_.get() + end_, kBufferBytes - end_);
+  while (!at_end_ && end_ < buffer_bytes_) {
+    const ssize_t got = ::read(descriptor_, buffer_.get() + end_, buffer_bytes_ - end_);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) {
       throw InputError(path_, std::string("cannot be read (") + std::strerror(errno) + ")");

@@ -42,6 +42,7 @@ class InputFile {
   std::string path_;
   int descriptor_ = -1;
   std::size_t size_ = 0;
+  std::size_t buffer_bytes_;
   std::unique_ptr<char[]> buffer_;
   std::size_t begin_ = 0;  // unread bytes: [begin_, end_)
   std::size_t end_ = 0;
