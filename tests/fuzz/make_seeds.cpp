@@ -66,6 +66,13 @@ std::string table_and_samples(const fogcomp::BoardTable& table) {
   return bytes;
 }
 
+// A header's table alone, as short as the reader takes it.
+std::string bare_header(const fogcomp::BoardTable& table) {
+  std::string text = "fog_model[FOG_MODEL_WORDS] = {";
+  for (const std::int32_t word : table.words) text += std::to_string(word) + ",";
+  return text + "}";
+}
+
 void add_models(const Seeds& seeds) {
   fogcomp::Model rough = fog::test::paper_like_model();
   rough.denoise.wavelet = "db2";
@@ -80,6 +87,7 @@ void add_models(const Seeds& seeds) {
         fogcomp::make_board_table(model, {20, fog::OutputSelection::both, true});
     seeds.add("model_file", name, fogcomp::model_text(model));
     seeds.add("weights_header", name, fogcomp::header_text(table, name, 1));
+    seeds.add("weights_header", std::string("bare_") + name, bare_header(table));
     seeds.add("model_table", name, table_and_samples(table));
   }
 }
