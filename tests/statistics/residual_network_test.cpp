@@ -1,7 +1,8 @@
-// A network on what effects leave does not learn the slow noise.
+// A network on what effects leave learns an effect that is left out, and not the slow noise.
 #include <gtest/gtest.h>
 
-#include "unit/refinement/fitted_network.hpp"
+#include "statistics/fitted_network.hpp"
+#include "support/typical_effects.hpp"
 
 namespace {
 
@@ -24,11 +25,14 @@ TEST(NetworkOnNoise, IsNotKept) {
   }
 }
 
-TEST(NetworkOnAnEffect, IsTheSameAgainForcedOrNot) {
+TEST(NetworkOnAnEffect, LearnsItAndIsTheSameAgainForcedOrNot) {
   fogcomp::Model gyro = truth();
   gyro.terms.push_back(natural_term("polarization_ripple", {40, 0}, {0.03, 0.03}));
-  EXPECT_EQ(fit_network(gyro, kQuietNoise, 1, true).network_dph,
-            fit_network(gyro, kQuietNoise, 1, false).network_dph);
+  const FittedNetwork fitted = fit_network(gyro, kQuietNoise, 1, false);
+  ASSERT_TRUE(fitted.model.network.present());
+  EXPECT_GT(fitted.result.network_judged->gain, 5 * fogcomp::kLeastGain);
+  EXPECT_LT(mean_square(fitted.left_dph - fitted.network_dph), 0.1 * mean_square(fitted.left_dph));
+  EXPECT_EQ(fit_network(gyro, kQuietNoise, 1, true).network_dph, fitted.network_dph);
 }
 
 }  // namespace
