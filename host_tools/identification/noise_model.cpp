@@ -7,6 +7,7 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
+#include "identification/jumps.hpp"
 #include "support/median.hpp"
 #include "support/units.hpp"
 
@@ -105,7 +106,7 @@ double NoiseModel::wander_dph() const {
 
 std::vector<NoiseSample> noise_samples(const std::vector<Eigen::VectorXd>& stretches) {
   std::vector<NoiseSample> samples;
-  for (const Eigen::VectorXd& stretch : stretches) samples.push_back({stretch});
+  for (Eigen::VectorXd& part : parted_at_jumps(stretches)) samples.push_back({std::move(part)});
   return samples;
 }
 

@@ -29,6 +29,7 @@ struct NoiseSample {
   std::size_t first_frequency =
       3;  ///< by default, what removing a straight line spoils is left out
 };
+/// Of stretches of a residual, parted where it jumps.
 std::vector<NoiseSample> noise_samples(const std::vector<Eigen::VectorXd>& stretches);
 
 /// Fits the model to stretches of a residual in which only noise is left (soaks that have settled),
