@@ -27,7 +27,8 @@ Explanation explain(const ExplainedSpace& space, const Library& library,
     result.excess = std::max(all - left_width, best[size]->gain) - own_width;
     result.unexplained =
         result.excess > 0 ? std::clamp((left - left_width) / result.excess, 0.0, 1.0) : 0;
-    result.enough = result.unexplained < kMostUnexplained[size] ||
+    const double most = best[size]->led_by_event ? kMostUnexplainedByEvent : kMostUnexplained[size];
+    result.enough = result.unexplained < most ||
                     tail_log_p(standard_score(std::max(left, 0.0), left_width)) > kLeftoverLogP;
   }
   return result;

@@ -11,6 +11,10 @@ namespace fogcomp {
 /// Several effects together imitate a good deal of what is none of them.
 constexpr std::array<double, 3> kMostUnexplained{0.1, 0.06, 0.05};
 
+/// The same by an event, whose form is exact where a physical effect's is not: a maximum that is
+/// kept, or a load that is slow to settle, is like a step in all but a few hundredths.
+constexpr double kMostUnexplainedByEvent = 0.03;
+
 /// What the best set of effects explains of a residual.
 struct Explanation {
   const Hypothesis* best = nullptr;

@@ -86,6 +86,7 @@ class Search {
       const double needed = step ? kLeastStepGain : rest.empty() ? 0 : kLeastGain;
       if (h.gain - without < needed) return;
     }
+    h.led_by_event = is_step(leading_candidate(space_, library_, h));
     found_.push_back(std::move(h));
   }
 

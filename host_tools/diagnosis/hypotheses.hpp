@@ -19,9 +19,10 @@ struct Hypothesis {
     std::size_t shape = 0;
   };
   std::vector<Part> parts;
-  double gain = 0;          ///< fall of chi^2
-  double log_evidence = 0;  ///< against "nothing is missing", averaged over shapes
-  double probability = 0;   ///< among all hypotheses
+  double gain = 0;            ///< fall of chi^2
+  double log_evidence = 0;    ///< against "nothing is missing", averaged over shapes
+  double probability = 0;     ///< among all hypotheses
+  bool led_by_event = false;  ///< a bias_step explains most of it
 
   bool has(std::size_t candidate) const;
   /// Number of different effects.
