@@ -1,0 +1,40 @@
+#include "diagnosis/explanation.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using fogcomp::ColumnRange;
+
+// One effect explains all but `left` of a residual; smooth functions see that too.
+bool is_enough(double left, bool event) {
+  constexpr Eigen::Index kRows = 50;
+  constexpr double kChiSquare = 10000;
+  const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(kRows, 2);
+  fogcomp::ExplainedSpace space(
+      axes * Eigen::Vector2d(std::sqrt((1 - left) * kChiSquare), std::sqrt(left * kChiSquare)));
+  const ColumnRange effect = space.add(axes.col(0));
+  const ColumnRange structure = space.add(axes.col(1));
+  space.finish();
+  fogcomp::Hypothesis hypothesis;
+  hypothesis.parts = {{0, 0}};
+  hypothesis.gain = space.gain({effect});
+  hypothesis.led_by_event = event;
+  return fogcomp::explain(space, {{effect}}, structure, {hypothesis}).enough;
+}
+
+TEST(Explanation, ByAnEffectMayLeaveATenthAsNoFormulaIsExact) {
+  EXPECT_TRUE(is_enough(0.08, false));
+  EXPECT_FALSE(is_enough(0.12, false));
+}
+
+TEST(Explanation, ByAnEventMayLeaveAFewHundredthsAsAStepIsExact) {
+  EXPECT_TRUE(is_enough(0.02, true));
+  EXPECT_FALSE(is_enough(0.05, true));
+}
+
+TEST(Explanation, MayLeaveWhatNoiseIs) {
+  EXPECT_TRUE(is_enough(0.0001, true));  // chi^2 of 1 in one direction
+}
+
+}  // namespace
