@@ -1,14 +1,12 @@
 #include "model/model_file.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
-#include <sstream>
 
 #include "core/denoise/denoise_parameters.hpp"
 #include "core/protocol/crc.hpp"
 #include "model/catalogue.hpp"
+#include "model/model_lines.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
@@ -27,32 +25,7 @@ std::uint32_t crc_of(const std::string& text, std::size_t size) {
   return fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), size);
 }
 
-// Words separated by spaces, lines that begin with a keyword.
-class Writer {
- public:
-  Writer& word(const std::string& text) {
-    if (!text_.empty() && text_.back() != '\n') text_ += ' ';
-    text_ += text;
-    return *this;
-  }
-  Writer& number(double value) {
-    char digits[40];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-    return word(std::string(digits, end));
-  }
-  template <class Values>
-  Writer& numbers(const Values& values) {
-    for (const double value : values) number(value);
-    return *this;
-  }
-  void end_line() { text_ += '\n'; }
-  std::string& text() { return text_; }
-
- private:
-  std::string text_;
-};
-
-void write_layer(Writer& out, const char* name, const RealLayer& layer) {
+void write_layer(ModelWriter& out, const char* name, const RealLayer& layer) {
   out.word(name).word(name_of(layer.activation));
   out.number(static_cast<double>(layer.weights.rows()));
   for (Eigen::Index row = 0; row < layer.weights.rows(); ++row) {
@@ -62,75 +35,7 @@ void write_layer(Writer& out, const char* name, const RealLayer& layer) {
   out.end_line();
 }
 
-// The lines of a model file. Every failure is an InputError that names the line.
-class Reader {
- public:
-  Reader(const std::string& text, std::string file)
-      : lines_(split(text, '\n')), file_(std::move(file)) {}
-
-  bool next_line() {
-    if (line_ == lines_.size()) return false;
-    words_ = split(lines_[line_++], ' ');
-    position_ = 0;
-    return !words_.empty();
-  }
-
-  std::string word() {
-    if (position_ == words_.size()) fail("the line is too short");
-    return words_[position_++];
-  }
-  std::string rest_of_line() {
-    std::string text = word();
-    while (position_ < words_.size()) text += ' ' + words_[position_++];
-    return text;
-  }
-  double number() {
-    const std::string text = word();
-    const auto value = parse_number(text);
-    if (!value) fail("'" + text + "' is not a number");
-    return *value;
-  }
-  double positive() {
-    const double value = number();
-    if (value <= 0) fail("a value must be above 0");
-    return value;
-  }
-  std::size_t count(std::size_t most) {
-    return static_cast<std::size_t>(integer(0, static_cast<double>(most)));
-  }
-  std::int64_t integer(double least, double most) {
-    const double value = number();
-    if (value < least || value > most || value != std::trunc(value)) {
-      fail("a whole number is out of range");
-    }
-    return static_cast<std::int64_t>(value);
-  }
-  std::vector<double> numbers(std::size_t size) {
-    std::vector<double> values(size);
-    for (double& value : values) value = number();
-    return values;
-  }
-  template <class Enum, std::size_t N>
-  Enum named(const std::array<Enum, N>& choices) {
-    const std::string text = word();
-    for (const Enum choice : choices) {
-      if (text == name_of(choice)) return choice;
-    }
-    fail("'" + text + "' is unknown");
-  }
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(file_ + ":" + std::to_string(line_), what + "; fit the model again");
-  }
-
- private:
-  std::vector<std::string> lines_;
-  std::string file_;
-  std::size_t line_ = 0;
-  std::vector<std::string> words_;
-  std::size_t position_ = 0;
-};
-
-EffectTerm read_effect(Reader& in) {
+EffectTerm read_effect(ModelReader& in) {
   EffectTerm term;
   term.name = in.word();
   const auto names = effect_names();
@@ -150,7 +55,7 @@ EffectTerm read_effect(Reader& in) {
 }
 
 // The text is the last on the line, so that it may hold spaces.
-EffectTerm read_expression(Reader& in) {
+EffectTerm read_expression(ModelReader& in) {
   const std::string name = in.word();
   const auto scale_log2 = static_cast<int>(in.integer(-1100, 1100));  // of any double
   const std::vector<double> parameters = in.numbers(in.count(16));
@@ -180,7 +85,7 @@ EffectTerm read_expression(Reader& in) {
   return term;
 }
 
-void write_expression(Writer& out, const EffectTerm& term) {
+void write_expression(ModelWriter& out, const EffectTerm& term) {
   const ExpressionTerm& written = *term.expression;
   out.word("expression").word(term.name).number(written.scale_log2);
   out.number(static_cast<double>(term.parameters.size())).numbers(term.parameters);
@@ -195,7 +100,7 @@ void write_expression(Writer& out, const EffectTerm& term) {
   out.word(written.expression.text).end_line();
 }
 
-RealLayer read_layer(Reader& in, Eigen::Index columns) {
+RealLayer read_layer(ModelReader& in, Eigen::Index columns) {
   constexpr std::array<fog::Activation, 3> kActivations{
       fog::Activation::logsig, fog::Activation::tansig, fog::Activation::linear};
   RealLayer layer;
@@ -220,7 +125,7 @@ bool is_whole(const RealNetwork& network) {
          output.weights.cols() == hidden.biases.size();
 }
 
-RealInput read_input(Reader& in) {
+RealInput read_input(ModelReader& in) {
   RealInput input;
   input.signal = in.named(kAllInputs);
   input.centre = in.number();
@@ -232,13 +137,13 @@ RealInput read_input(Reader& in) {
   return input;
 }
 
-fog::ThresholdRule read_rule(Reader& in) {
+fog::ThresholdRule read_rule(ModelReader& in) {
   const auto found = std::find(kBoardRules.begin(), kBoardRules.end(), in.word());
   if (found == kBoardRules.end()) in.fail("the threshold rule is unknown");
   return static_cast<fog::ThresholdRule>(found - kBoardRules.begin());
 }
 
-Range read_range(Reader& in) {
+Range read_range(ModelReader& in) {
   const double least = in.number();
   const double most = in.number();
   if (least > most) in.fail("a range must not end below its begin");
@@ -246,7 +151,7 @@ Range read_range(Reader& in) {
 }
 
 // A step, then what is known of it beyond the training error.
-void read_history(Reader& in, const std::string& key, std::vector<HistoryEntry>& history) {
+void read_history(ModelReader& in, const std::string& key, std::vector<HistoryEntry>& history) {
   if (key == kHistory) {
     HistoryEntry entry;
     entry.data_hash = static_cast<std::uint32_t>(in.count(0xFFFFFFFFU));
@@ -269,7 +174,7 @@ void read_history(Reader& in, const std::string& key, std::vector<HistoryEntry>&
   }
 }
 
-void write_history(Writer& out, const HistoryEntry& entry) {
+void write_history(ModelWriter& out, const HistoryEntry& entry) {
   out.word(kHistory).number(static_cast<double>(entry.data_hash));
   out.number(entry.rms_before_dph).number(entry.rms_after_dph).word(entry.action).end_line();
   if (entry.noise_floor_dph) out.word(kHistoryFloor).number(*entry.noise_floor_dph).end_line();
@@ -280,7 +185,7 @@ void write_history(Writer& out, const HistoryEntry& entry) {
   if (entry.forced) out.word(kHistoryForced).end_line();
 }
 
-void read_line(Reader& in, Model& model) {
+void read_line(ModelReader& in, Model& model) {
   const std::string key = in.word();
   if (key == "scale_factor") {
     model.scale_factor = in.positive();
@@ -328,7 +233,7 @@ void read_line(Reader& in, Model& model) {
 }  // namespace
 
 std::string model_text(const Model& model) {
-  Writer out;
+  ModelWriter out;
   out.word(kTitleLine).end_line();
   out.word("scale_factor").number(model.scale_factor).end_line();
   out.word("derivative_tau_s").number(model.derivative_tau_s).end_line();
@@ -389,7 +294,7 @@ Model parse_model(const std::string& text, const std::string& file) {
           format("crc %08x\n", static_cast<unsigned>(crc_of(text, crc_line)))) {
     throw InputError(file, "is damaged (its CRC does not match); fit it again or copy it anew");
   }
-  Reader in(text.substr(0, crc_line), file);
+  ModelReader in(text.substr(0, crc_line), file);
   Model model;
   in.next_line();
   while (in.next_line()) read_line(in, model);

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/network.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+
+/// Writes a model file: words separated by spaces, lines that begin with a keyword.
+class ModelWriter {
+ public:
+  ModelWriter& word(const std::string& text) {
+    if (!text_.empty() && text_.back() != '\n') text_ += ' ';
+    text_ += text;
+    return *this;
+  }
+  ModelWriter& number(double value) {
+    char digits[40];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+    return word(std::string(digits, end));
+  }
+  template <class Values>
+  ModelWriter& numbers(const Values& values) {
+    for (const double value : values) number(value);
+    return *this;
+  }
+  void end_line() { text_ += '\n'; }
+  std::string& text() { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// Reads the lines of a model file, word by word. Every failure is an InputError that names the
+/// line.
+class ModelReader {
+ public:
+  ModelReader(const std::string& text, std::string file)
+      : lines_(split(text, '\n')), file_(std::move(file)) {}
+
+  /// False at the end, and at an empty line.
+  bool next_line() {
+    if (line_ == lines_.size()) return false;
+    words_ = split(lines_[line_++], ' ');
+    position_ = 0;
+    return !words_.empty();
+  }
+
+  std::string word() {
+    if (position_ == words_.size()) fail("the line is too short");
+    return words_[position_++];
+  }
+  std::string rest_of_line() {
+    std::string text = word();
+    while (position_ < words_.size()) text += ' ' + words_[position_++];
+    return text;
+  }
+  double number() {
+    const std::string text = word();
+    const auto value = parse_number(text);
+    if (!value) fail("'" + text + "' is not a number");
+    return *value;
+  }
+  /// Above 0.
+  double positive() {
+    const double value = number();
+    if (value <= 0) fail("a value must be above 0");
+    return value;
+  }
+  /// 0 to `most`.
+  std::size_t count(std::size_t most) {
+    return static_cast<std::size_t>(integer(0, static_cast<double>(most)));
+  }
+  std::int64_t integer(double least, double most) {
+    const double value = number();
+    if (value < least || value > most || value != std::trunc(value)) {
+      fail("a whole number is out of range");
+    }
+    return static_cast<std::int64_t>(value);
+  }
+  std::vector<double> numbers(std::size_t size) {
+    std::vector<double> values(size);
+    for (double& value : values) value = number();
+    return values;
+  }
+  /// One of `choices`, by its name_of().
+  template <class Enum, std::size_t N>
+  Enum named(const std::array<Enum, N>& choices) {
+    const std::string text = word();
+    for (const Enum choice : choices) {
+      if (text == name_of(choice)) return choice;
+    }
+    fail("'" + text + "' is unknown");
+  }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(file_ + ":" + std::to_string(line_), what + "; fit the model again");
+  }
+
+ private:
+  std::vector<std::string> lines_;
+  std::string file_;
+  std::size_t line_ = 0;
+  std::vector<std::string> words_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace fogcomp
