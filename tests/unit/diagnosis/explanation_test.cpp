@@ -7,12 +7,11 @@ namespace {
 using fogcomp::ColumnRange;
 
 // One effect explains all but `left` of a residual; smooth functions see that too.
-bool is_enough(double left, bool event) {
+bool is_enough(double left, bool event, double chi_square = 10000) {
   constexpr Eigen::Index kRows = 50;
-  constexpr double kChiSquare = 10000;
   const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(kRows, 2);
   fogcomp::ExplainedSpace space(
-      axes * Eigen::Vector2d(std::sqrt((1 - left) * kChiSquare), std::sqrt(left * kChiSquare)));
+      axes * Eigen::Vector2d(std::sqrt((1 - left) * chi_square), std::sqrt(left * chi_square)));
   const ColumnRange effect = space.add(axes.col(0));
   const ColumnRange structure = space.add(axes.col(1));
   space.finish();
@@ -34,7 +33,8 @@ TEST(Explanation, ByAnEventMayLeaveAFewHundredthsAsAStepIsExact) {
 }
 
 TEST(Explanation, MayLeaveWhatNoiseIs) {
-  EXPECT_TRUE(is_enough(0.0001, true));  // chi^2 of 1 in one direction
+  EXPECT_TRUE(is_enough(0.05, true, 80));    // chi^2 of 4 in one direction
+  EXPECT_FALSE(is_enough(0.05, true, 800));  // of 40
 }
 
 }  // namespace
