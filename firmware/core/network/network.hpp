@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/effects/effect_bank.hpp"
+#include "core/effects/weighted_sum.hpp"
 #include "core/fixed_point/logistic.hpp"
 #include "core/fixed_point/saturating_difference.hpp"
 #include "core/network/network_input.hpp"
