@@ -1,7 +1,6 @@
 #include "identification/noise_model.hpp"
 
-#include <Eigen/LU>
-
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -77,18 +76,29 @@ Eigen::ArrayXXd basis_of(const std::vector<double>& angles, double row_s,
   return basis;
 }
 
-// Two variances behind the power at a low frequency, as if it had been estimated from so many
-// values: from the curvature of Whittle's likelihood.
+// How well the power at a low frequency is known, as if it were a variance from so many values:
+// from the curvature of Whittle's likelihood, in the levels of white noise, of flicker and of the
+// single components together, which share what few periods of slow noise there are.
 double freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
                   const Eigen::ArrayXd& low) {
-  const Eigen::ArrayXd model = (basis.matrix() * variance.matrix()).array();
-  const Eigen::MatrixXd scaled = (basis.leftCols(2).colwise() / model).matrix();
-  const Eigen::Matrix2d information = scaled.transpose() * scaled;
-  const Eigen::Vector2d towards = low.head(2).matrix();
-  const double power = (low * variance).sum();
-  const double spread = towards.dot(information.inverse() * towards);
   constexpr double kLeast = 3;
   constexpr double kMost = 1000;
+  Eigen::ArrayXd single = variance;
+  single.head(2) = 0;
+  const bool has_single = single.sum() > kNegligible * variance[0];
+  Eigen::ArrayXXd parts(basis.rows(), has_single ? 3 : 2);
+  Eigen::VectorXd towards(parts.cols());
+  parts.leftCols(2) = basis.leftCols(2);
+  towards.head(2) = low.head(2).matrix();
+  if (has_single) {
+    parts.col(2) = (basis.matrix() * single.matrix()).array();
+    towards[2] = (low * single).sum();
+  }
+  const Eigen::ArrayXd model = (basis.matrix() * variance.matrix()).array();
+  const Eigen::MatrixXd scaled = (parts.colwise() / model).matrix();
+  const Eigen::MatrixXd information = scaled.transpose() * scaled;
+  const double spread = towards.dot(information.ldlt().solve(towards));
+  const double power = (low * variance).sum();
   return std::clamp(2 * power * power / spread, kLeast, kMost);
 }
 

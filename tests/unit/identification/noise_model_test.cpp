@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "identification/whitening.hpp"
 
@@ -54,6 +56,34 @@ TEST(NoiseModel, FindsNoSlowPartInWhiteNoise) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) quiet.push_back(noise(700, 0.02, 0, 30, seed));
   const auto model = fogcomp::fit_noise(fogcomp::noise_samples(quiet), 10, 0);
   EXPECT_NEAR(std::sqrt(density(model, 0.03)), 0.02, 0.006);
+}
+
+// By what the density at four periods a run really scatters over many gyros, against what a fit to
+// each of them says.
+TEST(NoiseModel, SaysHowWellItKnowsSlowNoise) {
+  constexpr double kRun_s = 28000;
+  constexpr int kGyros = 60;
+  for (const double tau_rows : {10.0, 60.0}) {
+    double sum = 0;
+    double squares = 0;
+    std::vector<double> freedom;
+    for (std::uint64_t gyro = 1; gyro <= kGyros; ++gyro) {
+      std::vector<VectorXd> quiet;
+      for (std::uint64_t soak = 0; soak < 4; ++soak) {
+        quiet.push_back(noise(360, 0.024, 0.02, tau_rows, 4 * gyro + soak));
+      }
+      const auto model = fogcomp::fit_noise(fogcomp::noise_samples(quiet), 10, kRun_s);
+      const double power = density(model, 2 * M_PI * 4 * 10 / kRun_s);
+      sum += power;
+      squares += power * power;
+      freedom.push_back(model.freedom);
+    }
+    const double mean = sum / kGyros;
+    const double scatters_as = 2 * mean * mean / (squares / kGyros - mean * mean);
+    std::sort(freedom.begin(), freedom.end());
+    EXPECT_LT(freedom[kGyros / 2], 2 * scatters_as) << tau_rows;
+    EXPECT_GT(freedom[kGyros / 2], scatters_as / 2) << tau_rows;
+  }
 }
 
 TEST(NoiseModel, WithoutQuietPartsTakesNeighbouringRowsAndNoDriftOrOutlier) {
