@@ -32,6 +32,7 @@ constexpr double kConfusable = 0.05;     // probability of an effect that it may
 constexpr double kPossible = 9;          // fall of chi^2 by which a shape is not the best
 constexpr Eigen::Index kLeastRows = 60;  // for any opinion
 constexpr double kEnoughFreedom = 12;    // of the noise: from soaks alone
+constexpr double kMuchAboveWhite = 0.1;  // of the white noise: what a model leaves
 
 class Diagnoser {
  public:
@@ -85,6 +86,15 @@ class Diagnoser {
     judge(space, structure, remover.residual());
     if (model_.network.present()) {
       result_.network = ask_network(model_.network, data_.series(), candidates_, to_visible);
+    }
+    const double above_white = result_.residual_rms_dph / fit_.noise.white_dph() - 1;
+    if (result_.verdict == Verdict::none && fit_.noise.from_quiet_parts && !settings_.noise &&
+        above_white > kMuchAboveWhite) {
+      result_.notes.push_back(format(
+          "what is left is %.0f %% above white noise, and only the soaks here say that this is "
+          "slow "
+          "noise of the gyro's own: a recording at rest, given with --static, would settle it",
+          100 * above_white));
     }
     if (!fit_.noise.from_quiet_parts && !settings_.noise) {
       result_.notes.emplace_back(

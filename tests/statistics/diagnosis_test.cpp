@@ -13,7 +13,9 @@
 
 namespace {
 
+using fog::test::kQuietNoise;
 using fog::test::model_of;
+using fog::test::RowNoise;
 using fogcomp::Diagnosis;
 using fogcomp::Model;
 using fogcomp::Verdict;
@@ -26,12 +28,11 @@ std::vector<fogcomp::EffectTerm> basic() {
 
 // What the coil does without the board's delays, and noise.
 fogcomp::Recording recording_with(const std::vector<fogcomp::EffectTerm>& hidden,
-                                  std::uint64_t seed) {
+                                  std::uint64_t seed, const RowNoise& noise = kQuietNoise) {
   std::vector<fogcomp::EffectTerm> terms = basic();
   terms.insert(terms.end(), hidden.begin(), hidden.end());
   const Model model = model_of(terms);
-  fogcomp::Recording recording =
-      fog::test::recording_of(model_of({}), fog::test::kQuietNoise, seed);
+  fogcomp::Recording recording = fog::test::recording_of(model_of({}), noise, seed);
   fogcomp::SignalSeries series(model, fogcomp::Phase::zero);
   series.add(fogcomp::make_blocks(recording));
   for (const fogcomp::EffectTerm& term : terms) {
@@ -155,6 +156,26 @@ TEST(Diagnosis, SaysWhatARunCannotShow) {
                    [](const fogcomp::Untestable& one) { return one.effect == "magnetic"; });
   ASSERT_NE(magnetic, diagnosis.untestable.end());
   EXPECT_EQ(magnetic->needs, "magnetic_ut");
+}
+
+// Unless noise is given, as by --static.
+TEST(Diagnosis, SaysWhereSlowNoiseIsKnownFromSoaksAlone) {
+  const Model model = model_of(fogcomp::parse_effects(kBasic));
+  for (const bool slow : {false, true}) {
+    const fogcomp::Recording recording =
+        recording_with({}, 2, slow ? RowNoise{0.024, 0.02, 600} : kQuietNoise);
+    const Diagnosis diagnosis = diagnosed(model, recording);
+    EXPECT_EQ(diagnosis.verdict, Verdict::none);
+    EXPECT_EQ(diagnosis.notes.size(), slow ? 1U : 0U);
+    for (const std::string& note : diagnosis.notes) {
+      EXPECT_NE(note.find("--static"), std::string::npos) << note;
+    }
+    fogcomp::DiagnosisData data(model);
+    data.add(recording);
+    fogcomp::DiagnosisSettings settings;
+    settings.noise = diagnosis.noise;
+    EXPECT_TRUE(fogcomp::diagnose(model, data, settings).notes.empty());
+  }
 }
 
 TEST(Diagnosis, RefusesTooFewRows) {
