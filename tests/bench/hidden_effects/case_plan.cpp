@@ -1,6 +1,7 @@
 #include "case_plan.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "programmes.hpp"
 #include "support/input_error.hpp"
@@ -24,6 +25,13 @@ constexpr double kLatitude_deg = 34.27;
 
 const std::vector<double> kSizes{0.2, 0.35, 0.6, 1.5};
 const std::vector<double> kForeignSizes{0.7, 2};
+
+struct Range {
+  const char* name;
+  std::uint64_t first_seed;
+};
+constexpr Range kRanges[] = {{"dev", 1'000'000}, {"final", 2'000'000}, {"second", 3'000'000}};
+constexpr double kRangeSize = 999'999;
 
 Flicker flicker_of(std::size_t number) {
   return static_cast<Flicker>(number % 3);
@@ -191,19 +199,21 @@ bool set_sizes(CasePlan& plan) {
 }  // namespace
 
 CaseId::CaseId(const std::string& text) {
-  for (const char* const known : {"dev", "final"}) {
-    if (text.compare(0, std::string(known).size(), known) == 0) range = known;
+  for (const Range& known : kRanges) {
+    if (text.compare(0, std::string(known.name).size(), known.name) == 0) range = known.name;
   }
   const auto parsed = parse_number(text.substr(range.size()));
-  if (range.empty() || !parsed || *parsed < 1 || *parsed > 999'999 ||
+  if (range.empty() || !parsed || *parsed < 1 || *parsed > kRangeSize ||
       *parsed != static_cast<double>(static_cast<std::uint64_t>(*parsed))) {
-    throw InputError("case '" + text + "'", "is not of the form dev12 or final12");
+    throw InputError("case '" + text + "'", "is not of the form dev12, final12 or second12");
   }
   number = static_cast<std::uint64_t>(*parsed);
 }
 
 std::uint64_t CaseId::seed() const {
-  return (range == "dev" ? 1'000'000 : 2'000'000) + number;
+  const auto* const known = std::find_if(std::begin(kRanges), std::end(kRanges),
+                                         [&](const Range& one) { return one.name == range; });
+  return known->first_seed + number;
 }
 
 CaseKind kind_of(const CaseId& id) {

@@ -22,8 +22,8 @@ struct CaseKind {
 /// sizes.
 constexpr std::size_t kCycle = 64 + 26 + 12 + 14;
 
-/// "dev12" or "final12": the range of seeds and the number in it. The ranges share no seed. Throws
-/// InputError.
+/// "dev12", "final12" or "second12": the range of seeds and the number in it. The ranges share no
+/// seed. Throws InputError.
 struct CaseId {
   explicit CaseId(const std::string& text);
   std::string range;
