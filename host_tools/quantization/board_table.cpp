@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/denoise/adaptive_thresholds.hpp"
 #include "core/protocol/crc.hpp"
 #include "dataset/input_columns.hpp"
 #include "identification/block_series.hpp"
@@ -12,9 +11,8 @@
 #include "model/drift_model.hpp"
 #include "model/model_file.hpp"
 #include "quantization/expression_code.hpp"
-#include "quantization/table_writer.hpp"
+#include "quantization/table_parts.hpp"
 #include "support/input_error.hpp"
-#include "wavelet/filters.hpp"
 
 namespace fogcomp {
 namespace {
@@ -37,13 +35,6 @@ Timing timing_of(const BoardSettings& settings) {
   timing.samples_per_block = samples_per_block(period_s);
   timing.block_s = period_s * timing.samples_per_block;
   return timing;
-}
-
-// The largest fraction at which `largest` still fits 32 bits.
-int fraction_for(double largest, int least, int most) {
-  int fraction = most;
-  while (fraction > least && std::ldexp(largest, fraction) > 2147483646.0) --fraction;
-  return fraction;
 }
 
 void write_calibration(TableWriter& out, const Model& model, const Timing& timing) {
@@ -146,166 +137,6 @@ void write_expressions(TableWriter& out, const Model& model, const Timing& timin
   }
 }
 
-// The model's network as the board has it: all neurons tanh(z / 2).
-struct BoardNetwork {
-  Eigen::MatrixXd weights;  // hidden neurons x inputs
-  Eigen::VectorXd biases;
-  Eigen::RowVectorXd output_weights;
-  double output_bias = 0;
-  double centre_dph = 0;
-  double amplitude_dph = 0;
-};
-
-// tansig(z) = tanh(2 z / 2); logsig(z) = 1/2 + tanh(z / 2) / 2, whose halves go into what follows.
-BoardNetwork board_network(const RealNetwork& network) {
-  if (network.hidden.activation == fog::Activation::linear) {
-    throw InputError("export",
-                     "the board has no linear hidden neurons; fit again with logsig or tansig");
-  }
-  BoardNetwork board{network.hidden.weights,   network.hidden.biases, network.output.weights,
-                     network.output.biases[0], network.centre_dph,    network.amplitude_dph};
-  if (network.hidden.activation == fog::Activation::tansig) {
-    board.weights *= 2;
-    board.biases *= 2;
-  } else {
-    board.output_weights /= 2;
-    board.output_bias += board.output_weights.sum();
-  }
-  if (network.output.activation == fog::Activation::tansig) {
-    board.output_weights *= 2;
-    board.output_bias *= 2;
-  } else if (network.output.activation == fog::Activation::logsig) {
-    board.amplitude_dph /= 2;
-    board.centre_dph += board.amplitude_dph;
-  }
-  return board;
-}
-
-// At which all weights fit 32 bits and all sums 64 (fog::network_fits), rounding included.
-int weight_fraction(const Eigen::MatrixXd& weights, const Eigen::VectorXd& biases) {
-  const double largest_sum =
-      (weights.cwiseAbs().rowwise().sum() + biases.cwiseAbs() / 2).maxCoeff();
-  const double largest = std::max(weights.cwiseAbs().maxCoeff(), largest_sum / 2);
-  return fraction_for(largest * 1.001, fog::kWeightFraction - fog::kMostWeightShift,
-                      fog::kWeightFraction);
-}
-
-// Returns the factor that is left for this input's weights.
-double write_input(TableWriter& out, const RealInput& input, double block_s) {
-  const std::string lag = input.tau_s > 0 ? format(" (tau %g s)", input.tau_s) : "";
-  out.note(format("input %s%s: (x - %.9g) / %.9g %s; signal, decay, centre, reach, shift",
-                  name_of(input.signal), lag.c_str(), input.centre, input.half_range,
-                  unit_of(input.signal)));
-  out.integer(static_cast<std::int32_t>(input.signal), "input signal");
-  out.real(input.tau_s > 0 ? RealNumbers::decay(block_s / input.tau_s) : 0, 31, "an input's decay");
-  const NetworkInputFormat board = network_input_format(input.signal, block_s);
-  const double reach = std::ldexp(input.half_range / board.per_unit, board.fraction);
-  if (reach < 1)
-    throw InputError("export", format("an input's half range %g is below the board's resolution",
-                                      input.half_range));
-  const int shift = fraction_for(std::round(reach), 0, 30);
-  out.real(input.centre / board.per_unit, board.fraction, "an input's centre");
-  out.real(reach, 0, "an input's half range");
-  out.integer(shift, "an input's shift");
-  return std::ldexp(1 / reach, 30 - shift);
-}
-
-void write_network(TableWriter& out, const RealNetwork& network, double block_s) {
-  const std::size_t inputs = network.present() ? network.inputs.size() : 0;
-  out.note("network: inputs, hidden neurons");
-  out.integer(static_cast<std::int64_t>(inputs), "network inputs");
-  out.integer(network.hidden.biases.size(), "hidden neurons");
-  if (!network.present()) return;
-  BoardNetwork board = board_network(network);
-  for (std::size_t i = 0; i < inputs; ++i) {
-    board.weights.col(static_cast<Eigen::Index>(i)) *= write_input(out, network.inputs[i], block_s);
-  }
-  const int hidden = weight_fraction(board.weights, board.biases);
-  const int output =
-      weight_fraction(board.output_weights, Eigen::VectorXd::Constant(1, board.output_bias));
-  out.note("fractional bits that large weights cost: hidden neurons, output");
-  out.integer(fog::kWeightFraction - hidden, "hidden neurons' shift");
-  out.integer(fog::kWeightFraction - output, "the output's shift");
-  out.note(format("hidden neurons (%s): bias, %d weights, weight in the output",
-                  name_of(network.hidden.activation), static_cast<int>(fog::kMostNetworkInputs)));
-  for (Eigen::Index row = 0; row < board.weights.rows(); ++row) {
-    out.real(board.biases[row], hidden - 2, "a bias");
-    for (std::size_t i = 0; i < fog::kMostNetworkInputs; ++i) {
-      const double weight = i < inputs ? board.weights(row, static_cast<Eigen::Index>(i)) : 0;
-      out.real(weight, hidden, "a weight");
-    }
-    out.real(board.output_weights[row], output, "an output weight");
-  }
-  out.note(format("output (%s): bias, 1 if linear", name_of(network.output.activation)));
-  out.real(board.output_bias, output - 2, "the output's bias");
-  out.integer(network.output.activation == fog::Activation::linear ? 1 : 0, "the output's kind");
-  out.note(format("drift = %.9g + %.9g y deg/h", board.centre_dph, board.amplitude_dph));
-  out.real<fog::NetworkDrift>(board.centre_dph, "the network's centre");
-  out.real<fog::NetworkDrift>(board.amplitude_dph, "the network's amplitude");
-}
-
-// Taps of the low-pass filter divided by sqrt 2, times 2^fraction, rounded so that even and odd
-// taps sum to one half each: a constant then passes exactly.
-std::vector<std::int64_t> rounded_taps(const std::vector<double>& filter, int fraction) {
-  std::vector<std::int64_t> taps;
-  const std::int64_t half = std::int64_t{1} << (fraction - 1);
-  std::int64_t missing[2] = {half, half};
-  std::size_t largest[2] = {0, 1};
-  for (std::size_t i = 0; i < filter.size(); ++i) {
-    taps.push_back(std::llround(std::ldexp(filter[i] / std::sqrt(2), fraction)));
-    missing[i % 2] -= taps.back();
-    if (std::abs(filter[i]) > std::abs(filter[largest[i % 2]])) largest[i % 2] = i;
-  }
-  for (const std::size_t phase : {std::size_t{0}, std::size_t{1}}) {
-    taps[largest[phase]] += missing[phase];
-  }
-  return taps;
-}
-
-// The low-pass filter backwards, with alternating signs.
-std::vector<std::int64_t> mirrored(const std::vector<std::int64_t>& low) {
-  std::vector<std::int64_t> high(low.rbegin(), low.rend());
-  for (std::size_t i = 1; i < high.size(); i += 2) high[i] = -high[i];
-  return high;
-}
-
-void write_filters(TableWriter& out, const std::vector<double>& filter) {
-  const std::vector<std::int64_t> low = rounded_taps(filter, fog::kTapFraction);
-  out.note("low-pass taps / sqrt 2, times 2^31");
-  for (const std::int64_t tap : low) out.integer(tap, "a tap");
-  out.note("high-pass taps: the same backwards, every second one negative");
-  for (const std::int64_t tap : mirrored(low)) out.integer(tap, "a tap");
-  out.note("synthesis taps, times 2^15, two to a word: low-pass + 65536 * high-pass, backwards");
-  const std::vector<std::int64_t> coarse = rounded_taps(filter, fog::kSynthesisTapFraction);
-  const std::vector<std::int64_t> coarse_high = mirrored(coarse);
-  for (std::size_t i = filter.size(); i-- > 0;) {
-    out.integer(coarse_high[i] * 65536 + (coarse[i] & 0xFFFF), "a synthesis tap");
-  }
-}
-
-void write_denoise(TableWriter& out, const Model& model, const Timing& timing) {
-  const DenoiseSettings& denoise = model.denoise;
-  const std::size_t taps = denoise.levels > 0 ? lowpass_filter(denoise.wavelet).size() : 0;
-  out.note(format("denoiser (%s): levels, taps, rule (%s), mode (%s)", denoise.wavelet.c_str(),
-                  kBoardRules[static_cast<std::size_t>(denoise.rule)].c_str(),
-                  denoise.hard ? "hard" : "soft"));
-  out.integer(denoise.levels, "levels");
-  out.integer(static_cast<std::int64_t>(taps), "taps");
-  out.integer(static_cast<std::int64_t>(denoise.rule), "threshold rule");
-  out.integer(denoise.hard ? 1 : 0, "threshold mode");
-  if (denoise.levels == 0) return;
-  write_filters(out, lowpass_filter(denoise.wavelet));
-  const double period_s = static_cast<double>(timing.period_us) * 1e-6;
-  const double sigma = model.noise_dph_rthz / std::sqrt(period_s);
-  const double universal = std::sqrt(2 * std::log(fog::kThresholdBlock));
-  out.note(format("thresholds, level 1 first (white noise %.4g deg/h per sample)", sigma));
-  for (int level = 1; level <= denoise.levels; ++level) {
-    // Taps are divided by sqrt 2 at every level, and so is the noise in the details.
-    const double threshold = universal * sigma * std::exp2(-0.5 * level);
-    out.real(threshold, fog::kDetailFraction, "a threshold");
-  }
-}
-
 // Whether every effect can run on a board that is fed like this one.
 void require_board(const Model& model, const BoardSettings& settings) {
   for (const EffectTerm& term : model.terms) {
@@ -319,26 +150,6 @@ void require_board(const Model& model, const BoardSettings& settings) {
                            "--extension if the demodulator sends them, or fit without it");
     }
   }
-}
-
-// Throws where the noise could leave the 16 bits that the board's denoiser has for it: `first` is
-// the first word that write_denoise() wrote.
-void check_noise_fits(const BoardTable& table, std::size_t first, const DenoiseSettings& settings) {
-  if (settings.levels == 0) return;
-  const std::int32_t* next = table.words.data() + first;
-  const auto levels = static_cast<std::size_t>(*next++);
-  const auto taps = static_cast<std::size_t>(*next++);
-  fog::DenoiseParameters denoise;
-  denoise.rule = static_cast<fog::ThresholdRule>(*next++);
-  denoise.mode = static_cast<fog::ThresholdMode>(*next++);
-  denoise.filters = {next, 3 * taps};
-  denoise.thresholds = {next + 3 * taps, levels};
-  if (fog::noise_shift(denoise) >= 0) return;
-  throw InputError("export",
-                   format("a threshold of %.3g deg/h is more than the board's denoiser takes with "
-                          "%s x %d; fit with fewer --levels or a shorter --wavelet",
-                          std::ldexp(denoise.thresholds[0], -fog::kDetailFraction),
-                          settings.wavelet.c_str(), settings.levels));
 }
 
 // Throws where the program as a whole is more than an image has room for: `first` is the first word
@@ -364,21 +175,6 @@ std::int32_t as_signed(std::uint32_t word) {
 }
 
 }  // namespace
-
-NetworkInputFormat network_input_format(fog::NetworkInput signal, double block_s) {
-  switch (signal) {
-    case fog::NetworkInput::temperature:
-    case fog::NetworkInput::lagged_temperature:
-      break;
-    case fog::NetworkInput::temperature_rate:
-      return {fog::TemperatureRate::fractional_bits, 1};
-    case fog::NetworkInput::elapsed:
-      return {fog::Elapsed::fractional_bits, block_s};
-    case fog::NetworkInput::input_rate:
-      return {fog::Rate::fractional_bits, 1};
-  }
-  return {fog::Temperature::fractional_bits, 1};
-}
 
 Model board_model(const Model& model) {
   Model result = model;
@@ -411,15 +207,15 @@ BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
       "provenance");
   write_calibration(out, model, timing);
   write_thermal(out, model, timing);
-  const int fraction = fraction_for(largest_coefficient(model), fog::kLeastCoefficientFraction,
-                                    fog::kMostCoefficientFraction);
+  const int fraction = fraction_within(largest_coefficient(model), fog::kLeastCoefficientFraction,
+                                       fog::kMostCoefficientFraction);
   write_effects(out, model, timing, fraction);
   const std::size_t first_expression_word = table.words.size();
   write_expressions(out, model, timing, fraction);
   check_expressions(table, first_expression_word);
   write_network(out, model.network, timing.block_s);
   const std::size_t denoise_word = table.words.size();
-  write_denoise(out, model, timing);
+  write_denoise(out, model, static_cast<double>(timing.period_us) * 1e-6);
   check_noise_fits(table, denoise_word, model.denoise);
   out.note("output: 0 KVH format A, 1 compact, 2 both");
   out.integer(static_cast<std::int32_t>(settings.output), "output");

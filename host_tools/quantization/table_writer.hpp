@@ -11,6 +11,13 @@
 
 namespace fogcomp {
 
+/// The largest fraction, `least`..`most`, at which `largest` still fits 32 bits.
+inline int fraction_within(double largest, int least, int most) {
+  int fraction = most;
+  while (fraction > least && std::ldexp(largest, fraction) > 2147483646.0) --fraction;
+  return fraction;
+}
+
 /// Appends words to a table; every rounding to a format is checked against its range.
 class TableWriter {
  public:
