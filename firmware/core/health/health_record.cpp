@@ -21,6 +21,7 @@ constexpr std::size_t kCrc = 64;
 constexpr unsigned kImageIntact = 1U << 0U;
 constexpr unsigned kMemoryGood = 1U << 1U;
 constexpr unsigned kModelGood = 1U << 2U;
+constexpr unsigned kAllFlags = kImageIntact | kMemoryGood | kModelGood;
 
 }  // namespace
 
@@ -50,6 +51,8 @@ HealthResponse encode_health_response(const HealthRecord& record) {
 bool decode_health_response(const std::uint8_t* bytes, HealthRecord& record) {
   if (bytes[0] != kSync0 || bytes[1] != kSync1 || bytes[kLayoutAt] != kLayout) return false;
   if (load_le32(bytes + kCrc) != crc32(bytes, kCrc)) return false;
+  const bool cause_ends = bytes[kResetCause + record.reset_cause.size() - 1] == 0;
+  if ((bytes[kFlags] & ~kAllFlags) != 0U || !cause_ends) return false;
   record.image_intact = (bytes[kFlags] & kImageIntact) != 0U;
   record.memory_good = (bytes[kFlags] & kMemoryGood) != 0U;
   record.model_good = (bytes[kFlags] & kModelGood) != 0U;
@@ -73,7 +76,6 @@ bool decode_health_response(const std::uint8_t* bytes, HealthRecord& record) {
   for (std::size_t i = 0; i < record.reset_cause.size(); ++i) {
     record.reset_cause[i] = static_cast<char>(bytes[kResetCause + i]);
   }
-  record.reset_cause.back() = '\0';
   return true;
 }
 

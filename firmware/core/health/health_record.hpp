@@ -43,7 +43,7 @@ using HealthResponse = std::array<std::uint8_t, kHealthResponseBytes>;
 HealthResponse encode_health_response(const HealthRecord& record);
 
 /// Reads kHealthResponseBytes bytes; false, with nothing changed, unless sync, layout and CRC are
-/// right.
+/// right, all other flags are 0 and the reset cause ends.
 bool decode_health_response(const std::uint8_t* bytes, HealthRecord& record);
 
 }  // namespace fog
