@@ -34,7 +34,7 @@ read -r base_flash base_mean base_most < <(measure 0 bias)
 row "thermal state and bias" "$base_flash" "$base_mean" "$base_most"
 for effect in $("$fogcomp" effects | awk '/^[a-z_]+ - / { print $1 }'); do
   [[ $effect == bias ]] && continue
-  "$fogcomp" effects "$effect" | grep -q '^  host only' && continue
+  "$fogcomp" effects "$effect" | grep '^  host only' >/dev/null && continue
   read -r flash mean most < <(measure 0 bias "$effect")
   row "$effect" "+$((flash - base_flash))" "$((mean - base_mean))" "$((most - base_most))"
 done

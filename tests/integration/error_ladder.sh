@@ -86,6 +86,6 @@ grep -q 'warning: .*ramps beyond the trained' fast.txt || fail "$(cat fast.txt)"
 grep -q warning static.txt && fail "warns on its own training run"
 awk -F, 'NR == 1 || $1 !~ /^[0-9]/ || $1 >= 7200' run1.csv >late.csv
 "$fogcomp" fit late.csv -o late.model --effects bias,bias_temperature >/dev/null
-"$fogcomp" compare late.model run1.csv | grep -q 'warning: .*sooner after power-on' || fail "no warning of warm-up"
+"$fogcomp" compare late.model run1.csv | grep 'warning: .*sooner after power-on' >/dev/null || fail "no warning of warm-up"
 echo "ladder: static -> rate term, drift left $(value both.json models 0 runs 1 drift_left_dph) ->" \
   "$(value both.json models 1 runs 1 drift_left_dph) deg/h on the run held out"

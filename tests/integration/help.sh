@@ -71,10 +71,11 @@ complete_words() {
   _fogcomp
   printf '%s\n' "${COMPREPLY[@]}"
 }
+# Here and elsewhere grep reads to the end: after grep -q the writer may die of SIGPIPE, and with it the pipe.
 offers() {
   local expected=$1
   shift
-  complete_words "$@" | grep -qxF -- "$expected" || fail "fogcomp $*: no $expected in $(complete_words "$@" | head -n 5)"
+  complete_words "$@" | grep -xF -- "$expected" >/dev/null || fail "fogcomp $*: no $expected in $(complete_words "$@" | head -n 5)"
 }
 offers diagnose d
 offers --effect-expr fit run.csv --eff
