@@ -90,11 +90,11 @@ class Diagnoser {
     const double above_white = result_.residual_rms_dph / fit_.noise.white_dph() - 1;
     if (result_.verdict == Verdict::none && fit_.noise.from_quiet_parts && !settings_.noise &&
         above_white > kMuchAboveWhite) {
-      result_.notes.push_back(format(
-          "what is left is %.0f %% above white noise, and only the soaks here say that this is "
-          "slow "
-          "noise of the gyro's own: a recording at rest, given with --static, would settle it",
-          100 * above_white));
+      result_.notes.push_back(
+          format("what is left is %.0f %% above white noise, and only the soaks here say that this "
+                 "is slow noise of the gyro's own: a recording at rest, given with --static, would "
+                 "settle it",
+                 100 * above_white));
     }
     if (!fit_.noise.from_quiet_parts && !settings_.noise) {
       result_.notes.emplace_back(

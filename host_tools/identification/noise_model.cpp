@@ -101,7 +101,8 @@ double freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
     const Eigen::Matrix2d information = scaled.transpose() * scaled;
     const Eigen::Vector2d towards(low[0], (low * slow).sum());
     const double spread = towards.dot(information.inverse() * towards);
-    if (spread > 0) freedom = std::min(freedom, 2 * power * power / spread);
+    const bool has_shape = spread > 0;  // all that was found may be nothing
+    if (has_shape) freedom = std::min(freedom, 2 * power * power / spread);
   }
   return std::max(freedom, kLeast);
 }

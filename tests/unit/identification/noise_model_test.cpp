@@ -58,8 +58,8 @@ TEST(NoiseModel, FindsNoSlowPartInWhiteNoise) {
   EXPECT_NEAR(std::sqrt(density(model, 0.03)), 0.02, 0.006);
 }
 
-// By what the density at four periods a run really scatters over many gyros, against what a fit to
-// each of them says.
+// Against how the density at four periods a run really scatters over many gyros. What a fit says is
+// ten and five times as much; hundreds would be slow noise taken for known.
 TEST(NoiseModel, TakesSlowNoiseOfFewPeriodsForUncertain) {
   constexpr double kRun_s = 28000;
   constexpr int kGyros = 60;
@@ -81,7 +81,7 @@ TEST(NoiseModel, TakesSlowNoiseOfFewPeriodsForUncertain) {
     const double mean = sum / kGyros;
     const double scatters_as = 2 * mean * mean / (squares / kGyros - mean * mean);
     std::sort(freedom.begin(), freedom.end());
-    EXPECT_LT(freedom[kGyros / 2], 15 * scatters_as) << tau_rows;  // 10 and 5
+    EXPECT_LT(freedom[kGyros / 2], 15 * scatters_as) << tau_rows;
     EXPECT_GT(freedom[kGyros / 2], scatters_as) << tau_rows;
   }
 }
