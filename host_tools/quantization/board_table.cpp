@@ -24,6 +24,7 @@ constexpr double kSettleTimeConstants = 5;
 
 struct Timing {
   std::int64_t period_us = 0;
+  double period_s = 0;
   std::uint32_t samples_per_block = 1;
   double block_s = 0;
 };
@@ -31,9 +32,9 @@ struct Timing {
 Timing timing_of(const BoardSettings& settings) {
   Timing timing;
   timing.period_us = std::llround(1e6 / settings.sample_rate_hz);
-  const double period_s = static_cast<double>(timing.period_us) * 1e-6;
-  timing.samples_per_block = samples_per_block(period_s);
-  timing.block_s = period_s * timing.samples_per_block;
+  timing.period_s = static_cast<double>(timing.period_us) * 1e-6;
+  timing.samples_per_block = samples_per_block(timing.period_s);
+  timing.block_s = timing.period_s * timing.samples_per_block;
   return timing;
 }
 
@@ -215,7 +216,7 @@ BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
   check_expressions(table, first_expression_word);
   write_network(out, model.network, timing.block_s);
   const std::size_t denoise_word = table.words.size();
-  write_denoise(out, model, static_cast<double>(timing.period_us) * 1e-6);
+  write_denoise(out, model, timing.period_s);
   check_noise_fits(table, denoise_word, model.denoise);
   out.note("output: 0 KVH format A, 1 compact, 2 both");
   out.integer(static_cast<std::int32_t>(settings.output), "output");
