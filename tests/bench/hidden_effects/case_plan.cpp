@@ -1,6 +1,7 @@
 #include "case_plan.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 
 #include "programmes.hpp"
@@ -199,21 +200,17 @@ bool set_sizes(CasePlan& plan) {
 }  // namespace
 
 CaseId::CaseId(const std::string& text) {
-  for (const Range& known : kRanges) {
-    if (text.compare(0, std::string(known.name).size(), known.name) == 0) range = known.name;
-  }
-  const auto parsed = parse_number(text.substr(range.size()));
-  if (range.empty() || !parsed || *parsed < 1 || *parsed > kRangeSize ||
+  const auto* const range =
+      std::find_if(std::begin(kRanges), std::end(kRanges),
+                   [&](const Range& known) { return text.rfind(known.name, 0) == 0; });
+  const bool known = range != std::end(kRanges);
+  const auto parsed = parse_number(known ? text.substr(std::strlen(range->name)) : "");
+  if (!parsed || *parsed < 1 || *parsed > kRangeSize ||
       *parsed != static_cast<double>(static_cast<std::uint64_t>(*parsed))) {
     throw InputError("case '" + text + "'", "is not of the form dev12, final12 or second12");
   }
+  first_seed = range->first_seed;
   number = static_cast<std::uint64_t>(*parsed);
-}
-
-std::uint64_t CaseId::seed() const {
-  const auto* const known = std::find_if(std::begin(kRanges), std::end(kRanges),
-                                         [&](const Range& one) { return one.name == range; });
-  return known->first_seed + number;
 }
 
 CaseKind kind_of(const CaseId& id) {

@@ -26,9 +26,9 @@ constexpr std::size_t kCycle = 64 + 26 + 12 + 14;
 /// seed. Throws InputError.
 struct CaseId {
   explicit CaseId(const std::string& text);
-  std::string range;
+  std::uint64_t first_seed;  ///< of its range
   std::uint64_t number;
-  std::uint64_t seed() const;
+  std::uint64_t seed() const { return first_seed + number; }
 };
 
 CaseKind kind_of(const CaseId& id);
