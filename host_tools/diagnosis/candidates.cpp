@@ -316,6 +316,10 @@ void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
   }
 }
 
+bool Candidate::has_own_input() const {
+  return (info_of(shapes[0].term).needs & ~bit_of(fog::Input::elapsed)) != 0;
+}
+
 CandidateList find_candidates(const SignalSeries& series, const std::vector<EffectTerm>& terms,
                               const std::vector<EffectTerm>& offered, fog::InputMask inputs,
                               const ToVisible& to_visible,

@@ -19,6 +19,8 @@ struct Candidate {
   std::vector<Shape> shapes;  ///< at least one
 
   bool is_expression() const { return shapes[0].term.expression.has_value(); }
+  /// Whether something measured beside the coil's temperature drives it.
+  bool has_own_input() const;
 };
 
 /// An effect about which these recordings say nothing.

@@ -5,6 +5,17 @@
 #include "support/chi_square.hpp"
 
 namespace fogcomp {
+namespace {
+
+double most_unexplained(const Hypothesis& hypothesis) {
+  const std::size_t size = hypothesis.parts.size();
+  double most = kMostUnexplained[size - 1];
+  if (hypothesis.led_by_event) most = std::min(most, kMostUnexplainedByEvent);
+  if (size == 3 && hypothesis.pliable) most = std::min(most, kMostUnexplainedByThreePliable);
+  return most;
+}
+
+}  // namespace
 
 Explanation explain(const ExplainedSpace& space, const Library& library,
                     const ColumnRange& structure, const std::vector<Hypothesis>& hypotheses) {
@@ -27,8 +38,7 @@ Explanation explain(const ExplainedSpace& space, const Library& library,
     result.excess = std::max(all - left_width, best[size]->gain) - own_width;
     result.unexplained =
         result.excess > 0 ? std::clamp((left - left_width) / result.excess, 0.0, 1.0) : 0;
-    const double most = best[size]->led_by_event ? kMostUnexplainedByEvent : kMostUnexplained[size];
-    result.enough = result.unexplained < most ||
+    result.enough = result.unexplained < most_unexplained(*best[size]) ||
                     tail_log_p(standard_score(std::max(left, 0.0), left_width)) > kLeftoverLogP;
   }
   return result;

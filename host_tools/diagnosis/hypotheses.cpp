@@ -86,7 +86,12 @@ class Search {
       const double needed = step ? kLeastStepGain : rest.empty() ? 0 : kLeastGain;
       if (h.gain - without < needed) return;
     }
-    h.led_by_event = is_step(leading_candidate(space_, library_, h));
+    const std::size_t leading = leading_candidate(space_, library_, h);
+    h.led_by_event = is_step(leading);
+    h.pliable = !shape_parameters({candidates_[leading].shapes[0].term}).empty() &&
+                std::none_of(h.parts.begin(), h.parts.end(), [&](const Hypothesis::Part& part) {
+                  return candidates_[part.candidate].has_own_input();
+                });
     found_.push_back(std::move(h));
   }
 

@@ -23,6 +23,7 @@ struct Hypothesis {
   double log_evidence = 0;    ///< against "nothing is missing", averaged over shapes
   double probability = 0;     ///< among all hypotheses
   bool led_by_event = false;  ///< a bias_step explains most of it
+  bool pliable = false;  ///< of temperature and time alone, led by an effect whose shape is free
 
   bool has(std::size_t candidate) const;
   /// Number of different effects.
