@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# hidden_effects.sh [--quick] [--seeds dev|final|second] [--cases N] [--case ID] [--jobs N] [--stages LIST] [--build DIR] [-o DIR]:
+# hidden_effects.sh [--quick] [--seeds dev|final|second|third] [--cases N] [--case ID] [--jobs N] [--stages LIST] [--build DIR] [-o DIR]:
 # how well `fogcomp diagnose` names what is hidden in simulated gyros (hidden_effects/README.md). Stages: make,
 # answer, propose, score. Resumes: a case is made or answered again only where something it depends on has changed.
 set -euo pipefail
@@ -23,7 +23,7 @@ while (($#)); do
   esac
   shift 2
 done
-[[ $seeds =~ ^(dev|final|second)$ ]] || { echo "--seeds $seeds: dev, final or second" >&2; exit 2; }
+[[ $seeds =~ ^(dev|final|second|third)$ ]] || { echo "--seeds $seeds: dev, final, second or third" >&2; exit 2; }
 out=$(realpath -m "${out:-$build/hidden_effects}")
 fogcomp=$build/fogcomp programmes=$build/tests/bench/hidden_effects
 [[ -x $fogcomp && -x $programmes/plan_case ]] ||

@@ -31,7 +31,8 @@ struct Range {
   const char* name;
   std::uint64_t first_seed;
 };
-constexpr Range kRanges[] = {{"dev", 1'000'000}, {"final", 2'000'000}, {"second", 3'000'000}};
+constexpr Range kRanges[] = {
+    {"dev", 1'000'000}, {"final", 2'000'000}, {"second", 3'000'000}, {"third", 4'000'000}};
 constexpr double kRangeSize = 999'999;
 
 Flicker flicker_of(std::size_t number) {
@@ -207,7 +208,8 @@ CaseId::CaseId(const std::string& text) {
   const auto parsed = parse_number(known ? text.substr(std::strlen(range->name)) : "");
   if (!parsed || *parsed < 1 || *parsed > kRangeSize ||
       *parsed != static_cast<double>(static_cast<std::uint64_t>(*parsed))) {
-    throw InputError("case '" + text + "'", "is not of the form dev12, final12 or second12");
+    throw InputError("case '" + text + "'",
+                     "is not of the form dev12, final12, second12 or third12");
   }
   first_seed = range->first_seed;
   number = static_cast<std::uint64_t>(*parsed);

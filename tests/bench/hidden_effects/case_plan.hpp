@@ -22,8 +22,8 @@ struct CaseKind {
 /// sizes.
 constexpr std::size_t kCycle = 64 + 26 + 12 + 14;
 
-/// "dev12", "final12" or "second12": the range of seeds and the number in it. The ranges share no
-/// seed. Throws InputError.
+/// "dev12", "final12", "second12" or "third12": the range of seeds and the number in it. The ranges
+/// share no seed. Throws InputError.
 struct CaseId {
   explicit CaseId(const std::string& text);
   std::uint64_t first_seed;  ///< of its range
