@@ -17,7 +17,8 @@ constexpr double kLeastVisible = 0.05;   // of an effect's rms about its mean
 constexpr double kLeastLikeness = 0.85;  // of the visible part, by the catalogue's own formula
 constexpr double kMostMisfit = 0.1;      // of declared effects, in noise of a row
 constexpr double kMisfitShare = 0.3;     // and of the smallest hidden size
-constexpr int kAttempts = 60;
+constexpr double kMostEnlarged = 1e6;    // of an effect at natural size: else it is not called up
+constexpr int kAttempts = 200;
 constexpr int kPairAttempts = 10;
 constexpr double kExtraColumns = 0.3;  // of the cases have columns that they do not need
 constexpr double kUnseen = 0.35;       // have a recording of another programme
@@ -192,8 +193,9 @@ bool set_sizes(CasePlan& plan) {
         imitation_by(plan.hidden[i].name, sight, beside, left) < kLeastLikeness) {
       return false;
     }
-    plan.values.push_back(plan.hidden[i].natural * plan.what.sizes[i] * plan.gyro.row_noise_dph() /
-                          visible);
+    const double wanted = plan.what.sizes[i] * plan.gyro.row_noise_dph();
+    if (wanted > kMostEnlarged * visible) return false;
+    plan.values.push_back(plan.hidden[i].natural * wanted / visible);
   }
   return true;
 }

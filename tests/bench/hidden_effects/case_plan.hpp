@@ -60,7 +60,8 @@ struct CasePlan {
 };
 
 /// Draws the case; trial simulations find the sizes. Drawn again are gyros on which
-/// - the effect is almost invisible: less than 5 % of it is left beside the declared model;
+/// - the effect is almost invisible: less than 5 % of it is left beside the declared model, or the
+///   programmes do not call it up;
 /// - the catalogue's formula, with its best shape, explains less than 85 % of what is visible of a
 ///   catalogued effect, so that its name is not clearly the right answer;
 /// - the declared effects themselves, simulated as physics, are not met by their formulas even with
