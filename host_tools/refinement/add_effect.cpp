@@ -115,9 +115,10 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
   result.accepted = judged.helps() && !rose;
   result.reason = format(
       "%s out of sample: the effects alone leave %.4f -> %.4f deg/h %s (gain "
-      "%.1f, needed %g)",
+      "%.1f, needed %g%s)",
       judged.helps() ? "helps" : "does not help", judged.rms_before_dph, judged.rms_after_dph,
-      judged.how.c_str(), judged.gain, kLeastGain);
+      judged.how.c_str(), judged.gain, kLeastGain,
+      judged.gain >= kLeastGain && !judged.helps() ? " without a rise" : "");
   if (judged.helps() && rose) {
     result.reason = format("makes the whole model worse on the holdouts: %.4f -> %.4f deg/h",
                            step.holdout->rms_before_dph, step.holdout->rms_after_dph);

@@ -214,7 +214,7 @@ std::vector<double> fitted_residual(const SignalSeries& series,
 }  // namespace
 
 bool OutOfSample::helps() const {
-  return gain >= kLeastGain;
+  return gain >= kLeastGain && rms_after_dph <= rms_before_dph;
 }
 
 OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectTerm>& before,

@@ -22,7 +22,9 @@ struct OutOfSample {
   double gain = 0;
   std::string how;  ///< e.g. "on stretches of 0.5 h, a fifth of them left out in turn"
 
-  bool helps() const;  ///< gain >= kLeastGain
+  /// gain >= kLeastGain, and the plain error does not rise: the gain counts a row that is missed
+  /// widely like one that is missed by four standard deviations.
+  bool helps() const;
 };
 
 /// Least gain that counts as help: about an effect that stands out by four standard deviations. Six

@@ -30,6 +30,12 @@ TEST(AddEffect, RefusesAUselessEffect) {
   EXPECT_TRUE(result.model.history.back().forced);
 }
 
+TEST(OutOfSample, HelpsWhereItGainsAndTheErrorDoesNotRise) {
+  EXPECT_TRUE((fogcomp::OutOfSample{1, 0.9, 20, ""}.helps()));
+  EXPECT_FALSE((fogcomp::OutOfSample{1, 0.9, 5, ""}.helps()));
+  EXPECT_FALSE((fogcomp::OutOfSample{1, 1.5, 20, ""}.helps()));  // missed by far somewhere
+}
+
 TEST(AddEffect, IsJudgedOnHoldoutsWhereThereAreSome) {
   const Addition result = add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1},
                               {run_of(truth(), 101)});
