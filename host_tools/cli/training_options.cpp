@@ -66,9 +66,7 @@ NetworkSettings network_settings(const Arguments& arguments) {
 std::string network_verdict(const FitResult& fit) {
   if (!fit.network_judged) return "";
   const OutOfSample& judged = *fit.network_judged;
-  const std::string figures =
-      format("%.4f -> %.4f deg/h %s (gain %.1f, needed %g)", judged.rms_before_dph,
-             judged.rms_after_dph, judged.how.c_str(), judged.gain, kLeastGain);
+  const std::string figures = out_of_sample_words(judged);
   return judged.helps() ? "network: helps out of sample: " + figures
                         : "network: nothing left that it can learn: " + figures + ": none kept";
 }

@@ -113,12 +113,9 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
   const OutOfSample& judged = result.out_of_sample;
   const bool rose = !holdouts.empty() && on_holdouts.rose();
   result.accepted = judged.helps() && !rose;
-  result.reason = format(
-      "%s out of sample: the effects alone leave %.4f -> %.4f deg/h %s (gain "
-      "%.1f, needed %g%s)",
-      judged.helps() ? "helps" : "does not help", judged.rms_before_dph, judged.rms_after_dph,
-      judged.how.c_str(), judged.gain, kLeastGain,
-      judged.gain >= kLeastGain && !judged.helps() ? " without a rise" : "");
+  result.reason =
+      format("%s out of sample: the effects alone leave %s",
+             judged.helps() ? "helps" : "does not help", out_of_sample_words(judged).c_str());
   if (judged.helps() && rose) {
     result.reason = format("makes the whole model worse on the holdouts: %.4f -> %.4f deg/h",
                            step.holdout->rms_before_dph, step.holdout->rms_after_dph);

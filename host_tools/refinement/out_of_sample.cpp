@@ -213,6 +213,13 @@ std::vector<double> fitted_residual(const SignalSeries& series,
 
 }  // namespace
 
+std::string out_of_sample_words(const OutOfSample& judged) {
+  const bool rises = judged.gain >= kLeastGain && !judged.helps();
+  return format("%.4f -> %.4f deg/h %s (gain %.1f, needed %g%s)", judged.rms_before_dph,
+                judged.rms_after_dph, judged.how.c_str(), judged.gain, kLeastGain,
+                rises ? " without a rise" : "");
+}
+
 bool OutOfSample::helps() const {
   return gain >= kLeastGain && rms_after_dph <= rms_before_dph;
 }
