@@ -226,10 +226,10 @@ void leave_to_simpler(std::vector<Candidate>& candidates) {
   std::vector<const Candidate*> simple;
   for (const Candidate& candidate : candidates) {
     if (candidate.is_expression()) continue;
-    if (shape_parameters({candidate.shapes[0].term}).empty()) simple.push_back(&candidate);
+    if (!candidate.has_free_shape()) simple.push_back(&candidate);
   }
   for (Candidate& candidate : candidates) {
-    if (shape_parameters({candidate.shapes[0].term}).empty()) continue;
+    if (!candidate.has_free_shape()) continue;
     const auto is_simpler = [&](const Candidate::Shape& shape) {
       return std::any_of(simple.begin(), simple.end(), [&](const Candidate* other) {
         return likeness(shape, other->shapes[0]) > kTheSame;
@@ -314,6 +314,10 @@ void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
     }
     move_to_best({series, to_visible, 0}, candidates[i].shapes, best[i], residual);
   }
+}
+
+bool Candidate::has_free_shape() const {
+  return !shape_parameters({shapes[0].term}).empty();
 }
 
 bool Candidate::has_own_input() const {

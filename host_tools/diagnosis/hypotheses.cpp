@@ -88,7 +88,7 @@ class Search {
     }
     const std::size_t leading = leading_candidate(space_, library_, h);
     h.led_by_event = is_step(leading);
-    h.pliable = !shape_parameters({candidates_[leading].shapes[0].term}).empty() &&
+    h.pliable = candidates_[leading].has_free_shape() &&
                 std::none_of(h.parts.begin(), h.parts.end(), [&](const Hypothesis::Part& part) {
                   return candidates_[part.candidate].has_own_input();
                 });

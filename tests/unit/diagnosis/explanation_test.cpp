@@ -4,64 +4,51 @@
 
 namespace {
 
-using fogcomp::ColumnRange;
+enum class Kind { plain, event, pliable };
 
-// One effect explains all but `left` of a residual; smooth functions see that too.
-bool is_enough(double left, bool event, double chi_square = 10000) {
-  constexpr Eigen::Index kRows = 50;
-  const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(kRows, 2);
-  fogcomp::ExplainedSpace space(
-      axes * Eigen::Vector2d(std::sqrt((1 - left) * chi_square), std::sqrt(left * chi_square)));
-  const ColumnRange effect = space.add(axes.col(0));
-  const ColumnRange structure = space.add(axes.col(1));
-  space.finish();
-  fogcomp::Hypothesis hypothesis;
-  hypothesis.parts = {{0, 0}};
-  hypothesis.gain = space.gain({effect});
-  hypothesis.led_by_event = event;
-  return fogcomp::explain(space, {{effect}}, structure, {hypothesis}).enough;
-}
-
-TEST(Explanation, ByAnEffectMayLeaveATenthAsNoFormulaIsExact) {
-  EXPECT_TRUE(is_enough(0.08, false));
-  EXPECT_FALSE(is_enough(0.12, false));
-}
-
-TEST(Explanation, ByAnEventMayLeaveAFewHundredthsAsAStepIsExact) {
-  EXPECT_TRUE(is_enough(0.02, true));
-  EXPECT_FALSE(is_enough(0.05, true));
-}
-
-// Three effects explain all but `left`.
-bool are_enough(double left, bool pliable) {
-  constexpr double kChiSquare = 10000;
-  const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(50, 4);
-  const double each = std::sqrt((1 - left) / 3 * kChiSquare);
-  fogcomp::ExplainedSpace space(axes *
-                                Eigen::Vector4d(each, each, each, std::sqrt(left * kChiSquare)));
+// Of `effects`, all alike, that explain all but `left` of a residual; smooth functions see that
+// too.
+bool is_enough(std::size_t effects, Kind kind, double left, double chi_square = 10000) {
+  const auto last = static_cast<Eigen::Index>(effects);
+  const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(50, last + 1);
+  Eigen::VectorXd along = Eigen::VectorXd::Constant(
+      last + 1, std::sqrt((1 - left) / static_cast<double>(effects) * chi_square));
+  along[last] = std::sqrt(left * chi_square);
+  fogcomp::ExplainedSpace space(axes * along);
   fogcomp::Library library;
   fogcomp::Hypothesis hypothesis;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < effects; ++i) {
     library.push_back({space.add(axes.col(static_cast<Eigen::Index>(i)))});
     hypothesis.parts.push_back({i, 0});
   }
-  const ColumnRange structure = space.add(axes.col(3));
+  const fogcomp::ColumnRange structure = space.add(axes.col(last));
   space.finish();
   hypothesis.gain = space.gain(fogcomp::ranges_of(library, hypothesis));
-  hypothesis.pliable = pliable;
+  hypothesis.led_by_event = kind == Kind::event;
+  hypothesis.pliable = kind == Kind::pliable;
   return fogcomp::explain(space, library, structure, {hypothesis}).enough;
 }
 
+TEST(Explanation, ByAnEffectMayLeaveATenthAsNoFormulaIsExact) {
+  EXPECT_TRUE(is_enough(1, Kind::plain, 0.08));
+  EXPECT_FALSE(is_enough(1, Kind::plain, 0.12));
+}
+
+TEST(Explanation, ByAnEventMayLeaveAFewHundredthsAsAStepIsExact) {
+  EXPECT_TRUE(is_enough(1, Kind::event, 0.02));
+  EXPECT_FALSE(is_enough(1, Kind::event, 0.05));
+}
+
 TEST(Explanation, ByThreePliableOnesMayLeaveLessAsTheyImitateNearlyEverything) {
-  EXPECT_TRUE(are_enough(0.02, true));
-  EXPECT_FALSE(are_enough(0.04, true));
-  EXPECT_TRUE(are_enough(0.04, false));
-  EXPECT_FALSE(are_enough(0.06, false));
+  EXPECT_TRUE(is_enough(3, Kind::pliable, 0.02));
+  EXPECT_FALSE(is_enough(3, Kind::pliable, 0.04));
+  EXPECT_TRUE(is_enough(3, Kind::plain, 0.04));
+  EXPECT_FALSE(is_enough(3, Kind::plain, 0.06));
 }
 
 TEST(Explanation, MayLeaveWhatNoiseIs) {
-  EXPECT_TRUE(is_enough(0.05, true, 80));    // chi^2 of 4 in one direction
-  EXPECT_FALSE(is_enough(0.05, true, 800));  // of 40
+  EXPECT_TRUE(is_enough(1, Kind::event, 0.05, 80));    // chi^2 of 4 in one direction
+  EXPECT_FALSE(is_enough(1, Kind::event, 0.05, 800));  // of 40
 }
 
 }  // namespace
