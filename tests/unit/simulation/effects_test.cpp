@@ -18,7 +18,7 @@ constexpr std::size_t kRampStart = 720;  // in rows of 10 s
 constexpr std::size_t kRampEnd = 720 + 1200;
 
 WholeRun run_text(const std::vector<std::string>& options, const std::string& profile,
-                  SimulationOptions simulation_options = {}) {
+                  const SimulationOptions& simulation_options = coarse()) {
   return whole_run(gyro_of(options), parse_profile(profile, "test", 1), simulation_options);
 }
 
@@ -38,8 +38,9 @@ TEST(Effects, ReachThePeakAskedForInEveryCase) {
   const Programme programme = parse_profile(
       "ramp to -40 degC at 2 degC/min\nsoak 20 min\nramp to 60 degC at 2 degC/min\nsoak 20 min\n",
       "test", 1);
-  SimulationOptions options;
-  options.rate_hz = 1;  // so that a short spike is not averaged away
+  SimulationOptions options = coarse();
+  options.grid.axial_cells = 3;  // one of the effects is an axial gradient
+  options.rate_hz = 1;           // so that a short spike is not averaged away
   options.earth.latitude_deg = 34.27;
   for (const EffectDescription& description : effect_catalogue()) {
     if (description.name == "bias" || description.name == "dead_band") continue;
@@ -54,7 +55,7 @@ TEST(Effects, ReachThePeakAskedForInEveryCase) {
 TEST(Effects, AreMultipliedByTheirScaleOnEveryProgramme) {
   for (const char* const profile : {"ramp_rates", "heater_pulses"}) {
     const auto shupe = [&](const std::string& option) {
-      return whole_run(gyro_of({option}), profile_of(profile), {}).effect("shupe");
+      return whole_run(gyro_of({option}), profile_of(profile), coarse()).effect("shupe");
     };
     const std::vector<double> natural = shupe("shupe");
     const std::vector<double> scaled = shupe("shupe:scale=-3");
@@ -62,14 +63,14 @@ TEST(Effects, AreMultipliedByTheirScaleOnEveryProgramme) {
       ASSERT_NEAR(scaled[i], -3 * natural[i], 1e-12) << profile << " " << i;
     }
   }
-  EXPECT_THROW(
-      whole_run(gyro_of({"shupe:scale=2,peak=0.05"}), profile_of("static"), SimulationOptions{}),
-      InputError);
+  EXPECT_THROW(whole_run(gyro_of({"shupe:scale=2,peak=0.05"}), profile_of("static"), coarse()),
+               InputError);
 }
 
 TEST(Effects, ThatStayZeroCannotBeScaled) {
-  EXPECT_THROW(whole_run(gyro_of({"scale_factor_temperature:peak=0.05"}), profile_of("static"), {}),
-               InputError);
+  EXPECT_THROW(
+      whole_run(gyro_of({"scale_factor_temperature:peak=0.05"}), profile_of("static"), coarse()),
+      InputError);
 }
 
 TEST(TemperatureRate, IsConstantInARampAndZeroInASoak) {
@@ -210,7 +211,7 @@ TEST(Aging, OnlyGrowsAndIgnoresPowerCycles) {
 TEST(ScaleFactor, IsProportionalToTheInputRateAndReversesWithIt) {
   const WholeRun result =
       whole_run(gyro_of({"scale_factor_temperature:wavelength_ppm=100,coil_ppm=0"}),
-                profile_of("rate_table"), {});
+                profile_of("rate_table"), coarse());
   const auto& error = result.effect("scale_factor_temperature");
   const auto& input = result.rows.input_rate_dph;
   std::size_t checked = 0;
@@ -228,7 +229,7 @@ TEST(ScaleFactor, IsProportionalToTheInputRateAndReversesWithIt) {
 }
 
 TEST(HalfWaveVoltage, IsCorrectedByTheSecondLoopExceptForItsLag) {
-  SimulationOptions options;
+  SimulationOptions options = coarse();
   options.earth.latitude_deg = 90;
   const WholeRun result =
       run_text({"half_wave_voltage:half_wave_ppm=500,loop_tau_s=60,left=0"}, kOneRamp, options);
@@ -263,12 +264,12 @@ TEST(BiasStep, StartsWhenToldAndDecays) {
 TEST(Surroundings, DriveMagneticVibrationAndLightPower) {
   const WholeRun field =
       whole_run(gyro_of({"magnetic:sensitivity=1e-3,temperature_slope=0", "vibration"}),
-                profile_of("field_and_vibration"), {});
+                profile_of("field_and_vibration"), coarse());
   const auto& magnetic = field.effect("magnetic");
   EXPECT_NEAR(mean(magnetic, 370, 470), 0.03, 1e-4);   // 30 uT of the Earth
   EXPECT_NEAR(mean(magnetic, 610, 700), -0.03, 1e-4);  // turned round
   EXPECT_NEAR(largest(field.effect("vibration")), 0.02 * 4, 0.005);
-  const WholeRun light = whole_run(gyro_of({"light_power"}), profile_of("paper"), {});
+  const WholeRun light = whole_run(gyro_of({"light_power"}), profile_of("paper"), coarse());
   EXPECT_GT(largest(light.effect("light_power")), 0.001);
 }
 
@@ -281,11 +282,8 @@ TEST(Pyroelectric, NeedsAFastChangeInTheCold) {
 }
 
 TEST(RandomTelegraph, KnowsTwoLevelsAndKeepsEachForTheTimeAsked) {
-  SimulationOptions options;
-  options.grid.axial_cells = 1;  // the coil's heat plays no part
-  const auto levels =
-      run_text({"random_telegraph:height_dph=0.02,dwell_s=600"}, "soak 100 h\n", options)
-          .effect("random_telegraph");
+  const auto levels = run_text({"random_telegraph:height_dph=0.02,dwell_s=600"}, "soak 100 h\n")
+                          .effect("random_telegraph");
   std::size_t changes = 0;
   for (std::size_t i = 1; i < levels.size(); ++i) {
     EXPECT_TRUE(levels[i] >= -1e-12 && levels[i] < 0.02 + 1e-12);

@@ -30,7 +30,7 @@ std::string csv_of(const WholeRun& result) {
 }
 
 SimulationOptions with_seed(std::uint64_t seed) {
-  SimulationOptions options;
+  SimulationOptions options = coarse();
   options.seed = seed;
   return options;
 }
@@ -45,11 +45,12 @@ TEST(Simulation, GivesTheSameBytesForTheSameSeedAndOthersForAnother) {
 
 TEST(Simulation, LeavesAllOtherNoiseBitsAloneWhenASourceOrEffectIsSwitchedOn) {
   const Programme programme = profile_of("paper");
-  const WholeRun plain = whole_run(gyro_of({"noise:white=0.001,random_walk=0.01"}), programme, {});
+  const WholeRun plain =
+      whole_run(gyro_of({"noise:white=0.001,random_walk=0.01"}), programme, coarse());
   const WholeRun more =
       whole_run(gyro_of({"noise:white=0.001,random_walk=0.01,flicker=0.01,outliers=5", "bias_step",
                          "light_power", "shupe:peak=0.1"}),
-                programme, {});
+                programme, coarse());
   ASSERT_EQ(plain.noise_names, (std::vector<std::string>{"white", "random_walk"}));
   ASSERT_EQ(more.noise_names[2], "random_walk");
   EXPECT_EQ(plain.rows.noises_dph[0], more.rows.noises_dph[0]);
@@ -58,7 +59,7 @@ TEST(Simulation, LeavesAllOtherNoiseBitsAloneWhenASourceOrEffectIsSwitchedOn) {
 }
 
 TEST(Simulation, RowsAreTheSumOfTheTruth) {
-  SimulationOptions options;
+  SimulationOptions options = coarse();
   options.rate_hz = 3;
   options.earth.latitude_deg = 45;
   const WholeRun result =
@@ -77,10 +78,10 @@ TEST(Simulation, LongRowsAreTheMeansOfShortOnes) {
   GyroDescription quiet = gyro;
   quiet.set("test", "noise", {"white=0", "flicker=0", "outliers=0"});
   const Programme programme = parse_profile("soak 5 min\nramp to 30 degC at 1 degC/min\n", "t", 1);
-  SimulationOptions fast;
+  SimulationOptions fast = coarse();
   fast.rate_hz = 200;
   const WholeRun short_rows = whole_run(quiet, programme, fast);
-  const WholeRun long_rows = whole_run(quiet, programme, {});
+  const WholeRun long_rows = whole_run(quiet, programme, coarse());
   ASSERT_EQ(short_rows.rows.rows(), 900 * 200U);
   ASSERT_EQ(long_rows.rows.rows(), 90U);
   for (std::size_t row = 0; row < 90; ++row) {
@@ -98,7 +99,7 @@ TEST(Simulation, LongRowsAreTheMeansOfShortOnes) {
 TEST(Simulation, HasARowForEveryPeriodAtAnyRate) {
   const Programme programme = parse_profile("soak 1 h\n", "test", 1);
   for (const double rate_hz : {0.01, 0.1, 0.3, 1.0, 7.0, 99.9}) {
-    SimulationOptions options;
+    SimulationOptions options = coarse();
     options.rate_hz = rate_hz;
     const WholeRun result = whole_run(gyro_of({"bias"}), programme, options);
     EXPECT_EQ(result.rows.rows(), static_cast<std::size_t>(3600 * rate_hz + 1e-6)) << rate_hz;
@@ -135,7 +136,7 @@ TEST(EarthRate, FollowsLatitudeAndAxis) {
 }
 
 TEST(Sensor, ReadsInStepsOfItsResolutionAndLags) {
-  SimulationOptions options;
+  SimulationOptions options = coarse();
   options.rate_hz = 1;
   const Programme programme =
       parse_profile("soak 10 min\nramp to 60 degC at 1 degC/min\nsoak 10 min\n", "test", 1);
