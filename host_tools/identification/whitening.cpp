@@ -1,5 +1,6 @@
 #include "identification/whitening.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -47,17 +48,40 @@ Whitening::Whitening(const NoiseModel& noise, const Rows& rows, const Eigen::Vec
 
 Eigen::MatrixXd Whitening::apply(const Eigen::MatrixXd& matrix) const {
   Eigen::MatrixXd white(matrix.rows(), matrix.cols());
-  Eigen::VectorXd state(decay_.rows());
-  for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
-    state.setZero();
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-      state = state.cwiseProduct(decay_.col(i));
-      const double innovation = matrix(i, column) - state.sum();
-      white(i, column) = scale_[i] * innovation;
-      state += gain_.col(i) * innovation;
-    }
-  }
+  Eigen::Index column = 0;
+  for (; column + 4 <= matrix.cols(); column += 4) filter<4>(matrix, column, white);
+  for (; column + 2 <= matrix.cols(); column += 2) filter<2>(matrix, column, white);
+  if (column < matrix.cols()) filter<1>(matrix, column, white);
   return white;
+}
+
+// Several columns side by side, and the states summed in two halves: within a column every row
+// waits for the innovation of the row before.
+template <int kColumns>
+void Whitening::filter(const Eigen::MatrixXd& matrix, Eigen::Index first,
+                       Eigen::MatrixXd& white) const {
+  using Side = Eigen::Array<double, kColumns, 1>;
+  const Eigen::Index states = decay_.rows();
+  Eigen::Array<double, kColumns, Eigen::Dynamic> state;
+  state.setZero(kColumns, states);
+  Side innovation = Side::Zero();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0);
+    const auto predicted = [&](Eigen::Index j) -> Side {
+      state.col(j) = (state.col(j) + gain_(j, before) * innovation) * decay_(j, i);
+      return state.col(j);
+    };
+    Side even = Side::Zero();
+    Side odd = Side::Zero();
+    for (Eigen::Index j = 0; j + 1 < states; j += 2) {
+      even += predicted(j);
+      odd += predicted(j + 1);
+    }
+    Side sum = even + odd;
+    if (states % 2 == 1) sum += predicted(states - 1);
+    innovation = matrix.template block<1, kColumns>(i, first).transpose().array() - sum;
+    white.template block<1, kColumns>(i, first) = scale_[i] * innovation.transpose();
+  }
 }
 
 // From the last row backwards. With z = (state before the row, 1) a row's innovation is h z, and

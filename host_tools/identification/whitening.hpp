@@ -30,6 +30,10 @@ class Whitening {
   StepProducts steps(const Rows& rows, const Eigen::MatrixXd& whitened) const;
 
  private:
+  /// Columns `first` to `first + kColumns` of `matrix` into those of `white`.
+  template <int kColumns>
+  void filter(const Eigen::MatrixXd& matrix, Eigen::Index first, Eigen::MatrixXd& white) const;
+
   Eigen::MatrixXd decay_;  // components x rows: from the row before to this one
   Eigen::MatrixXd gain_;   // components x rows
   Eigen::VectorXd scale_;  // 1 / standard deviation of each innovation
