@@ -38,12 +38,6 @@ struct Batch {
   std::string folder_of(const GyroFolder& gyro) const { return output + "/" + gyro.name; }
 };
 
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder, "cannot be made (" + error.message() + "); choose another");
-}
-
 // Results among the recordings would be taken for a gyro.
 void require_apart(const std::string& input, const std::string& output) {
   const fs::path inside =

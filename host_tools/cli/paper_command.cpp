@@ -11,6 +11,7 @@
 #include "paper/figures.hpp"
 #include "report/paper_report.hpp"
 #include "support/input_error.hpp"
+#include "support/output_file.hpp"
 #include "support/progress.hpp"
 #include "support/text.hpp"
 
@@ -46,6 +47,7 @@ int run_paper(const Arguments& arguments) {
   settings.iterations = static_cast<int>(arguments.integer("iterations", 0, 100'000));
   settings.models = chosen_models(arguments);
   const auto gyros = static_cast<std::size_t>(arguments.integer("gyros", 1, 1000));
+  if (arguments.has("figures")) make_folder(arguments.text("figures"));  // the study takes long
   std::vector<Study> studies;
   {
     Progress progress("fitting");

@@ -1,9 +1,7 @@
 #include "paper/figures.hpp"
 
-#include <filesystem>
 #include <vector>
 
-#include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
 
@@ -32,9 +30,6 @@ void write_figure(const std::string& path, const Study& study, const std::vector
 }  // namespace
 
 void write_figures(const Study& study, const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder, error.message() + "; name a folder that can be written");
   const Rows& rows = study.run.series.rows();
   Eigen::VectorXd temperature(rows.size());
   for (Eigen::Index i = 0; i < rows.size(); ++i) {

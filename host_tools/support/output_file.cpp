@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <mutex>
 
 #include "support/input_error.hpp"
@@ -127,6 +128,15 @@ void OutputFile::commit() {
   if (named) return;
   discard_temporary();
   throw InputError(path_, std::string("cannot be written (") + std::strerror(error) + ")");
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError(folder,
+                     "cannot be made (" + error.message() + "); name a folder that can be written");
+  }
 }
 
 void write_file(const std::string& path, std::string_view text) {

@@ -39,6 +39,9 @@ class OutputFile {
   std::vector<char> buffer_;
 };
 
+/// Makes the folder, and those above it, where it is missing. Throws InputError where it cannot be.
+void make_folder(const std::string& folder);
+
 /// Writes `text` to `path` whole or not at all.
 void write_file(const std::string& path, std::string_view text);
 

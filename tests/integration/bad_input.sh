@@ -211,7 +211,7 @@ refuses '--trainer: is settled by --model pso-bp' fit good.csv -o kept --model p
 refuses '--network: is settled by --model polynomial' fit good.csv -o kept --model polynomial --network 3
 refuses '--effects is missing' fit good.csv -o kept --model effects
 refuses "'forest' is unknown" paper --models forest
-refuses '^kept: .*name a folder' paper --models effects --epochs 1 --iterations 0 --figures kept
+refuses '^kept: .*name a folder' paper --figures kept
 refuses "--trainer 'sgd' is not one of" fit good.csv -o kept --effects bias --trainer sgd
 refuses 'expects RUN' fit -o kept --effects bias
 refuses 'unexpected argument' effects bias bias
