@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "dataset/recording.hpp"
 #include "unit/dataset/temporary_file.hpp"
 
 namespace fogcomp {
@@ -85,6 +86,18 @@ TEST(InfoCommand, EndsWithCodeTwoAndOneLineForBadInput) {
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_EQ(outcome.output.find('\n'), outcome.output.size() - 1) << outcome.output;
   }
+}
+
+TEST(InfoCommand, RefusesMoreThanTwentyMillionRows) {
+  std::string content = "time_s,temperature_degc,rate_dph\n";
+  content.reserve(kMostRows * 13);
+  for (std::size_t i = 0; i <= kMostRows; ++i) content += std::to_string(i) + ",2,1\n";
+  const Outcome outcome = info(temporary_file("long.csv", content));
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(
+      outcome.output.find("long.csv:20000002: more than 20 million rows; average or cut the file"),
+      std::string::npos)
+      << outcome.output;
 }
 
 TEST(InfoCommand, ReadsOneRow) {

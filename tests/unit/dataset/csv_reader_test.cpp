@@ -167,13 +167,6 @@ TEST(CsvReader, RefusesTimesThatCannotBeSeconds) {
             ": rows are 5e+06 s apart; is time_s in seconds?");
 }
 
-TEST(CsvReader, RefusesMoreThanTwentyMillionRows) {
-  std::string content = kHeader;
-  content.reserve(kMostRows * 13);
-  for (std::size_t i = 0; i <= kMostRows; ++i) content += std::to_string(i) + ",2,1\n";
-  EXPECT_EQ(fault(content), ":20000002: more than 20 million rows; average or cut the file");
-}
-
 TEST(CsvReader, NeverCrashesOnAMutatedFile) {
   std::string good = kHeader;
   for (int i = 0; i < 40; ++i) {
