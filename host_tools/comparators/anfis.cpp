@@ -1,9 +1,10 @@
 #include "comparators/anfis.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "numerics/decompositions.hpp"
 
 namespace fogcomp {
 namespace {
@@ -81,9 +82,9 @@ Anfis::Anfis(const MatrixXd& inputs, const VectorXd& target, int epochs)
   for (int epoch = 0; epoch < epochs; ++epoch) {
     const MatrixXd share = shares(x);
     const MatrixXd columns = design(x, share);
-    MatrixXd normal = columns.transpose() * columns;
+    MatrixXd normal = gram(columns);
     normal.diagonal().array() += kRidge * static_cast<double>(x.rows());
-    consequents_ = normal.ldlt().solve(columns.transpose() * target);
+    consequents_ = solve_semidefinite(normal, columns.transpose() * target);
     const VectorXd error = target - columns * consequents_;
     const double mean_square = error.squaredNorm() / static_cast<double>(error.size());
     if (mean_square < mean_square_) {

@@ -2,10 +2,10 @@
 // as a second variable.
 #include "comparators/polynomial.hpp"
 
-#include <Eigen/QR>
 #include <optional>
 
 #include "comparators/cross_validation.hpp"
+#include "numerics/least_squares.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -42,7 +42,7 @@ Polynomial::Polynomial(const MatrixXd& inputs, const VectorXd& target, int order
       centre_((inputs.colwise().maxCoeff() + inputs.colwise().minCoeff()) / 2),
       half_range_((inputs.colwise().maxCoeff() - inputs.colwise().minCoeff()) / 2) {
   half_range_ = (half_range_.array() > 0).select(half_range_, 1);
-  coefficients_ = terms(inputs).colPivHouseholderQr().solve(target);
+  coefficients_ = solve_linear(terms(inputs), target).coefficients;
 }
 
 VectorXd Polynomial::values(const MatrixXd& inputs) const {

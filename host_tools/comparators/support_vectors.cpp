@@ -1,10 +1,10 @@
 #include "comparators/support_vectors.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <optional>
 
 #include "comparators/cross_validation.hpp"
+#include "numerics/decompositions.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -70,12 +70,10 @@ SupportVectors::SupportVectors(const MatrixXd& inputs, const VectorXd& target, d
   const Eigen::RowVectorXd kernel_mean = k.colwise().mean();
   const double target_mean = target.mean();
   k.rowwise() -= kernel_mean;
-  MatrixXd system = regularisation * static_cast<double>(rows) * kernel(vectors_);
-  system.selfadjointView<Eigen::Lower>().rankUpdate(k.transpose());
+  MatrixXd system = regularisation * static_cast<double>(rows) * kernel(vectors_) + gram(k);
   system.diagonal().array() += kJitter * static_cast<double>(rows);
-  const MatrixXd full = system.selfadjointView<Eigen::Lower>();
   const VectorXd centred = target.array() - target_mean;
-  coefficients_ = full.ldlt().solve(k.transpose() * centred);
+  coefficients_ = solve_semidefinite(system, k.transpose() * centred);
   bias_ = target_mean - kernel_mean.dot(coefficients_);
 }
 

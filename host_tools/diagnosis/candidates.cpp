@@ -7,10 +7,10 @@
 #include "dataset/input_columns.hpp"
 #include "identification/effect_list.hpp"
 #include "identification/expression_survey.hpp"
-#include "identification/least_squares.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/shape_search.hpp"
 #include "model/catalogue.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace fogcomp {
 namespace {

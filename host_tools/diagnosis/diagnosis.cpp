@@ -1,6 +1,5 @@
 #include "diagnosis/diagnosis.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +15,7 @@
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/quiet_rows.hpp"
 #include "model/catalogue.hpp"
+#include "numerics/decompositions.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -318,7 +318,7 @@ class Diagnoser {
       result_.term_gain.push_back(
           fit_.covariance.size() == 0
               ? 0
-              : own.dot(fit_.covariance.block(first, first, count, count).llt().solve(own)));
+              : own.dot(solve_definite(fit_.covariance.block(first, first, count, count), own)));
     }
   }
 

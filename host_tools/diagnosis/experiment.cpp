@@ -6,11 +6,11 @@
 
 #include "dataset/input_columns.hpp"
 #include "diagnosis/hypotheses.hpp"
-#include "identification/least_squares.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/signal_series.hpp"
 #include "identification/whitening.hpp"
 #include "model/catalogue.hpp"
+#include "numerics/least_squares.hpp"
 #include "simulation/embedded_files.hpp"
 #include "simulation/profile_parser.hpp"
 #include "simulation/simulated_recording.hpp"

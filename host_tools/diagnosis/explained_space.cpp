@@ -1,7 +1,8 @@
 #include "diagnosis/explained_space.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
+
+#include "numerics/decompositions.hpp"
 
 namespace fogcomp {
 namespace {
@@ -26,9 +27,7 @@ void ExplainedSpace::finish() {
     at += columns.cols();
   }
   pending_.clear();
-  gram_.setZero(width_, width_);
-  gram_.selfadjointView<Eigen::Lower>().rankUpdate(all.transpose());
-  gram_.triangularView<Eigen::StrictlyUpper>() = gram_.transpose();
+  gram_ = fogcomp::gram(all);
   along_ = all.transpose() * residual_;
 }
 
@@ -56,12 +55,12 @@ double ExplainedSpace::gain(const std::vector<ColumnRange>& parts,
                             const Eigen::VectorXd& along) const {
   if (parts.size() == 1 && parts[0].count == 1) return std::pow(along[parts[0].first], 2);
   const System all = system(parts, along);
-  return all.right.dot(all.matrix.llt().solve(all.right));
+  return all.right.dot(solve_definite(all.matrix, all.right));
 }
 
 Eigen::VectorXd ExplainedSpace::coefficients(const std::vector<ColumnRange>& parts) const {
   const System all = system(parts, along_);
-  return all.matrix.llt().solve(all.right);
+  return solve_definite(all.matrix, all.right);
 }
 
 double column_count(const std::vector<ColumnRange>& ranges) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "numerics/periodogram.hpp"
 #include "support/chi_square.hpp"
 #include "support/median.hpp"
 
@@ -26,17 +26,6 @@ struct Octave {
   double count = 0;
   double period_s = 0;
 };
-
-std::vector<double> periodogram(const std::vector<double>& values) {
-  Eigen::FFT<double> fft;
-  std::vector<std::complex<double>> spectrum;
-  fft.fwd(spectrum, values);
-  std::vector<double> powers;
-  for (std::size_t k = 0; 2 * k < values.size(); ++k) {
-    powers.push_back(std::norm(spectrum[k]) / static_cast<double>(values.size()));
-  }
-  return powers;
-}
 
 // Mean power of noise, of which half the lines have less than ln 2 times as much.
 double level_of(const std::vector<double>& powers, std::size_t first, std::size_t end) {

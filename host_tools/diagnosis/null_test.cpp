@@ -1,9 +1,10 @@
 #include "diagnosis/null_test.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+#include "numerics/decompositions.hpp"
 
 namespace fogcomp {
 namespace {
@@ -52,15 +53,15 @@ double beyond_log_p(std::vector<double> draws, double value) {
 
 NullTest test_against_noise(const ExplainedSpace& space, const Library& library,
                             const ColumnRange& structure, double freedom, std::uint64_t seed) {
-  Eigen::MatrixXd gram = space.gram();
-  gram.diagonal().array() += kCovarianceRidge * gram.diagonal().maxCoeff();
-  const Eigen::MatrixXd root = gram.llt().matrixL();
+  Eigen::MatrixXd covariance = space.gram();
+  covariance.diagonal().array() += kCovarianceRidge * covariance.diagonal().maxCoeff();
+  const Eigen::MatrixXd root = cholesky_factor(covariance);
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   std::gamma_distribution<double> variance(freedom / 2, 2 / freedom);
   std::vector<double> evidence;
   std::vector<double> smooth;
-  Eigen::VectorXd white(gram.rows());
+  Eigen::VectorXd white(covariance.rows());
   for (int draw = 0; draw < kDraws; ++draw) {
     for (double& value : white) value = normal(random);
     white /= std::sqrt(variance(random));

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "identification/least_squares.hpp"
 #include "identification/whitening.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace fogcomp {
 

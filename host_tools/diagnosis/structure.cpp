@@ -1,14 +1,14 @@
 #include "diagnosis/structure.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 
 #include "dataset/input_columns.hpp"
-#include "identification/least_squares.hpp"
 #include "identification/row_filters.hpp"
+#include "numerics/decompositions.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace fogcomp {
 namespace {
@@ -112,11 +112,11 @@ namespace {
 // Orthonormal directions of columns, without those that are all but invisible.
 Eigen::MatrixXd principal(const Eigen::MatrixXd& columns) {
   constexpr double kLeast = 1e-3;  // of a unit column: what is less is all but invisible
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(columns.transpose() * columns);
+  const SymmetricEigen eigen = symmetric_eigen(gram(columns));
   Eigen::Index kept = 0;
-  while (kept < columns.cols() && eigen.eigenvalues()[columns.cols() - 1 - kept] > kLeast) ++kept;
-  const Eigen::MatrixXd directions = eigen.eigenvectors().rightCols(kept);
-  const Eigen::VectorXd scale = eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse();
+  while (kept < columns.cols() && eigen.values[columns.cols() - 1 - kept] > kLeast) ++kept;
+  const Eigen::MatrixXd directions = eigen.vectors.rightCols(kept);
+  const Eigen::VectorXd scale = eigen.values.tail(kept).cwiseSqrt().cwiseInverse();
   return columns * directions * scale.asDiagonal();
 }
 

@@ -1,11 +1,12 @@
 #include "evaluation/dependence.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "evaluation/autocorrelation.hpp"
 #include "evaluation/branches.hpp"
+#include "numerics/decompositions.hpp"
 #include "support/chi_square.hpp"
 
 namespace fogcomp {
@@ -134,12 +135,12 @@ ClassTest test_means(const ClassMeans& means, const ResidualRows& rows) {
   ClassTest test;
   const Eigen::Index size = means.mean_dph.size();
   if (size < 2 || !has_noise(rows)) return test;
-  const Eigen::LDLT<Eigen::MatrixXd> noise(means.covariance);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(size);
-  const Eigen::VectorXd weights = noise.solve(ones);
+  const Eigen::VectorXd weights = solve_semidefinite(means.covariance, ones);
   const Eigen::VectorXd apart =
       means.mean_dph.array() - weights.dot(means.mean_dph) / weights.sum();
-  test.score = standard_score(apart.dot(noise.solve(apart)), static_cast<double>(size - 1));
+  test.score = standard_score(apart.dot(solve_semidefinite(means.covariance, apart)),
+                              static_cast<double>(size - 1));
 
   const Eigen::VectorXd share = means.rows / means.rows.sum();
   const double common = share.dot(means.mean_dph);
@@ -247,7 +248,8 @@ Loop loop_over(const std::vector<double>& temperature_degc, const ResidualRows& 
   }
   const Eigen::VectorXd width = differ * means.mean_dph;
   const Eigen::MatrixXd noise = differ * means.covariance * differ.transpose();
-  loop.test.score = standard_score(width.dot(noise.ldlt().solve(width)), static_cast<double>(size));
+  loop.test.score =
+      standard_score(width.dot(solve_semidefinite(noise, width)), static_cast<double>(size));
   return loop;
 }
 

@@ -1,11 +1,12 @@
 #include "evaluation/noise_coefficients.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "evaluation/allan_model.hpp"
+#include "numerics/decompositions.hpp"
 
 namespace fogcomp {
 namespace {
@@ -64,7 +65,7 @@ std::optional<Fit> fit_terms(const AllanModel& model, const Points& points,
   MatrixXd inverse;
   for (int round = 0; round < kRounds; ++round) {
     weight = points.freedom.array() / (2 * modelled.array().square());
-    inverse = (design.transpose() * weight.asDiagonal() * design).inverse();
+    inverse = inverse_of_definite(gram(weight.cwiseSqrt().asDiagonal() * design));
     squares = inverse * (design.transpose() * weight.cwiseProduct(points.variance));
     if (!squares.allFinite()) return std::nullopt;
     // Kept positive on the way, as the weights of the next round must be.

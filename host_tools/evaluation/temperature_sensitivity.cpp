@@ -1,10 +1,11 @@
 #include "evaluation/temperature_sensitivity.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "numerics/decompositions.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp {
@@ -90,12 +91,12 @@ void fit_rate_terms(const Recording& blocks, const std::vector<double>& bias,
     if (cools) design(row, columns - 1) = std::min(rate[block], 0.0);
   }
   const Eigen::Map<const Eigen::VectorXd> target(bias.data(), rows);
-  const Eigen::MatrixXd normal = design.transpose() * design;
-  const Eigen::MatrixXd inverse = normal.inverse();
+  const Eigen::MatrixXd normal = gram(design);
+  const Eigen::MatrixXd inverse = inverse_of_definite(normal);
   const Eigen::VectorXd solution = inverse * (design.transpose() * target);
   const auto term = [&](Eigen::Index column) -> std::optional<double> {
     const double inflation = normal(column, column) * inverse(column, column);
-    // A singular matrix makes it infinite, negative or no number at all.
+    // A singular matrix makes it infinite or no number at all.
     if (!(inflation >= 0.5 && inflation < kMostVarianceInflation)) return std::nullopt;
     return solution[column];
   };

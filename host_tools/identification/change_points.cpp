@@ -1,9 +1,9 @@
 #include "identification/change_points.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/least_squares.hpp"
 #include "support/median.hpp"
 #include "support/units.hpp"
 
@@ -13,11 +13,6 @@ namespace {
 constexpr Eigen::Index kLeastRows = 10;  // on each side of a jump
 constexpr double kWithin = 9;            // of the best chi^2: three standard deviations
 constexpr double kUndetermined = 1e-6;   // share of a jump that the model's columns leave
-
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
-}
 
 // First row and end of each recording, as Eigen counts.
 struct Run {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <unsupported/Eigen/FFT>
 
 #include "identification/jumps.hpp"
+#include "numerics/periodogram.hpp"
 #include "support/median.hpp"
 #include "support/units.hpp"
 
@@ -45,13 +45,10 @@ void add_periodogram(const NoiseSample& sample, Spectrum& spectrum) {
   Eigen::VectorXd values = sample.values;
   remove_line(values);
   clip_outliers(values);
-  Eigen::FFT<double> fft;
-  std::vector<double> time(values.begin(), values.end());
-  std::vector<std::complex<double>> frequency;
-  fft.fwd(frequency, time);
-  for (std::size_t k = sample.first_frequency; 2 * k < time.size(); ++k) {
-    spectrum.angle.push_back(2 * kPi * static_cast<double>(k) / static_cast<double>(time.size()));
-    spectrum.power.push_back(std::norm(frequency[k]) / static_cast<double>(time.size()));
+  const std::vector<double> powers = periodogram({values.begin(), values.end()});
+  for (std::size_t k = sample.first_frequency; k < powers.size(); ++k) {
+    spectrum.angle.push_back(2 * kPi * static_cast<double>(k) / static_cast<double>(values.size()));
+    spectrum.power.push_back(powers[k]);
   }
 }
 

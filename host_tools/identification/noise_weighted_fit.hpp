@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "identification/least_squares.hpp"
 #include "identification/noise_model.hpp"
 #include "identification/shape_search.hpp"
 #include "identification/signal_series.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace fogcomp {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/least_squares.hpp"
 #include "model/catalogue.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace fogcomp {
 namespace {

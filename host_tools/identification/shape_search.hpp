@@ -5,10 +5,10 @@
 #include <functional>
 #include <vector>
 
-#include "identification/least_squares.hpp"
 #include "identification/signal_series.hpp"
 #include "identification/whitening.hpp"
 #include "model/model.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace fogcomp {
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "identification/least_squares.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/whitening.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace fogcomp {
 

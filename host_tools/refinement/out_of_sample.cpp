@@ -6,10 +6,10 @@
 
 #include "evaluation/autocorrelation.hpp"
 #include "evaluation/comparison.hpp"
-#include "identification/least_squares.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/shape_search.hpp"
 #include "identification/whitening.hpp"
+#include "numerics/least_squares.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"

@@ -2,10 +2,11 @@
 // every step by MacKay's evidence rules (Foresee & Hagan, ICNN 1997), so that a network with
 // nothing to learn shrinks to nothing instead of learning noise. Rows with slow noise must come
 // whitened: taken for independent, they would make it something to learn.
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/decompositions.hpp"
 #include "training/best_weights.hpp"
 #include "training/trainer.hpp"
 
@@ -27,12 +28,6 @@ constexpr int kStarts = 3;  // from different first weights, as the cost has man
 // price that of a network which has learnt noise, from a price ten times as high no network at all.
 constexpr double kFirstPrice = 10;
 constexpr double kVarianceGuessed = 1e-3;  // of a normalised error, where nothing is known of it
-
-MatrixXd normal_matrix(const MatrixXd& jacobian) {
-  MatrixXd normal = MatrixXd::Zero(jacobian.cols(), jacobian.cols());
-  normal.selfadjointView<Eigen::Lower>().rankUpdate(jacobian.transpose());
-  return normal.selfadjointView<Eigen::Lower>();
-}
 
 // The prices of error and of weights, and how many weights the data determine. One common factor of
 // the prices is free; it keeps that of errors at 1.
@@ -56,8 +51,7 @@ struct Evidence {
     const auto size = static_cast<double>(w.size());
     MatrixXd hessian = normal;
     hessian.diagonal().array() += alpha;
-    const MatrixXd inverse =
-        hessian.llt().solve(MatrixXd::Identity(hessian.rows(), hessian.cols()));
+    const MatrixXd inverse = inverse_of_definite(hessian);
     gamma = std::clamp(size - alpha * inverse.trace(), 0.0, size);
     // Errors beyond the noise are what this network cannot learn: noise to it.
     variance =
@@ -69,7 +63,7 @@ struct Evidence {
   double logarithm(const MatrixXd& normal, const VectorXd& errors, const VectorXd& w) const {
     MatrixXd hessian = normal;
     hessian.diagonal().array() += alpha;
-    const VectorXd root = hessian.llt().matrixLLT().diagonal();
+    const VectorXd root = cholesky_factor(hessian).diagonal();
     return -cost(errors, w) / (2 * variance) - root.array().log().sum() +
            (static_cast<double>(w.size()) * std::log(std::max(alpha, 1e-300)) -
             rows * std::log(variance)) /
@@ -89,7 +83,7 @@ Start train_from(const TrainingProblem& problem, const TrainerSettings& settings
   VectorXd errors;
   MatrixXd jacobian;
   rows.errors(shape, w, errors, &jacobian);
-  MatrixXd normal = normal_matrix(jacobian);
+  MatrixXd normal = gram(jacobian);
   Evidence evidence(errors, rows.whitens());
   double damping = 1;
   BestWeights best(problem, kStepsWithoutGain);
@@ -108,7 +102,7 @@ Start train_from(const TrainingProblem& problem, const TrainerSettings& settings
     for (; damping <= kMostDamping; damping *= 10) {
       MatrixXd system = normal;
       system.diagonal().array() += evidence.alpha + damping;
-      const VectorXd tried = w - system.llt().solve(gradient);
+      const VectorXd tried = w - solve_definite(system, gradient);
       VectorXd tried_errors;
       rows.errors(shape, tried, tried_errors, nullptr);
       fall = cost - evidence.cost(tried_errors, tried);
@@ -120,7 +114,7 @@ Start train_from(const TrainingProblem& problem, const TrainerSettings& settings
     }
     if (fall <= 0) break;
     rows.errors(shape, w, errors, &jacobian);
-    normal = normal_matrix(jacobian);
+    normal = gram(jacobian);
     evidence.update(normal, errors, w);
     if (problem.held_out != nullptr) best.offer(w, rows.mean_square(shape, w));
     if (fall < kConverged * cost) break;

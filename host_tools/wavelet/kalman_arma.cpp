@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/decompositions.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -38,9 +40,9 @@ VectorXd without_running_mean(fog::Span<const double> values) {
 }
 
 VectorXd regression(const MatrixXd& columns, const VectorXd& target) {
-  MatrixXd normal = columns.transpose() * columns;
+  MatrixXd normal = gram(columns);
   normal.diagonal().array() += 1e-12 * normal.trace() + 1e-300;
-  return normal.ldlt().solve(columns.transpose() * target);
+  return solve_semidefinite(normal, columns.transpose() * target);
 }
 
 bool stationary(const ArmaNoise& noise) {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "identification/effect_list.hpp"
-#include "identification/least_squares.hpp"
 #include "identification/shape_search.hpp"
 #include "model/catalogue.hpp"
+#include "numerics/least_squares.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::bench {

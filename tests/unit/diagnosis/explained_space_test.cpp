@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "identification/least_squares.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace {
 

@@ -5,6 +5,9 @@
 
 namespace fogcomp {
 
+/// Of the largest: columns with smaller pivots are noise of the arithmetic.
+constexpr double kLeastPivot = 1e-9;
+
 /// Linear least squares by column-pivoting QR, for rows of noise variance 1.
 struct LinearFit {
   Eigen::VectorXd coefficients;
@@ -24,7 +27,7 @@ LinearFit solve_with_instruments(const Eigen::MatrixXd& matrix, const Eigen::Mat
 
 /// An orthonormal basis of what the columns span, each of them first made one long; directions
 /// below `rank_threshold` of the largest pivot, and columns of zeros, add nothing.
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshold);
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshold = kLeastPivot);
 
 /// Matrices of `rows` rows as one; any number of columns each.
 Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows);

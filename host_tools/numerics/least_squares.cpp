@@ -1,14 +1,8 @@
-#include "identification/least_squares.hpp"
+#include "numerics/least_squares.hpp"
 
 #include <Eigen/QR>
 
 namespace fogcomp {
-namespace {
-
-// Columns further down than this in the pivots are noise of the arithmetic.
-constexpr double kRankThreshold = 1e-9;
-
-}  // namespace
 
 LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values) {
   // Unit columns, so that rank and conditioning do not depend on units.
@@ -17,7 +11,7 @@ LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& val
   const Eigen::VectorXd scale = norms.cwiseInverse();
 
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  qr.setThreshold(kRankThreshold);
+  qr.setThreshold(kLeastPivot);
   qr.compute(matrix * scale.asDiagonal());
 
   LinearFit fit;
@@ -36,7 +30,7 @@ LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& val
 
 LinearFit solve_with_instruments(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& instruments,
                                  const Eigen::VectorXd& values) {
-  const Eigen::MatrixXd basis = orthonormal(instruments, kRankThreshold);
+  const Eigen::MatrixXd basis = orthonormal(instruments, kLeastPivot);
   if (basis.cols() < matrix.cols()) return solve_linear(matrix, values);
   LinearFit fit = solve_linear(basis.transpose() * matrix, basis.transpose() * values);
   fit.residual = values - matrix * fit.coefficients;
