@@ -8,13 +8,13 @@
 #include "model/catalogue.hpp"
 #include "model/model_lines.hpp"
 #include "support/input_error.hpp"
+#include "support/model_title.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
 namespace {
 
-constexpr const char* kTitle = "fogcomp-model ";
 constexpr const char* kHistory = "history";
 constexpr const char* kHistoryFloor = "history_floor_dph";
 constexpr const char* kHistoryHoldout = "history_holdout_dph";
@@ -276,7 +276,7 @@ std::string model_text(const Model& model) {
 }
 
 bool looks_like_model(const std::string& text) {
-  return text.rfind(kTitle, 0) == 0;
+  return text.rfind(kModelTitle, 0) == 0;
 }
 
 Model parse_model(const std::string& text, const std::string& file) {

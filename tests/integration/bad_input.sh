@@ -102,6 +102,7 @@ refuses '^cut\.model: is damaged' replay cut.model good.csv -o kept
 # Comparing, adding, history.
 refuses '^missing\.model: ' compare good.model good.csv --model missing.model
 refuses '^good\.csv: is not a fogcomp model' compare good.model good.csv --model good.csv
+refuses '^good\.model:1: a model, where a recording should be; .* --model' compare good.model good.model good.csv
 "$fogcomp" fit good.csv -o scale.model --effects bias --scale-factor 1000 >/dev/null
 refuses '^scale\.model: has another scale factor than good\.model; give --scale-factor' \
   compare good.model good.csv --model scale.model

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <random>
 #include <vector>
+
+#include "simulation/random.hpp"
 
 namespace fogcomp {
 
@@ -27,8 +28,8 @@ inline std::vector<double> make_noise(const NoiseTruth& truth, std::size_t sampl
   constexpr double kPi = 3.14159265358979323846;
   constexpr double kCornerRatio = 2.5;
   constexpr std::size_t kCorners = 16;
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
+  simulation::Random random(seed, "noise of a known truth");
+  const auto normal = [&random] { return random.gaussian(); };
   const double period_h = period_s / 3600;
 
   const double variance = std::pow(truth.bias_instability_dph, 2) * std::log(kCornerRatio) / kPi;
@@ -36,28 +37,27 @@ inline std::vector<double> make_noise(const NoiseTruth& truth, std::size_t sampl
   std::array<double, kCorners> state{};
   for (std::size_t i = 0; i < kCorners; ++i) {
     keep[i] = std::exp(-1.8 * std::pow(kCornerRatio, -static_cast<double>(i)));
-    state[i] = std::sqrt(variance) * normal(random);
+    state[i] = std::sqrt(variance) * normal();
   }
 
   std::vector<double> rate(samples);
-  double angle_error = normal(random);
+  double angle_error = normal();
   double walk = 0;
   for (std::size_t n = 0; n < samples; ++n) {
     const double last_angle_error = angle_error;
-    if (truth.quantization_deg > 0) angle_error = normal(random);
+    if (truth.quantization_deg > 0) angle_error = normal();
     double flicker = 0;
     if (variance > 0) {
       for (std::size_t i = 0; i < kCorners; ++i) {
-        state[i] =
-            keep[i] * state[i] + std::sqrt(variance * (1 - keep[i] * keep[i])) * normal(random);
+        state[i] = keep[i] * state[i] + std::sqrt(variance * (1 - keep[i] * keep[i])) * normal();
         flicker += state[i];
       }
     }
     if (truth.rate_random_walk_dphrh > 0) {
-      walk += truth.rate_random_walk_dphrh * std::sqrt(period_h) * normal(random);
+      walk += truth.rate_random_walk_dphrh * std::sqrt(period_h) * normal();
     }
     rate[n] = truth.quantization_deg * (angle_error - last_angle_error) / period_h +
-              truth.angle_random_walk_dprh / std::sqrt(period_h) * normal(random) + flicker + walk +
+              truth.angle_random_walk_dprh / std::sqrt(period_h) * normal() + flicker + walk +
               truth.rate_ramp_dphh * period_h * static_cast<double>(n);
   }
   return rate;
