@@ -32,6 +32,15 @@ Eigen::VectorXd as_vector(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+Eigen::SparseMatrix<double> with_capacities(const ThermalNetwork& network,
+                                            const Eigen::VectorXd& capacity_per_step) {
+  Eigen::SparseMatrix<double> matrix = network.conductance_matrix();
+  for (Eigen::Index i = 0; i < network.nodes(); ++i) {
+    matrix.coeffRef(i, i) += 1.5 * capacity_per_step[i];
+  }
+  return matrix;
+}
+
 }  // namespace
 
 ThermalIntegrator::ThermalIntegrator(const ThermalNetwork& network, double step_s,
@@ -39,22 +48,18 @@ ThermalIntegrator::ThermalIntegrator(const ThermalNetwork& network, double step_
     : step_s_(step_s),
       capacity_per_step_(as_vector(network.capacities_j_per_k()) / step_s),
       air_w_per_k_(as_vector(network.air_conductances_w_per_k())),
+      system_(with_capacities(network, capacity_per_step_)),
       now_degc_(Eigen::VectorXd::Constant(network.nodes(), start_degc)),
       before_degc_(now_degc_),
-      rate_kps_(Eigen::VectorXd::Zero(network.nodes())) {
-  Eigen::SparseMatrix<double> matrix = network.conductance_matrix();
-  for (Eigen::Index i = 0; i < network.nodes(); ++i) {
-    matrix.coeffRef(i, i) += 1.5 * capacity_per_step_[i];
-  }
-  system_.compute(matrix);
-}
+      rate_kps_(Eigen::VectorXd::Zero(network.nodes())) {}
 
 void ThermalIntegrator::step(double air_degc, const Eigen::VectorXd& power_w) {
-  right_ = capacity_per_step_.cwiseProduct(2 * now_degc_ - 0.5 * before_degc_) +
-           air_degc * air_w_per_k_ + power_w;
   rate_kps_ = (0.5 * before_degc_ - 2 * now_degc_) / step_s_;
-  before_degc_ = now_degc_;
-  now_degc_ = system_.solve(right_);
+  before_degc_.swap(now_degc_);
+  // In place: what is now the step before last becomes the right side, then the solution.
+  now_degc_ = capacity_per_step_.cwiseProduct(2 * before_degc_ - 0.5 * now_degc_) +
+              air_degc * air_w_per_k_ + power_w;
+  system_.solve(now_degc_);
   rate_kps_ += 1.5 / step_s_ * now_degc_;
 }
 

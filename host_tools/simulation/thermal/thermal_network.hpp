@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <vector>
+
+#include "simulation/thermal/repeated_solver.hpp"
 
 namespace fogcomp::simulation {
 
@@ -48,11 +49,10 @@ class ThermalIntegrator {
   double step_s_;
   Eigen::VectorXd capacity_per_step_;
   Eigen::VectorXd air_w_per_k_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> system_;
+  RepeatedSolver system_;
   Eigen::VectorXd now_degc_;
   Eigen::VectorXd before_degc_;
   Eigen::VectorXd rate_kps_;
-  Eigen::VectorXd right_;
 };
 
 }  // namespace fogcomp::simulation
