@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# All figures of the denoisers and of training: speed on this computer (Google Benchmark), instructions on the board
+# All figures of the denoisers, of training and of two inner loops: speed on this computer (Google Benchmark), instructions on the board
 # (QEMU), and what streaming does to noise and to rotation.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -7,7 +7,7 @@ source cmake/bootstrap/packages.sh
 require_packages "${build_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}" || exit 2
 
 cmake --preset host -DFOG_BENCH=ON >/dev/null
-cmake --build build/host --target wavelet_speed streaming_worth training_speed >/dev/null
+cmake --build build/host --target wavelet_speed streaming_worth training_speed solver_speed >/dev/null
 cmake --preset stm32f405 >/dev/null
 cmake --build build/stm32f405 --target denoiser_speed >/dev/null
 
@@ -16,6 +16,9 @@ build/host/tests/bench/wavelet_speed 2>/dev/null
 echo
 echo "== this computer, training the paper's network (2-10-1, 5955 rows)"
 build/host/tests/bench/training_speed 2>/dev/null
+echo
+echo "== this computer, a thermal step of 200 cells and whitening 6000 rows"
+build/host/tests/bench/solver_speed 2>/dev/null
 echo
 echo "== board, sym8 x 5, instructions per sample"
 tests/target/denoiser_speed.sh netduinoplus2 build/stm32f405/denoiser_speed.elf

@@ -1,0 +1,74 @@
+// What two inner loops of the tool cost: a step of the simulator's thermal network, beside the same
+// factorisation solved by Eigen, and whitening, per column of one, two and four at a time.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/SparseCholesky>
+#include <array>
+
+#include "identification/whitening.hpp"
+#include "simulation/thermal/thermal_network.hpp"
+
+namespace {
+
+// A plane of cells with heat capacities and conductances of one size: as many as the default coil
+// has.
+fogcomp::simulation::ThermalNetwork plane() {
+  constexpr Eigen::Index kLong = 40;
+  constexpr Eigen::Index kWide = 5;
+  fogcomp::simulation::ThermalNetwork network;
+  for (Eigen::Index i = 0; i < kLong * kWide; ++i) {
+    const Eigen::Index node = network.add_node(1);
+    if (i % kWide > 0) network.connect(node - 1, node, 0.5);
+    if (i >= kWide) network.connect(node - kWide, node, 0.5);
+  }
+  network.connect_to_air(0, 1);
+  return network;
+}
+
+Eigen::SparseMatrix<double> system_of(const fogcomp::simulation::ThermalNetwork& network) {
+  Eigen::SparseMatrix<double> system = network.conductance_matrix();
+  for (Eigen::Index i = 0; i < network.nodes(); ++i) system.coeffRef(i, i) += 1.5;
+  return system;
+}
+
+void solve_repeatedly(benchmark::State& state) {
+  fogcomp::simulation::RepeatedSolver solver(system_of(plane()));
+  Eigen::VectorXd values = Eigen::VectorXd::Ones(plane().nodes());
+  for (auto _ : state) {
+    solver.solve(values);
+    benchmark::DoNotOptimize(values.data());
+    values.setOnes();
+  }
+}
+BENCHMARK(solve_repeatedly);
+
+void solve_by_eigen(benchmark::State& state) {
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system_of(plane()));
+  Eigen::VectorXd values = Eigen::VectorXd::Ones(plane().nodes());
+  for (auto _ : state) {
+    values = solver.solve(values);
+    benchmark::DoNotOptimize(values.data());
+    values.setOnes();
+  }
+}
+BENCHMARK(solve_by_eigen);
+
+void whiten(benchmark::State& state) {
+  constexpr Eigen::Index kRows = 6000;
+  fogcomp::Rows rows;
+  for (Eigen::Index i = 0; i < kRows; ++i) rows.time_s.push_back(10 * static_cast<double>(i));
+  rows.run_starts = {0};
+  rows.drift_dph = Eigen::VectorXd::Zero(kRows);
+  fogcomp::NoiseModel noise;
+  noise.white_variance = 1;
+  for (const double tau_s : {30.0, 100.0, 300.0, 1000.0, 3000.0, 10000.0}) {
+    noise.components.push_back({tau_s, 0.1});
+  }
+  const fogcomp::Whitening whitening(noise, rows, Eigen::VectorXd::Ones(kRows));
+  const Eigen::MatrixXd columns = Eigen::MatrixXd::Random(kRows, state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(whitening.apply(columns).data());
+  state.SetItemsProcessed(state.iterations() * state.range(0));  // columns
+}
+BENCHMARK(whiten)->Arg(1)->Arg(2)->Arg(4);
+
+}  // namespace
