@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "identification/jumps.hpp"
 #include "numerics/periodogram.hpp"

@@ -133,9 +133,10 @@ void OutputFile::commit() {
 void make_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError(folder,
-                     "cannot be made (" + error.message() + "); name a folder that can be written");
+  const std::string remedy = "); name a folder that can be written";
+  if (error) throw InputError(folder, "cannot be made (" + error.message() + remedy);
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw InputError(folder, std::string("cannot be written (") + std::strerror(errno) + remedy);
   }
 }
 

@@ -39,7 +39,8 @@ class OutputFile {
   std::vector<char> buffer_;
 };
 
-/// Makes the folder, and those above it, where it is missing. Throws InputError where it cannot be.
+/// Makes the folder, and those above it, where it is missing. Throws InputError where it cannot be
+/// or nothing can be written there.
 void make_folder(const std::string& folder);
 
 /// Writes `text` to `path` whole or not at all.
