@@ -122,6 +122,25 @@ TEST(Whitening, MakesColouredNoiseWhiteOfVarianceOneAcrossGapsAndRuns) {
   }
 }
 
+TEST(Whitening, GivesEachOfManyColumnsWhatItGivesItAlone) {
+  fogcomp::Rows rows;
+  for (int i = 0; i < 50; ++i) rows.time_s.push_back(10.0 * i + (i > 20 ? 300 : 0));
+  rows.run_starts = {0, 35};
+  rows.drift_dph = VectorXd::Zero(50);
+  fogcomp::NoiseModel model;
+  model.white_variance = 1;
+  for (const double tau_s : {30.0, 100.0, 300.0, 1000.0}) {  // one, two, three, four states
+    model.components.push_back({tau_s, 0.5});
+    const fogcomp::Whitening whitening(model, rows, VectorXd::Ones(50));
+    const Eigen::MatrixXd columns = Eigen::MatrixXd::Random(50, 7);  // four, two and one
+    const Eigen::MatrixXd white = whitening.apply(columns);
+    for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+      EXPECT_EQ(white.col(i), whitening.apply(columns.col(i)).col(0)) << i;
+    }
+    EXPECT_GT((white.col(0) - white.col(6)).norm(), 1);
+  }
+}
+
 TEST(Whitening, IsTheIdentityOverSigmaForWhiteNoise) {
   fogcomp::Rows rows;
   rows.drift_dph = VectorXd::LinSpaced(10, 0, 9);
