@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "numerics/decompositions.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace fogcomp {
 namespace {
@@ -20,12 +21,7 @@ ColumnRange ExplainedSpace::add(const Eigen::MatrixXd& columns) {
 }
 
 void ExplainedSpace::finish() {
-  Eigen::MatrixXd all(residual_.size(), width_);
-  Eigen::Index at = 0;
-  for (const Eigen::MatrixXd& columns : pending_) {
-    all.middleCols(at, columns.cols()) = columns;
-    at += columns.cols();
-  }
+  const Eigen::MatrixXd all = side_by_side(pending_, residual_.size());
   pending_.clear();
   gram_ = fogcomp::gram(all);
   along_ = all.transpose() * residual_;

@@ -17,7 +17,7 @@ RepeatedSolver::RepeatedSolver(const Eigen::SparseMatrix<double>& system) : work
       for (typename std::decay_t<decltype(by_line)>::InnerIterator at(by_line, line); at; ++at) {
         if (at.index() != line) lines.entries.push_back({at.index(), at.value()});
       }
-      lines.end.push_back(lines.entries.size());
+      lines.begin.push_back(lines.entries.size());
     }
   };
   lay_out(lower, columns_);
@@ -29,7 +29,7 @@ void RepeatedSolver::solve(Eigen::VectorXd& values) {
   const auto without = [this](const Lines& lines, Eigen::Index line) {
     const auto at = static_cast<std::size_t>(line);
     double value = work_[line];
-    for (std::size_t i = at == 0 ? 0 : lines.end[at - 1]; i < lines.end[at]; ++i) {
+    for (std::size_t i = lines.begin[at]; i < lines.begin[at + 1]; ++i) {
       value -= lines.entries[i].factor * work_[lines.entries[i].place];
     }
     return value;

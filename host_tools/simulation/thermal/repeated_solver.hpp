@@ -23,7 +23,7 @@ class RepeatedSolver {
   };
   struct Lines {
     std::vector<Entry> entries;
-    std::vector<std::size_t> end;  ///< of each line's entries
+    std::vector<std::size_t> begin{0};  ///< of each line's entries; behind the last, their number
   };
 
   Lines rows_;
