@@ -14,6 +14,7 @@
 #include "diagnosis/visible_part.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/quiet_rows.hpp"
+#include "identification/row_noise.hpp"
 #include "model/catalogue.hpp"
 #include "numerics/decompositions.hpp"
 #include "support/input_error.hpp"
@@ -119,9 +120,12 @@ class Diagnoser {
     const std::size_t first_frequency = fit_.noise.from_quiet_parts ? 16 : 8;
     std::vector<Eigen::MatrixXd> parts{fit_.columns};
     for (StructureGroup& group : structure_groups(rows_)) parts.push_back(std::move(group.columns));
+    const LinearFit smooth = solve_linear(side_by_side(parts, rows_.size()), rows_.drift_dph);
     const Eigen::VectorXd rest =
-        solve_linear(side_by_side(parts, rows_.size()), rows_.drift_dph).residual;
-    std::vector<NoiseSample> samples = noise_samples(quiet_stretches(rows_, fit_.residual_dph));
+        bridged(smooth.residual, row_noise(rows_, smooth.residual).counted);
+    const Eigen::VectorXd residual =
+        bridged(fit_.residual_dph, row_noise(rows_, fit_.residual_dph).counted);
+    std::vector<NoiseSample> samples = noise_samples(quiet_stretches(rows_, residual));
     for (const RowRange& run : rows_.runs()) {
       samples.push_back({rest.segment(static_cast<Eigen::Index>(run.first),
                                       static_cast<Eigen::Index>(run.size())),
@@ -133,7 +137,9 @@ class Diagnoser {
   }
 
   double rms(const Eigen::VectorXd& residual) const {
-    return std::sqrt(residual.cwiseAbs2().dot(rows_.weights) / rows_.weights.sum());
+    const Eigen::VectorXd weights =
+        (fit_.robust.array() > 0).select(rows_.weights.array(), 0.0).matrix();
+    return std::sqrt(residual.cwiseAbs2().dot(weights) / weights.sum());
   }
 
   // On what it depends and where it sits, by what smooth functions can describe of it.
@@ -173,9 +179,8 @@ class Diagnoser {
     result_.unexplained_fraction = explanation.unexplained;
     result_.fast =
         find_fast_structure(rows_, without(space, structure, *explanation.best, residual));
-    result_.jumps =
-        find_two_levels(quiet_stretches(rows_, refitted(*explanation.best).residual_dph),
-                        fit_.noise.white_dph(), rows_.row_s);
+    result_.jumps = find_two_levels(quiet_stretches(rows_, quiet_values(*explanation.best)),
+                                    fit_.noise.white_dph(), rows_.row_s);
     const double fast_log_p = weigh_fast();
     result_.chance = std::exp(std::min({test.library_log_p, test.structure_log_p, fast_log_p}));
     result_.tests = {test.library_log_p, test.structure_log_p, fast_log_p};
@@ -194,6 +199,13 @@ class Diagnoser {
     } else {
       result_.verdict = Verdict::unknown;
     }
+  }
+
+  // What a hypothesis leaves, in rows of equal noise; NaN where a row does not count.
+  Eigen::VectorXd quiet_values(const Hypothesis& hypothesis) const {
+    const Eigen::ArrayXd scaled =
+        refitted(hypothesis).residual_dph.array() / fit_.noise_scale.array();
+    return (fit_.robust.array() > 0).select(scaled, std::nan(""));
   }
 
   // Which fast structure is the surest; returns the logarithm of its chance.

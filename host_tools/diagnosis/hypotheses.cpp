@@ -92,7 +92,22 @@ class Search {
                 std::none_of(h.parts.begin(), h.parts.end(), [&](const Hypothesis::Part& part) {
                   return candidates_[part.candidate].has_own_input();
                 });
-    found_.push_back(std::move(h));
+    const auto same = std::find_if(found_.begin(), found_.end(), [&](const Hypothesis& other) {
+      return effects_of(other) == effects_of(h);
+    });
+    if (same == found_.end()) {
+      found_.push_back(std::move(h));
+    } else if (h.log_evidence > same->log_evidence) {
+      *same = std::move(h);
+    }
+  }
+
+  // In order: a set of three is reached from each of its pairs, with shapes that may differ.
+  static std::vector<std::size_t> effects_of(const Hypothesis& h) {
+    std::vector<std::size_t> effects;
+    for (const Hypothesis::Part& part : h.parts) effects.push_back(part.candidate);
+    std::sort(effects.begin(), effects.end());
+    return effects;
   }
 
   // One more effect out of those that are left.

@@ -1,7 +1,9 @@
 #include "diagnosis/two_levels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace fogcomp {
 namespace {
@@ -12,9 +14,11 @@ constexpr double kMostHeight = 8;
 constexpr double kHeightStep = 1.3;
 constexpr double kLeastDwell_rows = 8;
 constexpr double kDwellStep = 1.8;
-constexpr double kLongestDwell = 0.5;      // of the longest stretch
-constexpr double kMost = kMostHeight + 4;  // a row beyond counts as if it were there
-constexpr int kCentres = 11;               // from half a height below the mean to as much above
+constexpr double kLongestDwell = 0.5;  // of the longest stretch
+// "To and fro": a bias that steps once, or whose record ends elsewhere, does neither.
+constexpr std::size_t kLeastVisits = 2;
+constexpr std::size_t kLeastVisit_rows = 4;
+constexpr int kCentres = 11;  // from half a height below the mean to as much above
 
 // Both processes have mean `centre` and autocovariance (height / 2)^2 decay^rows.
 struct Shape {
@@ -22,7 +26,8 @@ struct Shape {
   double decay = 0;
 };
 
-// Logarithms of likelihoods, but for what both have in common.
+// Logarithms of likelihoods, but for what both have in common. A row that does not count (NaN)
+// tells nothing; time goes on.
 
 // Forward algorithm.
 double log_two_levels(const Eigen::VectorXd& values, const Shape& shape, double centre) {
@@ -31,10 +36,12 @@ double log_two_levels(const Eigen::VectorXd& values, const Shape& shape, double 
   double log_likelihood = 0;
   double upper = 0.5;
   for (const double value : values) {
-    const double ratio = std::exp(shape.height * (value - centre));
-    const double likelihood = (1 - upper) + upper * ratio;
-    log_likelihood += std::log(likelihood) - (value - low) * (value - low) / 2;
-    upper *= ratio / likelihood;
+    if (!std::isnan(value)) {
+      const double ratio = std::exp(shape.height * (value - centre));
+      const double likelihood = (1 - upper) + upper * ratio;
+      log_likelihood += std::log(likelihood) - (value - low) * (value - low) / 2;
+      upper *= ratio / likelihood;
+    }
     upper = upper * stay + (1 - upper) * (1 - stay);
   }
   return log_likelihood;
@@ -47,29 +54,88 @@ double log_wander(const Eigen::VectorXd& values, const Shape& shape, double cent
   double state = centre;
   double doubt = variance;
   for (const double value : values) {
-    const double total = doubt + 1;
-    const double innovation = value - state;
-    log_likelihood -= (innovation * innovation / total + std::log(total)) / 2;
-    const double gain = doubt / total;
-    state = centre + shape.decay * (state + gain * innovation - centre);
-    doubt = variance + shape.decay * shape.decay * (doubt - gain * doubt - variance);
+    if (!std::isnan(value)) {
+      const double total = doubt + 1;
+      const double innovation = value - state;
+      log_likelihood -= (innovation * innovation / total + std::log(total)) / 2;
+      state += doubt / total * innovation;
+      doubt /= total;
+    }
+    state = centre + shape.decay * (state - centre);
+    doubt = variance + shape.decay * shape.decay * (doubt - variance);
   }
   return log_likelihood;
+}
+
+double mean_of(const Eigen::VectorXd& values) {
+  double sum = 0;
+  double count = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    sum += value;
+    count += 1;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+// The best centre of a stretch whose mean is 0.
+template <class Log>
+std::pair<double, double> best_centre(const Eigen::VectorXd& values, const Shape& shape, Log log) {
+  std::pair<double, double> best{-HUGE_VAL, 0};
+  for (int i = 0; i < kCentres; ++i) {
+    const double centre = (static_cast<double>(i) / (kCentres - 1) - 0.5) * shape.height;
+    best = std::max(best, {log(values, shape, centre), centre});
+  }
+  return best;
 }
 
 // With the best centre of every stretch.
 template <class Log>
 double over_all(const std::vector<Eigen::VectorXd>& stretches, const Shape& shape, Log log) {
   double sum = 0;
-  for (const Eigen::VectorXd& values : stretches) {
-    double best = -HUGE_VAL;
-    for (int i = 0; i < kCentres; ++i) {
-      const double away = static_cast<double>(i) / (kCentres - 1) - 0.5;
-      best = std::max(best, log(values, shape, values.mean() + away * shape.height));
-    }
-    sum += best;
-  }
+  for (const Eigen::VectorXd& values : stretches) sum += best_centre(values, shape, log).first;
   return sum;
+}
+
+// The likeliest sequence of levels (Viterbi): true where it is the upper one.
+std::vector<bool> likeliest_levels(const Eigen::VectorXd& values, const Shape& shape,
+                                   double centre) {
+  const double change = std::log((1 - shape.decay) / (1 + shape.decay));  // against staying
+  const auto size = static_cast<std::size_t>(values.size());
+  std::vector<std::array<bool, 2>> came_from_upper(size);
+  double upper_over_lower = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    // The better way to the lower and to the upper level, relative to having been in the lower.
+    const double to_lower = std::max(0.0, upper_over_lower + change);
+    const double to_upper = std::max(change, upper_over_lower);
+    came_from_upper[i] = {to_lower > 0, upper_over_lower > change};
+    const double value = values[static_cast<Eigen::Index>(i)];
+    upper_over_lower = to_upper - to_lower;
+    if (!std::isnan(value)) upper_over_lower += shape.height * (value - centre);
+  }
+  std::vector<bool> upper(size);
+  bool now = upper_over_lower > 0;
+  for (std::size_t i = size; i-- > 0;) {
+    upper[i] = now;
+    now = came_from_upper[i][now ? 1 : 0];
+  }
+  return upper;
+}
+
+// Visits to a level that begin and end within the stretch and last several rows that count.
+std::size_t whole_visits(const Eigen::VectorXd& values, const std::vector<bool>& upper) {
+  std::size_t visits = 0;
+  std::size_t rows = 0;
+  bool begun = false;
+  for (std::size_t i = 0; i < upper.size(); ++i) {
+    if (i > 0 && upper[i] != upper[i - 1]) {
+      if (begun && rows >= kLeastVisit_rows) ++visits;
+      begun = true;
+      rows = 0;
+    }
+    if (!std::isnan(values[static_cast<Eigen::Index>(i)])) ++rows;
+  }
+  return visits;
 }
 
 }  // namespace
@@ -80,10 +146,11 @@ TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double 
   Eigen::Index longest = 0;
   for (const Eigen::VectorXd& stretch : stretches) {
     const Eigen::VectorXd values = stretch / white_dph;
-    scaled.push_back((values.array() - values.mean()).cwiseMax(-kMost).cwiseMin(kMost));
+    scaled.push_back(values.array() - mean_of(values));
     longest = std::max(longest, stretch.size());
   }
   TwoLevels found;
+  Shape best;
   double two_levels = -HUGE_VAL;
   double wander = -HUGE_VAL;
   const double longest_dwell = kLongestDwell * static_cast<double>(longest);
@@ -94,14 +161,20 @@ TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double 
       const double here = over_all(scaled, shape, log_two_levels);
       if (here <= two_levels) continue;
       two_levels = here;
+      best = shape;
       found.height_dph = height * white_dph;
       found.dwell_s = dwell * row_s;
     }
   }
   if (two_levels == -HUGE_VAL) return found;
-  found.log_odds = two_levels - wander;
-  found.gain = 2 * two_levels;
-  for (const Eigen::VectorXd& values : scaled) found.gain += values.squaredNorm();
+  std::size_t visits = 0;
+  for (const Eigen::VectorXd& values : scaled) {
+    const double centre = best_centre(values, best, log_two_levels).second;
+    visits += whole_visits(values, likeliest_levels(values, best, centre));
+    for (const double value : values) found.gain += std::isnan(value) ? 0 : value * value;
+  }
+  found.gain += 2 * two_levels;
+  if (visits >= kLeastVisits) found.log_odds = two_levels - wander;
   return found;
 }
 

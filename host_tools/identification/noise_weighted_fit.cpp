@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "identification/quiet_rows.hpp"
+#include "identification/row_noise.hpp"
 #include "identification/whitening.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
@@ -34,20 +35,27 @@ double longest_run_s(const Rows& rows) {
 }
 
 NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
-  const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, residual);
-  if (quiet.empty()) return white_noise_of(residual, rows.row_s);
+  return noise_of(rows, residual, row_noise(rows, residual));
+}
+
+NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual, const RowNoise& single) {
+  const Eigen::VectorXd values = bridged(residual, single.counted);
+  const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, values);
+  if (quiet.empty()) return white_noise_of(values, rows.row_s);
   return fit_noise(noise_samples(quiet), rows.row_s, longest_run_s(rows));
 }
 
 namespace {
 
-// Rows that are left out have the value of the nearest row before them that is not.
-Eigen::VectorXd bridged(const Eigen::VectorXd& residual, const Eigen::VectorXd& kept) {
-  Eigen::VectorXd values = residual;
-  for (Eigen::Index row = 1; row < values.size(); ++row) {
-    if (kept[row] <= 0) values[row] = values[row - 1];
+// Relative to the rows that the noise model is of: the quiet ones, or where there are none all.
+Eigen::VectorXd relative_scale(const Rows& rows, const Eigen::VectorXd& scale) {
+  double square = 0;
+  double count = 0;
+  for (const Eigen::VectorXd& stretch : quiet_stretches(rows, scale)) {
+    square += stretch.squaredNorm();
+    count += static_cast<double>(stretch.size());
   }
-  return values;
+  return count > 0 ? scale / std::sqrt(square / count) : scale;
 }
 
 // Rows that stand out from the others count less the further out they are. "Others" by the median,
@@ -82,8 +90,12 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
   fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
   fit.robust = kept;
   for (int round = 0; round < kRounds; ++round) {
-    fit.noise = settings.noise ? *settings.noise : noise_of(rows, bridged(fit.residual_dph, kept));
-    fit.row_weights = rows.weights.cwiseProduct(fit.robust);
+    const RowNoise single = row_noise(rows, fit.residual_dph, kept);
+    fit.noise = settings.noise ? *settings.noise : noise_of(rows, fit.residual_dph, single);
+    fit.noise_scale = relative_scale(rows, single.scale);
+    fit.robust = fit.robust.cwiseProduct(single.counted);
+    const Eigen::VectorXd full_weights = rows.weights.cwiseQuotient(fit.noise_scale.cwiseAbs2());
+    fit.row_weights = full_weights.cwiseProduct(fit.robust);
     const Whitening whitening(fit.noise, rows, fit.row_weights);
     WhitenedProblem problem(series, whitening, fit.terms, nuisance);
     search_shapes(problem, fit.shapes, [&](double done) {
@@ -99,8 +111,8 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
     if (round + 1 == kRounds) fit.covariance = problem.solve(fit.shapes).covariance;
     if (!fit.shapes.empty()) fit.columns = all_columns(series, fit.terms, nuisance);
     fit.residual_dph = rows.drift_dph - fit.columns * fit.coefficients;
-    const Whitening plain(fit.noise, rows, rows.weights.cwiseProduct(kept));
-    fit.robust = outlier_weights(plain.apply(fit.residual_dph)).cwiseProduct(kept);
+    const Whitening plain(fit.noise, rows, full_weights.cwiseProduct(single.counted));
+    fit.robust = outlier_weights(plain.apply(fit.residual_dph)).cwiseProduct(single.counted);
   }
   fit.outliers = static_cast<std::size_t>((fit.robust.array() < 1 && kept.array() > 0).count());
   return fit;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "identification/noise_model.hpp"
+#include "identification/row_noise.hpp"
 #include "identification/shape_search.hpp"
 #include "identification/signal_series.hpp"
 #include "numerics/least_squares.hpp"
@@ -17,9 +18,12 @@ struct NoiseWeightedFit {
   std::vector<EffectTerm> terms;       ///< as given, shape parameters where the cost is least
   std::vector<ShapeParameter> shapes;  ///< those that were moved
   NoiseModel noise;                    ///< what the rows were weighted with
-  Eigen::VectorXd robust;              ///< 1, less for outliers, 0 for rows that are left out
-  Eigen::VectorXd row_weights;         ///< time behind a row times that
-  std::size_t outliers = 0;            ///< rows weighted down
+  /// 1, less for rows far out, 0 for those that stand out of their neighbours (row_noise.hpp) and
+  /// those that are left out.
+  Eigen::VectorXd robust;
+  Eigen::VectorXd noise_scale;  ///< RowNoise::scale, relative to the rows of `noise`
+  Eigen::VectorXd row_weights;  ///< time behind a row, times that, by its own noise's variance
+  std::size_t outliers = 0;     ///< rows weighted down
 
   Eigen::MatrixXd columns;       ///< rows x linear: regressors of all terms, then the nuisance
   Eigen::VectorXd coefficients;  ///< linear
@@ -60,8 +64,9 @@ NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<Ef
 double longest_run_s(const Rows& rows);
 
 /// The noise of a residual: from its quiet parts, or where there are none white, from neighbouring
-/// rows.
+/// rows. Rows that stand out of their neighbours do not count.
 NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual);
+NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual, const RowNoise& single);
 
 /// 1 from a row to the end of its recording, else 0.
 Eigen::VectorXd step_column(const Rows& rows, std::size_t row);

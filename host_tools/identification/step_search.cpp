@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "identification/row_noise.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -12,7 +14,6 @@ constexpr double kEarned = 60;         // chi^2 of a step that is believed
 constexpr double kWorthALook = 8;      // before its noise is taken from a fit that knows it
 constexpr double kSlowSeconds = 3600;  // drift over hours is no jump
 constexpr std::size_t kMostSteps = 8;
-constexpr double kWildRow = 6;  // standard deviations of white noise
 
 Eigen::MatrixXd with_column(const Eigen::MatrixXd& columns, const Eigen::VectorXd& column) {
   Eigen::MatrixXd all(columns.rows(), columns.cols() + 1);
@@ -27,9 +28,9 @@ std::optional<ChangePoint> locate(const Rows& rows, const NoiseWeightedFit& fit,
   const Eigen::Index others = fit.linear() - columns;
   const Eigen::VectorXd residual =
       fit.residual_dph + fit.columns.rightCols(others) * fit.coefficients.segment(columns, others);
-  const Eigen::VectorXd tame = without_wild_rows(
-      rows, residual, kWildRow * white_noise_of(residual, rows.row_s).white_dph());
-  const Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(kept).cwiseProduct(tame));
+  // A single wild row must not pass for two jumps.
+  const Eigen::VectorXd counted = row_noise(rows, residual, kept).counted;
+  const Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(counted));
   const Eigen::MatrixXd slow = slow_columns(rows, kSlowSeconds);
   Eigen::MatrixXd model(rows.size(), columns + slow.cols());
   model << fit.columns.leftCols(columns), slow;

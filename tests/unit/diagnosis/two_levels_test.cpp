@@ -60,4 +60,26 @@ TEST(TwoLevels, AreNotSeenInWhiteNoise) {
   EXPECT_EQ(fogcomp::find_two_levels({}, kWhite_dph, kRow_s).log_odds, 0);
 }
 
+// A row that is left out is no level of its own, and does not hide levels that are there.
+TEST(TwoLevels, ArePassedOverByRowsThatDoNotCount) {
+  std::vector<Eigen::VectorXd> stretches = soaks(Process::two_levels, 0.05, 1);
+  for (Eigen::VectorXd& stretch : stretches) {
+    for (Eigen::Index row = 3; row < stretch.size(); row += 50) stretch[row] = std::nan("");
+  }
+  EXPECT_GT(fogcomp::find_two_levels(stretches, kWhite_dph, kRow_s).log_odds, 8);
+  EXPECT_EQ(
+      fogcomp::find_two_levels({Eigen::VectorXd::Constant(700, std::nan(""))}, kWhite_dph, kRow_s)
+          .log_odds,
+      0);
+}
+
+// A step, or the last minutes of a soak whose temperature is written down late, is not to and fro.
+TEST(TwoLevels, ComeAndGo) {
+  std::vector<Eigen::VectorXd> stretches = soaks(Process::wander, 0, 1);
+  for (Eigen::VectorXd& stretch : stretches) stretch.tail(40).array() += 5 * kWhite_dph;
+  EXPECT_EQ(fogcomp::find_two_levels(stretches, kWhite_dph, kRow_s).log_odds, 0);
+  for (Eigen::VectorXd& stretch : stretches) stretch.segment(200, 40).array() += 5 * kWhite_dph;
+  EXPECT_GT(fogcomp::find_two_levels(stretches, kWhite_dph, kRow_s).log_odds, 8);
+}
+
 }  // namespace
