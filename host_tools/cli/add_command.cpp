@@ -63,6 +63,7 @@ void print_json(const Addition& addition, bool written, const std::string& outpu
       .set("out_of_sample_rms_before_dph", judged.rms_before_dph)
       .set("out_of_sample_rms_after_dph", judged.rms_after_dph)
       .set("out_of_sample_gain", judged.gain)
+      .set("chance_of_walk", addition.chance_of_walk ? Json(*addition.chance_of_walk) : Json())
       .set("runs", runs_json(addition.runs))
       .set("halves", halves_json(addition.halves))
       .set("parameters", std::move(parameters))

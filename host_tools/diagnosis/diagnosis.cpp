@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "diagnosis/explained_space.hpp"
 #include "diagnosis/explanation.hpp"
 #include "diagnosis/hypotheses.hpp"
 #include "diagnosis/null_test.hpp"
@@ -12,9 +11,12 @@
 #include "diagnosis/structure.hpp"
 #include "diagnosis/two_levels.hpp"
 #include "diagnosis/visible_part.hpp"
+#include "identification/explained_space.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/quiet_rows.hpp"
+#include "identification/random_walk.hpp"
 #include "identification/row_noise.hpp"
+#include "identification/walk_rival.hpp"
 #include "model/catalogue.hpp"
 #include "numerics/decompositions.hpp"
 #include "support/input_error.hpp"
@@ -83,6 +85,7 @@ class Diagnoser {
       }
     }
     structure_ = space.add(structure.all);
+    walk_ = space.add(remover(random_walk_modes(rows_)).columns);
     space.finish();
 
     describe_where(structure, remover.residual());
@@ -92,7 +95,7 @@ class Diagnoser {
     }
     const double above_white = result_.residual_rms_dph / fit_.noise.white_dph() - 1;
     if (result_.verdict == Verdict::none && fit_.noise.from_quiet_parts && !settings_.noise &&
-        above_white > kMuchAboveWhite) {
+        above_white > kMuchAboveWhite && !at_rest()) {
       result_.notes.push_back(
           format("what is left is %.0f %% above white noise, and only the soaks here say that this "
                  "is slow noise of the gyro's own: a recording at rest, given with --static, would "
@@ -142,6 +145,16 @@ class Diagnoser {
     return std::sqrt(residual.cwiseAbs2().dot(weights) / weights.sum());
   }
 
+  // Whether these are recordings at rest themselves.
+  bool at_rest() const {
+    constexpr double kNearlyAll = 0.9;
+    double quiet = 0;
+    for (const Eigen::VectorXd& stretch : quiet_stretches(rows_, fit_.residual_dph)) {
+      quiet += static_cast<double>(stretch.size());
+    }
+    return quiet > kNearlyAll * static_cast<double>(rows_.size());
+  }
+
   // On what it depends and where it sits, by what smooth functions can describe of it.
   void describe_where(const VisibleStructure& structure, const Eigen::VectorXd& residual) {
     double most = 0;
@@ -184,8 +197,10 @@ class Diagnoser {
     const double fast_log_p = weigh_fast();
     result_.chance = std::exp(std::min({test.library_log_p, test.structure_log_p, fast_log_p}));
     result_.tests = {test.library_log_p, test.structure_log_p, fast_log_p};
-    const bool something = test.library_log_p < kLibraryLogP ||
-                           test.structure_log_p < kStructureLogP || fast_log_p < kFastLogP;
+    const bool slow =
+        (test.library_log_p < kLibraryLogP || test.structure_log_p < kStructureLogP) &&
+        !may_be_a_walk(space, hypotheses);
+    const bool something = slow || fast_log_p < kFastLogP;
 
     weigh_effects(space, hypotheses, explanation.excess, something);
     list_explanations(hypotheses, explanation.excess);
@@ -206,6 +221,30 @@ class Diagnoser {
     const Eigen::ArrayXd scaled =
         refitted(hypothesis).residual_dph.array() / fit_.noise_scale.array();
     return (fit_.robust.array() > 0).select(scaled, std::nan(""));
+  }
+
+  // Whether all that is slow may be a random walk of the bias: then neither an effect nor smooth
+  // structure stands out of noise that walks, and no effect is far likelier.
+  bool may_be_a_walk(const ExplainedSpace& space, const std::vector<Hypothesis>& hypotheses) {
+    const WalkRival rival = find_walk(space, walk_, fit_.noise.walks);
+    if (rival.coefficient == 0) return false;
+    const NullTest test =
+        test_against_noise(rival.space, library_, structure_, fit_.noise.freedom, settings_.seed);
+    if (test.library_log_p < kLibraryLogP || test.structure_log_p < kStructureLogP) return false;
+    const double chance =
+        chance_of_walk(rival, explanatory(hypotheses),
+                       explanatory(find_hypotheses(rival.space, candidates_, library_)));
+    if (chance < kMaxChanceOfWalk) return false;
+    result_.random_walk = rival.coefficient;
+    return true;
+  }
+
+  // One effect of the library is as likely to be missing as none.
+  std::vector<Explanatory> explanatory(const std::vector<Hypothesis>& hypotheses) const {
+    const double each = -std::log(static_cast<double>(library_.size()));
+    std::vector<Explanatory> all;
+    for (const Hypothesis& h : hypotheses) all.push_back({h.log_evidence, h.log_prior + each});
+    return all;
   }
 
   // Which fast structure is the surest; returns the logarithm of its chance.
@@ -392,6 +431,7 @@ class Diagnoser {
   std::vector<Candidate> candidates_;
   Library library_;
   ColumnRange structure_;
+  ColumnRange walk_;
   Diagnosis result_;
 };
 

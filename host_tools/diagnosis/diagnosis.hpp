@@ -80,6 +80,9 @@ struct Diagnosis {
   double chance = 1;                ///< that noise alone would look like this
   /// ln of it by each test: an effect of the catalogue, smooth structure, fast structure.
   std::vector<double> tests;
+  /// Where slow structure is seen that a random walk of the bias explains as well as any effect:
+  /// the walk's coefficient, deg/h/sqrt(h); else 0.
+  double random_walk = 0;
   NoiseModel noise;
   Eigen::Index rows = 0;
   double row_s = 0;

@@ -7,9 +7,12 @@
 
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp {
 namespace {
+
+constexpr double kSlowCycle_s = 7200;  // no machine of a laboratory is that slow
 
 std::string percent(double share) {
   return format("%.0f %%", 100 * share);
@@ -73,7 +76,7 @@ std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
   if (diagnosis.fast_kind != FastKind::none) {
     return {std::string("something is missing that no effect of the catalogue explains: ") +
                 (diagnosis.fast_kind == FastKind::two_levels ? "jumps between two levels"
-                                                             : "fast cycles"),
+                                                             : "cycles"),
             ""};
   }
   const bool offered =
@@ -117,6 +120,10 @@ std::string fast_words(const Diagnosis& diagnosis) {
     case FastKind::none:
       break;
     case FastKind::line:
+      if (diagnosis.fast.line_period_s > kSlowCycle_s) {
+        return format("it repeats every %.3g h: look for the day, the room, its air conditioning",
+                      diagnosis.fast.line_period_s / kSecondsPerHour);
+      }
       return format("it repeats every %.3g s: look for a cooler, a compressor, a control loop",
                     diagnosis.fast.line_period_s);
     case FastKind::band:

@@ -11,7 +11,8 @@
 namespace fogcomp {
 namespace {
 
-constexpr std::size_t kFirstLine = 8;  // periods in a run; slower is smooth structure
+constexpr std::size_t kFirstLine = 3;  // periods in a run
+constexpr std::size_t kSlowLine = 8;   // below, a line must stand out of what is slow about it
 constexpr std::size_t kFirstBand = 20;
 constexpr std::size_t kNeighbours = 16;  // on either side, which say what is usual there
 constexpr std::size_t kMostOctaves = 24;
@@ -33,6 +34,16 @@ double level_of(const std::vector<double>& powers, std::size_t first, std::size_
          std::log(2.0);
 }
 
+// Mean power two and three lines away on either side. Where slow noise falls from line to line, the
+// slower ones make it too high rather than too low.
+double level_about(const std::vector<double>& powers, std::size_t line) {
+  double sum = 0;
+  for (const std::size_t away : {2U, 3U}) {
+    sum += powers[line - std::min<std::size_t>(away, line - 1)] + powers[line + away];
+  }
+  return sum / 4;
+}
+
 // The strongest line against its neighbours: a noise model that is off by some colour does not
 // matter, and a line that is there in the soaks too was taken for noise by it.
 void find_line(const std::vector<double>& powers, double length_s, FastStructure& fast) {
@@ -40,7 +51,9 @@ void find_line(const std::vector<double>& powers, double length_s, FastStructure
     const std::size_t first = std::max(kFirstLine, k < kNeighbours ? 0 : k - kNeighbours);
     const std::size_t end = std::min(powers.size(), first + 2 * kNeighbours + 1);
     if (end - first < kNeighbours) return;
-    const double power = powers[k] / level_of(powers, first, end);
+    double level = level_of(powers, first, end);
+    if (k < kSlowLine) level = std::max(level, level_about(powers, k));
+    const double power = powers[k] / level;
     if (power <= fast.line_power) continue;
     fast.line_power = power;
     fast.line_period_s = length_s / static_cast<double>(k);

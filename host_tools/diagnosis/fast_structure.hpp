@@ -18,7 +18,7 @@ struct FastStructure {
   double share = 0;
 };
 
-/// Looks at a whitened residual, run by run, at periods of two rows to an eighth of the run (lines)
+/// Looks at a whitened residual, run by run, at periods of two rows to a third of the run (lines)
 /// or a twentieth (octaves).
 FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& whitened_residual);
 

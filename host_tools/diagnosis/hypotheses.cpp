@@ -134,8 +134,11 @@ class Search {
     for (const Hypothesis& h : found_) most = std::max(most, h.log_evidence);
     const double temper = 1 + kModelFormTolerance * 2 * most;
     double best = -HUGE_VAL;
-    const auto score = [&](const Hypothesis& h) { return h.log_evidence / temper + log_prior(h); };
-    for (const Hypothesis& h : found_) best = std::max(best, score(h));
+    const auto score = [&](const Hypothesis& h) { return h.log_evidence / temper + h.log_prior; };
+    for (Hypothesis& h : found_) {
+      h.log_prior = log_prior(h);
+      best = std::max(best, score(h));
+    }
     double sum = 0;
     for (Hypothesis& h : found_) sum += h.probability = std::exp(score(h) - best);
     for (Hypothesis& h : found_) h.probability /= sum;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "diagnosis/candidates.hpp"
-#include "diagnosis/explained_space.hpp"
+#include "identification/explained_space.hpp"
 
 namespace fogcomp {
 
@@ -21,6 +21,7 @@ struct Hypothesis {
   std::vector<Part> parts;
   double gain = 0;            ///< fall of chi^2
   double log_evidence = 0;    ///< against "nothing is missing", averaged over shapes
+  double log_prior = 0;       ///< of this set against a single effect of one coefficient
   double probability = 0;     ///< among all hypotheses
   bool led_by_event = false;  ///< a bias_step explains most of it
   bool pliable = false;  ///< of temperature and time alone, led by an effect whose shape is free
@@ -47,10 +48,6 @@ struct BestShape {
 };
 BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>& shapes,
                      const std::vector<ColumnRange>& others, const Eigen::VectorXd& along);
-
-/// No catalogued regressor is exactly what a gyro does: differences of the explained chi^2 below
-/// about this share of it say nothing about which effect it is.
-constexpr double kModelFormTolerance = 0.005;
 
 /// Events need more evidence than physics, as flicker noise looks like steps: fall of chi^2.
 constexpr double kLeastStepGain = 60;

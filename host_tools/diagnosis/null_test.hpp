@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "diagnosis/explained_space.hpp"
 #include "diagnosis/hypotheses.hpp"
+#include "identification/explained_space.hpp"
 
 namespace fogcomp {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/coefficient_covariance.hpp"
 #include "identification/expression_survey.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/step_search.hpp"
@@ -126,8 +127,8 @@ Identification identify(Model& model, const SignalSeries& series,
   result.masked = found.masked;
   result.row_weights = fit.row_weights;
   result.outliers = fit.outliers;
-  const double widening = std::max(1.0, result.misfit);
-  const Eigen::VectorXd sigma = fit.covariance.diagonal().cwiseSqrt() * widening;
+  const Eigen::MatrixXd all_covariance = coefficient_covariance(rows, fit);
+  const Eigen::VectorXd sigma = all_covariance.diagonal().cwiseSqrt();
   const std::vector<ColumnRange> columns = columns_of(model.terms, rows.row_s);
   const Eigen::Index coefficients = columns.back().first + columns.back().count;
   const auto offset_values = fit.coefficients.segment(coefficients, offsets.cols());
@@ -139,11 +140,11 @@ Identification identify(Model& model, const SignalSeries& series,
     term.coefficients_dph.assign(values.begin(), values.end());
     term.sigma_dph.assign(sigmas.begin(), sigmas.end());
     const Eigen::MatrixXd part = fit.columns.middleCols(columns[i].first, columns[i].count);
-    const Eigen::MatrixXd covariance = fit.covariance.block(columns[i].first, columns[i].first,
+    const Eigen::MatrixXd covariance = all_covariance.block(columns[i].first, columns[i].first,
                                                             columns[i].count, columns[i].count);
     const double largest_variance =
         (part * covariance).cwiseProduct(part).rowwise().sum().maxCoeff();
-    result.visible_dph.push_back(kVisible * widening * std::sqrt(largest_variance));
+    result.visible_dph.push_back(kVisible * std::sqrt(largest_variance));
   }
   for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
     EffectTerm& term = model.terms[fit.shapes[i].term];

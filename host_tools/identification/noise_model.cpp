@@ -103,6 +103,34 @@ double freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
   return std::max(freedom, kLeast);
 }
 
+// Coefficients of a random walk that drifts by 1/16 to 8 times the white noise of a row in a run.
+std::vector<NoiseModel::Walk> possible_walks(double white_dph, double run_s) {
+  std::vector<NoiseModel::Walk> walks;
+  for (double ratio = 1.0 / 16; ratio <= 8; ratio *= 2) {
+    walks.push_back({ratio * white_dph / std::sqrt(run_s / kSecondsPerHour), 0});
+  }
+  return walks;
+}
+
+// Whittle's likelihood of each walk, beside as much or as little of the slow noise that was found
+// as suits it: what is a walk was taken for that.
+void weigh_walks(const Spectrum& spectrum, const Eigen::ArrayXd& white, const Eigen::ArrayXd& slow,
+                 double row_s, std::vector<NoiseModel::Walk>& walks) {
+  const Eigen::Map<const Eigen::ArrayXd> power(spectrum.power.data(), white.size());
+  const Eigen::Map<const Eigen::ArrayXd> angle(spectrum.angle.data(), white.size());
+  const Eigen::ArrayXd walk = row_s / kSecondsPerHour / (2 - 2 * angle.cos());
+  const auto log_likelihood = [&](double coefficient) {
+    double best = -HUGE_VAL;
+    for (const double share : {1.0, 0.5, 0.25, 0.0}) {
+      const Eigen::ArrayXd model = white + share * slow + coefficient * coefficient * walk;
+      best = std::max(best, -(model.log() + power / model).sum());
+    }
+    return best;
+  };
+  const double none = log_likelihood(0);
+  for (NoiseModel::Walk& one : walks) one.log_odds = log_likelihood(one.coefficient) - none;
+}
+
 }  // namespace
 
 double NoiseModel::white_dph() const {
@@ -152,6 +180,11 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
   noise.row_s = row_s;
   noise.from_quiet_parts = true;
   noise.white_variance = variance[0];
+  noise.walks = possible_walks(noise.white_dph(), std::max(run_s, longest_s));
+  Eigen::ArrayXd slow = variance;
+  slow[0] = 0;
+  weigh_walks(spectrum, basis.col(0) * variance[0], (basis.matrix() * slow.matrix()).array(), row_s,
+              noise.walks);
   constexpr double kLowest = 4;  // periods in a run: slower is the model's, not the noise's
   noise.freedom = freedom_of(
       basis, variance,
@@ -165,7 +198,7 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
   return noise;
 }
 
-NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s) {
+NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s, double run_s) {
   NoiseModel noise;
   noise.row_s = row_s;
   noise.freedom = 1;
@@ -177,6 +210,7 @@ NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s) {
       bends.empty() ? residual.squaredNorm() : std::pow(sigma_by_median(std::move(bends)), 2) / 6;
   constexpr double kLeastVariance = 1e-30;  // rows without any noise can still be weighted
   noise.white_variance = std::max(variance, kLeastVariance);
+  noise.walks = possible_walks(noise.white_dph(), run_s);
   return noise;
 }
 

@@ -19,6 +19,14 @@ struct NoiseModel {
   double freedom = 1000;
   bool from_quiet_parts = false;  ///< else from neighbouring rows alone: white, a lower bound
 
+  /// A random walk of the bias beside all that, of a coefficient in deg/h/sqrt(h). Hours of it are
+  /// hardly seen in a soak, so that it can only be said how likely each coefficient is.
+  struct Walk {
+    double coefficient = 0;
+    double log_odds = 0;  ///< ln of the odds against none, by the quiet parts
+  };
+  std::vector<Walk> walks;  ///< in rising order; every one that matters over the longest run
+
   double white_dph() const;
   double wander_dph() const;  ///< of all components together
 };
@@ -42,6 +50,7 @@ std::vector<NoiseSample> noise_samples(const std::vector<Eigen::VectorXd>& stret
 NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, double run_s);
 
 /// For data without quiet stretches: white noise from second differences of neighbouring rows.
-NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s);
+/// `run_s`: length of the longest recording.
+NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s, double run_s);
 
 }  // namespace fogcomp

@@ -41,7 +41,7 @@ NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
 NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual, const RowNoise& single) {
   const Eigen::VectorXd values = bridged(residual, single.counted);
   const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, values);
-  if (quiet.empty()) return white_noise_of(values, rows.row_s);
+  if (quiet.empty()) return white_noise_of(values, rows.row_s, longest_run_s(rows));
   return fit_noise(noise_samples(quiet), rows.row_s, longest_run_s(rows));
 }
 

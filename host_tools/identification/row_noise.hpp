@@ -12,9 +12,9 @@ struct RowNoise {
   /// Standard deviation of each row's noise relative to the typical row's (1). It is taken in
   /// windows of 128 rows; as far as these differ by no more than chance, all are 1.
   Eigen::VectorXd scale;
-  /// 1 for each row that counts, 0 for one that stands out of its neighbours by more than 4.4 of its
-  /// standard deviations, and for one that `kept` leaves out. Of 100,000 rows of normal noise four
-  /// stand out.
+  /// 1 for each row that counts, 0 for one that stands out of its neighbours by more than 4.4 of
+  /// its standard deviations, and for one that `kept` leaves out. Of 100,000 rows of normal noise
+  /// four stand out.
   Eigen::VectorXd counted;
 };
 

@@ -84,6 +84,18 @@ void Whitening::filter(const Eigen::MatrixXd& matrix, Eigen::Index first,
   }
 }
 
+// From the last row backwards: what a row's value does to all later results by way of the states.
+Eigen::MatrixXd Whitening::apply_transposed(const Eigen::MatrixXd& matrix) const {
+  Eigen::MatrixXd result(matrix.rows(), matrix.cols());
+  Eigen::MatrixXd later = Eigen::MatrixXd::Zero(decay_.rows(), matrix.cols());
+  for (Eigen::Index i = matrix.rows() - 1; i >= 0; --i) {
+    result.row(i) = scale_[i] * matrix.row(i) + gain_.col(i).transpose() * later;
+    later.rowwise() -= result.row(i);
+    later = decay_.col(i).asDiagonal() * later;
+  }
+  return result;
+}
+
 // From the last row backwards. With z = (state before the row, 1) a row's innovation is h z, and
 // the next row's z is F z; so all that follows contributes z' M z to the sum of squares and L z to
 // the products, where M = F' M F + scale^2 h h' and L = L F + scale w h from one row to the one

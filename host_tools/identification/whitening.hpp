@@ -26,6 +26,9 @@ class Whitening {
   /// Every column of `matrix` (rows x any).
   Eigen::MatrixXd apply(const Eigen::MatrixXd& matrix) const;
 
+  /// With apply() the product of a matrix from the left: the product of its transpose.
+  Eigen::MatrixXd apply_transposed(const Eigen::MatrixXd& matrix) const;
+
   /// `rows` are those of the constructor; `whitened` is rows x any. O(rows).
   StepProducts steps(const Rows& rows, const Eigen::MatrixXd& whitened) const;
 

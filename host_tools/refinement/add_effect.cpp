@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "evaluation/autocorrelation.hpp"
+#include "identification/noise_weighted_fit.hpp"
+#include "identification/walk_rival.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -66,6 +68,18 @@ OutOfSample judge(const Model& before, const Addition& after, const SignalSeries
   return judge_on_holdouts(before, after.model, holdouts, identified.noise, run_offsets);
 }
 
+// What the change explains may be a random walk.
+double chance_of_walk_instead(const Model& before, const Addition& after,
+                              const SignalSeries& series, bool run_offsets) {
+  const Rows& rows = series.rows();
+  std::vector<Eigen::MatrixXd> columns;
+  for (const EffectTerm& term : before.terms) columns.push_back(series.regressors(term));
+  columns.push_back(run_offset_columns(rows, run_offsets));
+  return chance_of_walk(rows, after.fit.identified.noise, after.fit.identified.row_weights,
+                        side_by_side(columns, rows.size()),
+                        series.regressors(after.model.terms[after.changed]), rows.drift_dph);
+}
+
 }  // namespace
 
 Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
@@ -112,13 +126,24 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
   if (!holdouts.empty()) step.holdout = on_holdouts.rms_dph();
   const OutOfSample& judged = result.out_of_sample;
   const bool rose = !holdouts.empty() && on_holdouts.rose();
-  result.accepted = judged.helps() && !rose;
+  if (judged.within_runs) {
+    result.chance_of_walk = chance_of_walk_instead(before, result, series, settings.run_offsets);
+  }
+  const bool walk = result.chance_of_walk.value_or(0) >= kMaxChanceOfWalk;
+  result.accepted = judged.helps() && !rose && !walk;
   result.reason =
       format("%s out of sample: the effects alone leave %s",
              judged.helps() ? "helps" : "does not help", out_of_sample_words(judged).c_str());
   if (judged.helps() && rose) {
     result.reason = format("makes the whole model worse on the holdouts: %.4f -> %.4f deg/h",
                            step.holdout->rms_before_dph, step.holdout->rms_after_dph);
+  }
+  if (judged.helps() && walk) {
+    result.reason = format(
+        "on these runs alone a random walk of the bias explains it as well (chance %.2g): let a "
+        "run "
+        "that was not fitted decide, with --holdout",
+        *result.chance_of_walk);
   }
   step.forced = !result.accepted;
   result.model.history.push_back(step);

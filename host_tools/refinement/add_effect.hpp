@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,11 +34,14 @@ struct Addition {
     Comparison before;  ///< row by row
     Comparison after;
   };
-  Model model;                   ///< as refitted, with its history
-  std::size_t changed = 0;       ///< the term that was added or changed
-  FitResult fit;                 ///< of the new model
-  std::vector<RunError> runs;    ///< training runs, then holdouts
-  OutOfSample out_of_sample;     ///< the effects alone, before against after
+  Model model;                 ///< as refitted, with its history
+  std::size_t changed = 0;     ///< the term that was added or changed
+  FitResult fit;               ///< of the new model
+  std::vector<RunError> runs;  ///< training runs, then holdouts
+  OutOfSample out_of_sample;   ///< the effects alone, before against after
+  /// Where no other run judged: chance that a random walk of the bias, and no effect, is what the
+  /// addition explains, 0..1. Stretches of one run lie between others that walked along.
+  std::optional<double> chance_of_walk;
   std::vector<HalfTest> halves;  ///< the same on the halves of the training runs; for information
   bool accepted = false;
   std::string reason;  ///< one line: why it is accepted or not
@@ -50,7 +54,8 @@ struct Addition {
 ///
 /// Accepted if the effects alone gain out of sample (OutOfSample::helps): on the holdouts, or where
 /// there are none on stretches or runs left out; and if the whole model's rms on the holdouts has
-/// not risen beyond chance. Throws InputError for a run that lacks what the effect needs, and for
+/// not risen beyond chance. On stretches of one run a random walk of the bias must be unlikely, too
+/// (kMaxChanceOfWalk). Throws InputError for a run that lacks what the effect needs, and for
 /// data that cannot determine it.
 Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
                     const std::vector<RunInBlocks>& holdouts, const AddSettings& settings);

@@ -248,6 +248,7 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
   const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
   OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
   result.how = how_of(parts, rows);
+  result.within_runs = true;
   return result;
 }
 
@@ -263,6 +264,7 @@ OutOfSample cross_validate_learner(const Rows& rows, const Eigen::VectorXd& resi
   }
   OutOfSample result = judge(rows, residual_dph, after, with.noise, with.row_weights);
   result.how = how_of(parts, rows);
+  result.within_runs = true;
   return result;
 }
 

@@ -71,7 +71,8 @@ double DrawnGyro::row_noise_dph() const {
 }
 
 std::string DrawnGyro::noise_option() const {
-  return format("white=%.6f,flicker=%.6f", white_dprh, flicker_dph);
+  // Outliers as often and as large as those of the preset `paper`.
+  return format("white=%.6f,flicker=%.6f,outliers=0.2,outlier_dph=4", white_dprh, flicker_dph);
 }
 
 DrawnGyro draw_gyro(Draws& draws, Flicker flicker, const std::vector<std::string>& hidden) {

@@ -91,7 +91,7 @@ TEST(NoiseModel, WithoutQuietPartsTakesNeighbouringRowsAndNoDriftOrOutlier) {
   for (Eigen::Index i = 0; i < residual.size(); ++i)
     residual[i] += 1e-6 * std::pow(static_cast<double>(i), 2);
   residual[100] += 50;
-  EXPECT_NEAR(fogcomp::white_noise_of(residual, 10).white_dph(), 0.02, 0.002);
+  EXPECT_NEAR(fogcomp::white_noise_of(residual, 10, 60000).white_dph(), 0.02, 0.002);
 }
 
 TEST(Whitening, MakesColouredNoiseWhiteOfVarianceOneAcrossGapsAndRuns) {

@@ -1,4 +1,4 @@
-#include "diagnosis/explained_space.hpp"
+#include "identification/explained_space.hpp"
 
 #include <cmath>
 
@@ -27,6 +27,25 @@ void ExplainedSpace::finish() {
   along_ = all.transpose() * residual_;
 }
 
+// Woodbury: with noise of covariance I + v R R', a'b becomes a'b - a'R (R'R + I/v)^-1 R'b.
+ExplainedSpace::WithNoise ExplainedSpace::with_noise(const ColumnRange& random,
+                                                     double variance) const {
+  const Eigen::MatrixXd between = gram_.middleRows(random.first, random.count);
+  const Eigen::VectorXd with_residual = along_.segment(random.first, random.count);
+  Eigen::MatrixXd inner = gram_.block(random.first, random.first, random.count, random.count);
+  inner.diagonal().array() += 1 / variance;
+  const Eigen::MatrixXd root = cholesky_factor(inner);
+  const auto half = root.triangularView<Eigen::Lower>();
+  const Eigen::MatrixXd columns = half.solve(between);
+  const Eigen::VectorXd residual = half.solve(with_residual);
+  WithNoise with{*this, 0};
+  with.space.gram_ -= columns.transpose() * columns;
+  with.space.along_ -= columns.transpose() * residual;
+  const double log_determinant = (root.diagonal().array().square() * variance).log().sum();
+  with.log_likelihood = (residual.squaredNorm() - log_determinant) / 2;
+  return with;
+}
+
 ExplainedSpace::System ExplainedSpace::system(const std::vector<ColumnRange>& parts,
                                               const Eigen::VectorXd& along) const {
   Eigen::Index size = 0;
@@ -49,7 +68,10 @@ ExplainedSpace::System ExplainedSpace::system(const std::vector<ColumnRange>& pa
 
 double ExplainedSpace::gain(const std::vector<ColumnRange>& parts,
                             const Eigen::VectorXd& along) const {
-  if (parts.size() == 1 && parts[0].count == 1) return std::pow(along[parts[0].first], 2);
+  if (parts.size() == 1 && parts[0].count == 1) {
+    const Eigen::Index column = parts[0].first;
+    return std::pow(along[column], 2) / (gram_(column, column) + kSystemRidge);
+  }
   const System all = system(parts, along);
   return all.right.dot(solve_definite(all.matrix, all.right));
 }

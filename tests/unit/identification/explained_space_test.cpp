@@ -1,4 +1,4 @@
-#include "diagnosis/explained_space.hpp"
+#include "identification/explained_space.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,10 @@
 
 namespace fogcomp {
 
+/// No catalogued regressor is exactly what a gyro does: differences of the explained chi^2 below
+/// about this share of it say nothing about which effect it is.
+constexpr double kModelFormTolerance = 0.005;
+
 /// Columns and a residual as inner products, so that "how much would these columns explain
 /// together?" costs a small linear system, whatever the number of rows. Everything in it is
 /// whitened and free of what the model can do itself; columns have unit length.
@@ -21,6 +25,13 @@ class ExplainedSpace {
   const Eigen::MatrixXd& gram() const { return gram_; }
   /// Inner products of the columns with the residual.
   const Eigen::VectorXd& along() const { return along_; }
+
+  /// The space where some of its columns are part of the noise, each with a coefficient of mean 0
+  /// and this variance: the other columns and the residual as such noise weights them.
+  /// `log_likelihood` of the residual is that with this noise less that without. For columns that
+  /// were added with their own size.
+  struct WithNoise;
+  WithNoise with_noise(const ColumnRange& random, double variance) const;
 
   /// Fall of the residual's sum of squares that these columns bring together.
   double gain(const std::vector<ColumnRange>& parts) const { return gain(parts, along_); }
@@ -40,6 +51,11 @@ class ExplainedSpace {
   Eigen::Index width_ = 0;
   Eigen::MatrixXd gram_;
   Eigen::VectorXd along_;
+};
+
+struct ExplainedSpace::WithNoise {
+  ExplainedSpace space;
+  double log_likelihood = 0;
 };
 
 double column_count(const std::vector<ColumnRange>& ranges);

@@ -1,0 +1,77 @@
+#include "identification/walk_rival.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/random_walk.hpp"
+#include "identification/whitening.hpp"
+#include "numerics/least_squares.hpp"
+
+namespace fogcomp {
+
+WalkRival find_walk(const ExplainedSpace& space, const ColumnRange& modes,
+                    const std::vector<NoiseModel::Walk>& walks) {
+  WalkRival best{0, 0, space};
+  const double each = -std::log(std::max<double>(1, static_cast<double>(walks.size())));
+  for (const NoiseModel::Walk& walk : walks) {
+    const ExplainedSpace::WithNoise with =
+        space.with_noise(modes, walk.coefficient * walk.coefficient);
+    const double log_odds = each + walk.log_odds + with.log_likelihood;
+    if (log_odds > best.log_odds) best = {walk.coefficient, log_odds, with.space};
+  }
+  return best;
+}
+
+double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& alone,
+                      const std::vector<Explanatory>& beside) {
+  double most = rival.log_odds;
+  for (const Explanatory& one : alone) most = std::max(most, one.log_evidence);
+  for (const Explanatory& one : beside) most = std::max(most, rival.log_odds + one.log_evidence);
+  const double temper = 1 + 2 * kModelFormTolerance * most;
+  double missing = 0;
+  for (const Explanatory& one : alone) {
+    missing += std::exp((one.log_evidence - rival.log_odds) / temper + one.log_prior);
+  }
+  for (const Explanatory& one : beside) {
+    missing += std::exp(one.log_evidence / temper + one.log_prior);
+  }
+  return 1 / (1 + missing);
+}
+
+namespace {
+
+// Orthonormal directions of whitened columns that `basis` cannot do itself.
+Eigen::MatrixXd what_is_new(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis,
+                            const Whitening& whitening) {
+  constexpr double kSeen = 0.03;
+  const Eigen::MatrixXd white = whitening.apply(columns);
+  const Eigen::MatrixXd left = white - basis * (basis.transpose() * white).eval();
+  std::vector<Eigen::MatrixXd> seen;
+  for (Eigen::Index i = 0; i < left.cols(); ++i) {
+    if (left.col(i).norm() > kSeen * white.col(i).norm()) seen.emplace_back(left.col(i));
+  }
+  return orthonormal(side_by_side(seen, left.rows()));
+}
+
+}  // namespace
+
+double chance_of_walk(const Rows& rows, const NoiseModel& noise, const Eigen::VectorXd& row_weights,
+                      const Eigen::MatrixXd& before, const Eigen::MatrixXd& added,
+                      const Eigen::VectorXd& measured) {
+  const Whitening whitening(noise, rows, row_weights);
+  const Eigen::MatrixXd basis = orthonormal(whitening.apply(before));
+  const auto without_model = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
+    const Eigen::MatrixXd white = whitening.apply(columns);
+    return white - basis * (basis.transpose() * white).eval();
+  };
+  ExplainedSpace space(without_model(measured));
+  const ColumnRange effect = space.add(what_is_new(added, basis, whitening));
+  const ColumnRange modes = space.add(without_model(random_walk_modes(rows)));
+  space.finish();
+  const WalkRival rival = find_walk(space, modes, noise.walks);
+  const auto columns = static_cast<double>(effect.count);
+  return chance_of_walk(rival, {{log_evidence(space.gain({effect}), columns), 0}},
+                        {{log_evidence(rival.space.gain({effect}), columns), 0}});
+}
+
+}  // namespace fogcomp
