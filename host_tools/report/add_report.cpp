@@ -8,7 +8,7 @@ namespace fogcomp::report {
 namespace {
 
 Text remark(const Addition::RunError& run) {
-  return run.holdout ? " (hold-out)" : "";
+  return run.holdout ? " (holdout)" : "";
 }
 
 void add_errors(Report& report, const Addition& addition) {

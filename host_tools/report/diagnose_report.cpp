@@ -111,24 +111,43 @@ void add_ladder(Report& report, const Ladder& ladder, const std::vector<std::str
   report.sentence(words(ladder.left_alone.empty() ? as_sentence(end) : end + ".", names));
 }
 
-void add_where(Report& report, const Diagnosis& diagnosis) {
+// What the segments are called: several runs may have the same.
+std::vector<Text> segment_names(const DiagnosisData& data, const std::vector<std::string>& runs) {
+  const std::vector<std::string> files = short_names(runs);
+  const Rows& rows = data.series().rows();
+  std::vector<Text> names;
+  for (const DiagnosisData::Segment& segment : data.segments()) {
+    const std::size_t run = rows.run_at(static_cast<std::size_t>(segment.first));
+    names.push_back((files.size() > 1 ? verbatim(files[run]) + ", " : Text()) +
+                    verbatim(segment.name));
+  }
+  return names;
+}
+
+void add_shares(Report& report, const Text& caption, const std::vector<Text>& names,
+                const std::vector<Diagnosis::Share>& shares) {
+  Bars bars;
+  bars.caption = caption;
+  bars.quantity = "share, %";
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    bars.rows.push_back(
+        {names.at(i), {{100 * shares[i].share, "residual", words(percent(shares[i].share))}}});
+  }
+  report.bars(bars);
+}
+
+void add_where(Report& report, const Diagnosis& diagnosis, const DiagnosisData& data,
+               const std::vector<std::string>& runs) {
   if (diagnosis.verdict == Verdict::none) return;
   report.section("Where it sits");
-  const auto add = [&](const std::vector<Diagnosis::Share>& shares, const Text& caption,
-                       const Text& quantity, const auto& label) {
-    Bars bars;
-    bars.caption = caption;
-    bars.quantity = quantity;
-    for (const Diagnosis::Share& share : shares) {
-      bars.rows.push_back(
-          {label(share.name), {{share.share, "residual", words(percent(share.share))}}});
-    }
-    report.bars(bars);
-  };
-  add(diagnosis.segments, "What smooth functions describe, by segment.", "share",
-      [](const std::string& name) { return verbatim(name); });
-  add(diagnosis.variables, "How much of it each variable alone could describe; the best is 100 %.",
-      "share of what the best describes", variable_label);
+  add_shares(report, "What smooth functions describe, by segment.", segment_names(data, runs),
+             diagnosis.segments);
+  std::vector<Text> variables;
+  for (const Diagnosis::Share& share : diagnosis.variables) {
+    variables.push_back(variable_label(share.name));
+  }
+  add_shares(report, "How much of it each variable alone could describe; the best is 100 %.",
+             variables, diagnosis.variables);
 }
 
 // The rows of one recording, as columns.
@@ -235,13 +254,22 @@ std::vector<Variable> variables_of(const Rows& rows, const Run& run, const Diagn
   return all;
 }
 
+std::vector<RowRange> stretches_of(const Run& run) {
+  std::vector<RowRange> stretches;
+  for (const std::size_t start : run.stretch_starts) {
+    if (!stretches.empty()) stretches.back().end = start;
+    stretches.push_back({start, run.time_s.size()});
+  }
+  return stretches;
+}
+
 void add_over_variables(Report& report, const Rows& rows, const Run& run, const Ladder& ladder) {
   const std::vector<Branch> branch = branches(run.temperature_degc);
   const auto add = [&](const Variable& variable, const char* when, const std::vector<double>& y) {
     ResidualRows residual;
     residual.residual_dph = y;
     residual.time_s = run.time_s;
-    residual.stretches = {{0, y.size()}};
+    residual.stretches = stretches_of(run);
     residual.noise = ladder.first.noise;
     constexpr std::size_t kBins = 15;
     const Dependence dependence = dependence_on(variable.values, residual, kBins);
@@ -306,7 +334,7 @@ Report diagnose_report(const Ladder& ladder, bool loop_wanted, const DiagnosisDa
   add_candidates(report, diagnosis);
   add_untestable(report, diagnosis);
   if (loop_wanted) add_ladder(report, ladder, names);
-  add_where(report, diagnosis);
+  add_where(report, diagnosis, data, {files.begin() + 1, files.end()});
   const std::vector<RowRange> ranges = data.series().rows().runs();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     report.file_section(files[i + 1]);

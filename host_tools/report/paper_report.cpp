@@ -98,6 +98,12 @@ std::vector<TimeAxis::Segment> study_segments(const Study& study, const std::vec
   return segments;
 }
 
+Text std_text(const Text& what, const std::vector<double>& values) {
+  const Eigen::Map<const Eigen::VectorXd> all(values.data(),
+                                              static_cast<Eigen::Index>(values.size()));
+  return what + number(mean_and_std(all).std_dph) + " deg/h";
+}
+
 void add_figures(Report& report, const Study& study) {
   const Rows& rows = study.run.series.rows();
   const std::vector<double> raw = as_vector(rows.drift_dph);
@@ -117,11 +123,6 @@ void add_figures(Report& report, const Study& study) {
     Plot plot = time_plot(title, "bias, deg/h", axis, traces);
     plot.caption = caption;
     report.plot(plot);
-  };
-  const auto std_text = [](const char* what, const std::vector<double>& values) {
-    const Eigen::Map<const Eigen::VectorXd> all(values.data(),
-                                                static_cast<Eigen::Index>(values.size()));
-    return what + number(mean_and_std(all).std_dph) + " deg/h";
   };
   report.section("The paper's figures on a simulated gyro");
   Plot temperature = temperature_plot(axis, degc);

@@ -169,7 +169,8 @@ void add_over_time(Report& report, const Models& models, std::size_t run) {
   report.plot(rate);
   report.plot(temperature_plot(axis, degc));
   Plot residual = time_plot("Residual.", "residual, deg/h", axis, left);
-  residual.caption = "Rms " + number(best.whole.rms_dph) + " deg/h. " + worst_segment(best);
+  residual.caption = (several ? residual_names[0] + ": rms " : Text("Rms ")) +
+                     number(best.whole.rms_dph) + " deg/h. " + worst_segment(best);
   report.plot(residual);
 }
 

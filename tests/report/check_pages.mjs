@@ -78,6 +78,15 @@ const compare = async () => {
   });
 };
 
+// The ladder of a fit begins with what a constant alone leaves.
+const fit = async () => {
+  const { rows, quantity } = (await page("fit.html")).bars[0];
+  const said = json("fit.json");
+  check("fit.html", quantity === "rms left, °/h", `the ladder is of "${quantity}"`);
+  check("fit.html", near(rows[0].values[0], said.raw_std_dph) && near(rows[rows.length - 1].values[0], said.residual_rms_dph),
+        `the ladder goes from ${rows[0].values} to ${rows[rows.length - 1].values}`);
+};
+
 // Several models: everything of the best, which is drawn last and so on top; the curves named.
 const models = async () => {
   const name = "models.html";
@@ -154,7 +163,7 @@ const add = async () => {
 };
 
 try {
-  for (const one of [names, compare, models, diagnose, inputs, batch, add]) {
+  for (const one of [names, fit, compare, models, diagnose, inputs, batch, add]) {
     await one().catch((error) => check(one.name, false, error.message));
   }
 } finally {

@@ -22,7 +22,7 @@ if grep -q "^<p>No plots here" info.html; then
 fi
 effects=bias,bias_temperature
 "$fogcomp" fit run_degC.csv -o static.model --effects $effects >/dev/null
-"$fogcomp" fit run_degC.csv second.csv -o rate.model --effects $effects,temperature_rate --network 3 --report fit.html >/dev/null
+"$fogcomp" fit run_degC.csv second.csv -o rate.model --effects $effects,temperature_rate --network 3 --report fit.html --json >fit.json
 "$fogcomp" compare rate.model run_degC.csv second.csv --report compare.html --json >compare.json
 "$fogcomp" compare static.model run_degC.csv --model rate.model --report models.html --json >models.json
 "$fogcomp" diagnose static.model run_degC.csv --max-effects 2 --report diagnose.html --json >diagnose.json

@@ -212,7 +212,7 @@
   const size_of = (holder, plot) => {
     const width = root.dataset.printing ? printed_width : holder.clientWidth;
     const square = plot.kind === "log_log" || plot.curves.some((curve) => curve.look === "cloud");
-    const names = 4 * Math.max(0, ...plot.x_names.map((name) => name.length)); // they stand aslant
+    const names = 7 * Math.max(0, ...plot.x_names.map((name) => name.length)); // they stand upright
     return { width, height: Math.round(Math.min(square ? 400 : 280, Math.max(220, 0.7 * width))) + names };
   };
 
@@ -244,8 +244,8 @@
         return names.map((name, n) => n + 1).filter((n) => n >= least && n <= most && (n - 1) % stride === 0);
       },
       values: (u, splits) => splits.map((n) => names[n - 1]),
-      rotate: names.length > 1 ? -40 : 0,
-      size: 24 + 5 * wide,
+      rotate: -90,
+      size: 20 + 7 * wide,
       gap: 4,
       grid: { show: false },
     };

@@ -50,7 +50,7 @@ TEST(Labels, AreForPeopleAndHaveUnits) {
             "temperature × temperature rate");
   EXPECT_EQ(variable_label("input_rate_dph").utf8(), "input rate");
   EXPECT_EQ(input_label(fog::Input::light_power).utf8(), "light power, µW");
-  EXPECT_EQ(figure_label("holdout_drift_dph").utf8(), "drift left, hold-out, °/h");
+  EXPECT_EQ(figure_label("holdout_drift_dph").utf8(), "drift left, holdout, °/h");
   EXPECT_EQ(figure_label("warm_up.tau").utf8(), "warm_up: tau, s");
   EXPECT_TRUE(figure_label("burst.k").empty());
 }

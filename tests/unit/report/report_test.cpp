@@ -63,10 +63,10 @@ TEST(Report, NamesOfFilesStayAsTheyAre) {
 
 TEST(Report, AFileIsHeadedByItsNameWithThePathBeneath) {
   Report report("subject", "Found.");
-  report.file_section("/lab/2024/run.csv", " (hold-out)");
+  report.file_section("/lab/2024/run.csv", " (holdout)");
   report.file_section("plain.csv");
   const std::string page = report.html();
-  EXPECT_EQ(count(page, "<h2>run.csv (hold-out)</h2>"), 1U);
+  EXPECT_EQ(count(page, "<h2>run.csv (holdout)</h2>"), 1U);
   EXPECT_EQ(count(page, "<p class=\"path\">/lab/2024/run.csv</p>"), 1U);
   EXPECT_EQ(count(page, "<h2>plain.csv</h2>"), 1U);
   EXPECT_EQ(count(page, "<p class=\"path\">"), 1U);
