@@ -64,9 +64,9 @@ Text input_words(const ModelOnRun& run) {
 }
 
 void add_words(Report& report, const Models& models, std::size_t run) {
-  const std::vector<Text> names = labels(models, "");
+  const std::vector<Text> names = labels(models, "The model");
   for (std::size_t i = 0; i < models.size(); ++i) {
-    const Text name = models.size() == 1 ? Text() : names[i] + ": ";
+    const Text name = names[i] + ": ";
     const Comparison& comparison = on_run(*models[i], run);
     report.sentence(name + error_text(comparison) + ". " +
                     words(as_sentence(structure_words(models[i]->runs[run]))) +

@@ -31,6 +31,8 @@ const look = `(() => {
         deciding: heads[Math.min(1, heads.length - 1)].right - innerWidth, broken,
       };
     }),
+    hidden_listings: [...document.querySelectorAll("pre")].filter((pre) => pre.scrollWidth > pre.clientWidth &&
+      !/gradient/.test(getComputedStyle(pre).backgroundImage)).length,
     captions: [...document.querySelectorAll("figcaption")].map((caption) => caption.textContent),
     unnamed_axes: [...document.querySelectorAll("figure.bars")].filter((figure) => !figure.querySelector(".quantity")?.textContent).length,
     help: /click on a name in a legend/.test(document.querySelector("footer")?.textContent),
@@ -56,6 +58,19 @@ const look = `(() => {
   };
 })()`;
 const pictures = `[...document.querySelectorAll(".canvas canvas")].map((canvas) => canvas.toDataURL())`;
+
+// As printed, between the margins of A4.
+const fits_the_paper = `(async () => {
+  const style = document.createElement("style");
+  const printed = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules])
+    .filter((rule) => rule.conditionText === "print").flatMap((rule) => [...rule.cssRules])
+    .filter((rule) => rule.selectorText).map((rule) => rule.cssText);
+  style.textContent = printed.join("\\n") + " main { width: 690px; }";
+  document.head.append(style);
+  const fits = [...document.querySelectorAll("table:not(.u-legend)")].every((table) => table.getBoundingClientRect().width <= 690);
+  style.remove();
+  return fits;
+})()`;
 
 const check = (name, good, what) => {
   if (good) return;
@@ -89,6 +104,7 @@ const look_at = async (tab, name, shape, plots) => {
   });
   check(view, !seen.captions.some((caption) => /columns|\d rows|is the mean of/.test(caption)),
         `a caption tells how it was made: ${seen.captions.find((caption) => /columns|\d rows|is the mean of/.test(caption))}`);
+  check(view, seen.hidden_listings === 0, `${seen.hidden_listings} listings are cut off without a sign`);
   check(view, seen.unnamed_axes === 0, `${seen.unnamed_axes} lists of bars do not say what they are of`);
   check(view, seen.help, "does not say that a click in a legend hides a curve");
   check(view, !seen.legends.some(({ text, colon }) => colon || /[–:]\s*$/.test(text)), "a legend waits for a cursor");
@@ -179,6 +195,7 @@ try {
     await tab.show({ width: 1280, dark: true });
     const before = await tab.evaluate(pictures);
     const print = await tab.pdf();
+    check(name, await tab.evaluate(fits_the_paper), "a table is wider than the paper");
     check(name, print.subarray(0, 5).toString() === "%PDF-", "cannot be printed");
     await tab.settle();
     check(name, (await tab.evaluate(pictures)).every((picture, i) => picture === before[i]),
