@@ -22,8 +22,8 @@ void DiagnosisData::add(const Recording& recording) {
     std::size_t end = first;
     while (end < rows.time_s.size() && rows.time_s[end] < segment.end_s) ++end;
     if (end > first) {
-      segments_.push_back(
-          {segment.name, static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(end)});
+      segments_.push_back({segment.name, static_cast<Eigen::Index>(first),
+                           static_cast<Eigen::Index>(end), segment.kind});
     }
     first = end;
   }

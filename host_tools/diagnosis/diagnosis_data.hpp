@@ -29,6 +29,7 @@ class DiagnosisData {
     std::string name;
     Eigen::Index first = 0;  ///< row
     Eigen::Index end = 0;
+    SegmentKind kind = SegmentKind::soak;
   };
   const SignalSeries& series() const { return series_; }
   const std::vector<EffectTerm>& offered() const { return offered_; }

@@ -1,6 +1,7 @@
 #include "evaluation/comparison.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "identification/block_walk.hpp"
@@ -22,10 +23,19 @@ double part_dph(const RealDriftModel& drift, std::size_t part, std::size_t effec
   return part < effects ? drift.effect_dph(part) : drift.network_dph();
 }
 
+// Column i of `inputs` below: the extension inputs in their order, then the input rate.
+constexpr std::size_t kInputColumnCount = fog::kExtensionInputs + 1;
+static_assert(static_cast<std::size_t>(fog::Input::input_rate) == fog::kExtensionInputs);
+
+double input_of(const fog::BlockMeans<RealNumbers>& means, std::size_t column) {
+  return column < fog::kExtensionInputs ? means.extension[column] : means.input_rate;
+}
+
 struct ModelledRows {
   std::vector<Comparison::Row> rows;
   std::vector<RowRange> stretches;
   std::vector<std::vector<double>> parts_dph;  // [part][row]
+  std::array<std::vector<double>, kInputColumnCount> inputs;
 };
 
 ModelledRows make_rows(const Model& model, const RunInBlocks& run, std::size_t parts) {
@@ -46,6 +56,7 @@ ModelledRows make_rows(const Model& model, const RunInBlocks& run, std::size_t p
     row.measured_dph /= samples;
     row.drift_dph /= samples;
     for (std::vector<double>& part : result.parts_dph) part.back() /= samples;
+    for (std::vector<double>& input : result.inputs) input.back() /= samples;
   };
   const auto begin_row = [&](std::int64_t number) {
     finish();
@@ -55,6 +66,7 @@ ModelledRows make_rows(const Model& model, const RunInBlocks& run, std::size_t p
     ++result.stretches.back().end;
     result.rows.push_back({});
     for (std::vector<double>& part : result.parts_dph) part.push_back(0);
+    for (std::vector<double>& input : result.inputs) input.push_back(0);
     row_number = number;
     samples = 0;
   };
@@ -73,9 +85,21 @@ ModelledRows make_rows(const Model& model, const RunInBlocks& run, std::size_t p
     for (std::size_t i = 0; i < parts; ++i) {
       result.parts_dph[i].back() += weight * part_dph(drift, i, model.terms.size());
     }
+    for (std::size_t i = 0; i < kInputColumnCount; ++i) {
+      result.inputs[i].back() += weight * input_of(block.means, i);
+    }
   });
   finish();
   return result;
+}
+
+std::vector<Comparison::VaryingInput> varying(
+    std::array<std::vector<double>, kInputColumnCount> inputs) {
+  std::vector<Comparison::VaryingInput> found;
+  for (std::size_t i = 0; i < kInputColumnCount; ++i) {
+    if (varies(inputs[i])) found.push_back({static_cast<fog::Input>(i), std::move(inputs[i])});
+  }
+  return found;
 }
 
 Comparison::Segment summarise(const std::string& name, SegmentKind kind,
@@ -123,6 +147,20 @@ std::vector<Comparison::Segment> summarise_segments(const RunInBlocks& run,
 
 }  // namespace
 
+bool varies(const std::vector<double>& values) {
+  constexpr double kRounding = 1e-9;
+  if (values.empty()) return false;
+  const auto [min, max] = std::minmax_element(values.begin(), values.end());
+  return *max - *min > kRounding * std::max(std::fabs(*min), std::fabs(*max));
+}
+
+double constant_rms_dph(const Comparison& comparison, const Comparison::Segment& segment) {
+  const double constant_dph = comparison.whole.raw_mean_dph - comparison.whole.mean_dph;
+  const auto count = static_cast<double>(segment.range.size());
+  const double variance = std::pow(segment.raw_std_dph, 2) * (count - 1) / count;
+  return std::hypot(std::sqrt(variance), segment.raw_mean_dph - constant_dph);
+}
+
 double floor_removed(double std_dph, double floor_dph) {
   return std::sqrt(std::max(0.0, std_dph * std_dph - floor_dph * floor_dph));
 }
@@ -158,6 +196,7 @@ Comparison compare_with(const Model& model, const RunInBlocks& run) {
     comparison.effects.push_back(share_of(parts[i], modelled.parts_dph[i], residual, measured));
   }
   comparison.parts_dph = std::move(modelled.parts_dph);
+  comparison.inputs = varying(std::move(modelled.inputs));
   TrainedRange range(model, comparison.row_s);
   for (const Comparison::Row& row : comparison.rows) {
     range.count(row.time_s, row.temperature_degc, row.temperature_rate_degc_per_min);

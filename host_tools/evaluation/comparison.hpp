@@ -33,6 +33,11 @@ struct Comparison {
     double std_dph = 0;
     double rms_dph = 0;
   };
+  /// An input of the drift model that varied during the run.
+  struct VaryingInput {
+    fog::Input input = fog::Input::input_rate;
+    std::vector<double> values;  ///< of each row, in the input's unit
+  };
   std::string file;
   double row_s = 0;
   std::vector<Row> rows;
@@ -41,15 +46,23 @@ struct Comparison {
   Segment whole;
   std::vector<EffectShare> effects;            ///< in the model's order, then the network
   std::vector<std::vector<double>> parts_dph;  ///< [as effects][row]: what each contributes
-  std::optional<double> noise_floor_dph;       ///< of a row, from the recording alone
+  std::vector<VaryingInput> inputs;
+  std::optional<double> noise_floor_dph;  ///< of a row, from the recording alone
   OutsideTraining outside;
 
   std::vector<double> residuals_dph() const;
   std::vector<double> measured_dph() const;
 };
 
+/// Whether an input is more than a constant, of which averaging leaves rounding.
+bool varies(const std::vector<double>& values);
+
 /// Throws InputError where the run lacks a column that the model needs.
 Comparison compare_with(const Model& model, const RunInBlocks& run);
+
+/// Rms that a constant alone would leave of a segment, deg/h: the model's mean over the whole run.
+/// In the same sense as Segment::rms_dph, so that an offset of the run counts in both.
+double constant_rms_dph(const Comparison& comparison, const Comparison::Segment& segment);
 
 /// sqrt(std^2 - floor^2), 0 where the floor is higher: the drift without the noise.
 double floor_removed(double std_dph, double floor_dph);

@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kTemperatureBins = 20;
 constexpr std::size_t kRateBins = 15;
 constexpr std::size_t kTimeBins = 24;
+constexpr std::size_t kInputBins = 15;
 
 template <class Value>
 std::vector<double> column(const Comparison& comparison, Value value) {
@@ -84,6 +85,9 @@ ResidualAnalysis analyse_residual(const Comparison& comparison) {
              [](const Comparison::Row& row) { return row.temperature_rate_degc_per_min; }),
       rows, kRateBins);
   analysis.time = dependence_on(rows.time_s, rows, kTimeBins);
+  for (const Comparison::VaryingInput& input : comparison.inputs) {
+    analysis.inputs.push_back(dependence_on(input.values, rows, kInputBins));
+  }
   analysis.history = loop_over(degc, rows, kTemperatureBins);
   for (const std::size_t lag : {1U, 2U, 5U, 10U, 20U, 50U, 100U}) {
     if (lag > rows.residual_dph.size() / 4) break;

@@ -19,11 +19,12 @@ struct ResidualAnalysis {
   /// rms^2 - floor^2, (deg/h)^2: what a better model could remove. Nothing where it is within four
   /// standard errors of the floor's estimate (0.6/sqrt(rows), relative), or no floor is known.
   std::optional<double> excess_dph2;
-  double offset_sigma_dph = 0;  ///< standard error of the residual's mean
-  ClassTest offset;             ///< of the mean against 0: turn-on bias, ageing between runs
-  Dependence temperature;       ///< degC
-  Dependence rate;              ///< degC/min
-  Dependence time;              ///< s
+  double offset_sigma_dph = 0;     ///< standard error of the residual's mean
+  ClassTest offset;                ///< of the mean against 0: turn-on bias, ageing between runs
+  Dependence temperature;          ///< degC
+  Dependence rate;                 ///< degC/min
+  Dependence time;                 ///< s
+  std::vector<Dependence> inputs;  ///< as Comparison::inputs
   Loop history;
   std::vector<LagCorrelation> autocorrelation;
   double white_band = 0;  ///< +-2/sqrt(rows): where 95 % of them lie for white noise

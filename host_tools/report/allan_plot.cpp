@@ -35,13 +35,22 @@ std::vector<Term> terms_of(const NoiseCoefficients& noise) {
 // A slope is drawn where it is seen: not far below the curve.
 constexpr double kLeastOfSum = 0.02;
 
+Text seen(const std::vector<Curve>& slopes) {
+  const Text bars = " Bars: one standard deviation.";
+  if (slopes.empty()) return "No slope of IEEE Std 952 stands out." + bars;
+  Text text = "These data show ";
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    text += (i > 0 ? " and " : "") + slopes[i].label;
+  }
+  return text + ": dashed." + bars;
+}
+
 }  // namespace
 
 Plot allan_plot(const std::vector<AllanCurve>& curves, const NoiseCoefficients& fitted) {
   Plot plot;
   plot.kind = Plot::Kind::log_log;
   plot.title = "Allan deviation in soaks.";
-  plot.caption = "Bars: one standard deviation.";
   plot.x_label = "averaging time, s";
   plot.y_label = "Allan deviation, deg/h";
   for (const AllanCurve& curve : curves) {
@@ -66,6 +75,7 @@ Plot allan_plot(const std::vector<AllanCurve>& curves, const NoiseCoefficients& 
     }
     slopes.push_back(std::move(slope));
   }
+  plot.caption = seen(slopes);
   if (slopes.empty()) return plot;
   for (double& square : sum) square = std::sqrt(square);
   for (Curve& slope : slopes) {
@@ -76,7 +86,6 @@ Plot allan_plot(const std::vector<AllanCurve>& curves, const NoiseCoefficients& 
   if (slopes.size() > 1) {
     plot.curves.push_back({"their sum", "mark", sum, tau_s, {}, Look::line});
   }
-  plot.caption += " Dashed: the fitted slopes that these data show.";
   for (Curve& slope : slopes) plot.curves.push_back(std::move(slope));
   return plot;
 }

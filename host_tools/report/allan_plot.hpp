@@ -11,7 +11,7 @@ namespace fogcomp::report {
 
 /// An Allan deviation in deg/h, and the colour that it has in the other plots.
 struct AllanCurve {
-  std::string label;
+  Text label;
   std::string colour;
   const std::vector<AllanPoint>& points;
 };

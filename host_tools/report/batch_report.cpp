@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <string_view>
 
 #include "report/figures.hpp"
+#include "report/labels.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::report {
 namespace {
 
+using batch::GyroResult;
 using batch::Limit;
 using batch::Outcome;
 using batch::Summary;
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 // Its page, or its folder. Serial numbers may have any character in them.
 std::string link_of(const Summary::Gyro& gyro, bool reports) {
@@ -27,13 +32,13 @@ std::string link_of(const Summary::Gyro& gyro, bool reports) {
   return link + (has_page ? "/report.html" : "/");
 }
 
-std::string limits_of(const std::string& figure, const std::vector<Limit>& limits) {
+Text limits_of(const std::string& figure, const std::vector<Limit>& limits) {
   std::string text;
   for (const Limit& limit : limits) {
     if (limit.figure == figure)
       text += format("%s%s %g", text.empty() ? "" : ", ", limit.is_most ? "≤" : "≥", limit.value);
   }
-  return text.empty() ? "-" : text;
+  return text.empty() ? Text("-") : verbatim(text);
 }
 
 // What an engineer would do with the first that fails.
@@ -44,7 +49,7 @@ void add_next(Report& report, const Summary& summary, const std::string& input,
                    [](const Summary::Gyro& gyro) { return gyro.outcome == Outcome::fail; });
   if (failing == summary.gyros.end()) return;
   const std::string& name = failing->result.gyro;
-  report.next("ask which effect " + name + " has that the others have not.",
+  report.next("ask which effect " + verbatim(name) + " has that the others have not.",
               "fogcomp diagnose " + output + "/" + name + "/" + name + ".model " + input + "/" +
                   name + "/*");
 }
@@ -53,7 +58,8 @@ void add_rejected(Report& report, const Summary& summary, bool reports) {
   Table table{{"gyro", "outcome", "reason"}, {}, {}};
   for (const Summary::Gyro& gyro : summary.gyros) {
     if (gyro.outcome == Outcome::pass) continue;
-    table.rows.push_back({gyro.result.gyro, name_of(gyro.outcome), gyro.reason});
+    table.rows.push_back(
+        {verbatim(gyro.result.gyro), name_of(gyro.outcome), verbatim(gyro.reason)});
     table.links.push_back(link_of(gyro, reports));
   }
   if (table.rows.empty()) return;
@@ -70,13 +76,18 @@ std::vector<double> values_of(const Summary& summary, const std::string& figure)
   return values;
 }
 
+double median_of(const std::vector<double>& sorted) {
+  return sorted[sorted.size() / 2];
+}
+
 void add_spread(Report& report, const Summary& summary) {
-  Table table{{"figure", "gyros", "least", "median", "most", "limit"}, {}, {}};
+  Table table{{"figure", "limit", "median", "min", "max", "gyros", "what it is"}, {}, {}};
   for (const std::string& figure : summary.figures) {
     const std::vector<double> values = values_of(summary, figure);
-    table.rows.push_back({figure, format("%zu", values.size()), format("%.4g", values.front()),
-                          format("%.4g", values[values.size() / 2]), format("%.4g", values.back()),
-                          limits_of(figure, summary.limits)});
+    table.rows.push_back({verbatim(figure), limits_of(figure, summary.limits),
+                          significant(median_of(values)), significant(values.front()),
+                          significant(values.back()), verbatim(std::to_string(values.size())),
+                          figure_label(figure)});
   }
   report.section("Figures over the gyros");
   report.table(table);
@@ -94,25 +105,40 @@ std::vector<std::string> plotted_figures(const Summary& summary) {
   return wanted;
 }
 
+// Whether one gyro is so far off that the others would lie on one line.
+bool has_outlier(const std::vector<double>& sorted) {
+  constexpr double kFarOff = 20;
+  return sorted.front() > 0 && sorted.back() > kFarOff * median_of(sorted);
+}
+
 void add_plots(Report& report, const Summary& summary) {
   for (const std::string& figure : plotted_figures(summary)) {
-    Curve curve{"gyro", "residual", {}};
+    const std::vector<double> sorted = values_of(summary, figure);
+    if (sorted.empty()) continue;
+    const Text label = figure_label(figure).empty() ? verbatim(figure) : figure_label(figure);
+    Curve curve{label, "residual", {}};
     curve.look = Look::points;
     Plot plot;
+    std::string worst;
     for (std::size_t i = 0; i < summary.gyros.size(); ++i) {
-      const auto value = summary.gyros[i].result.figure(figure);
-      if (!value) continue;
+      const GyroResult& gyro = summary.gyros[i].result;
       plot.x.push_back(static_cast<double>(i + 1));
-      curve.y.push_back(*value);
+      plot.x_names.push_back(verbatim(gyro.gyro));
+      curve.y.push_back(gyro.figure(figure).value_or(kNothing));
+      if (curve.y.back() == sorted.back()) worst = gyro.gyro;
     }
-    if (curve.y.empty()) continue;
-    plot.title = figure + ".";
-    plot.x_label = "gyro, in the order of the table";
-    plot.y_label = figure;
+    plot.title = label + ".";
+    plot.x_label = "gyro";
+    plot.y_label = label;
+    plot.caption = "Median " + significant(median_of(sorted)) + "; largest: " + verbatim(worst) +
+                   ", " + significant(sorted.back()) + ".";
     plot.curves.push_back(std::move(curve));
     for (const Limit& limit : summary.limits) {
       if (limit.figure == figure) plot.levels.push_back({"limit", limit.value});
     }
+    const bool limits_are_positive = std::all_of(plot.levels.begin(), plot.levels.end(),
+                                                 [](const Level& level) { return level.y > 0; });
+    if (has_outlier(sorted) && limits_are_positive) plot.kind = Plot::Kind::log_y;
     plot.group = "gyros";
     report.plot(plot);
   }
@@ -121,17 +147,18 @@ void add_plots(Report& report, const Summary& summary) {
 void add_all(Report& report, const Summary& summary, bool reports) {
   Table table{{"gyro", "outcome"}, {}, {}};
   std::vector<std::string> shown;
-  for (const char* figure : {"fit_raw_std_dph", "fit_rms_dph", "fit_drift_dph", "holdout_rms_dph",
-                             "holdout_drift_dph", "noise_dprh"}) {
+  for (const char* figure : {"holdout_drift_dph", "fit_drift_dph", "holdout_rms_dph", "fit_rms_dph",
+                             "fit_raw_std_dph", "noise_dprh"}) {
     const auto& all = summary.figures;
-    if (std::find(all.begin(), all.end(), figure) != all.end()) shown.emplace_back(figure);
+    if (std::find(all.begin(), all.end(), figure) == all.end()) continue;
+    shown.emplace_back(figure);
+    table.head.push_back(figure_label(figure));
   }
-  table.head.insert(table.head.end(), shown.begin(), shown.end());
   for (const Summary::Gyro& gyro : summary.gyros) {
-    std::vector<std::string> row{gyro.result.gyro, name_of(gyro.outcome)};
+    std::vector<Text> row{verbatim(gyro.result.gyro), name_of(gyro.outcome)};
     for (const std::string& figure : shown) {
       const auto value = gyro.result.figure(figure);
-      row.push_back(value ? format("%.4g", *value) : "-");
+      row.push_back(value ? significant(*value) : Text("-"));
     }
     table.rows.push_back(std::move(row));
     table.links.push_back(link_of(gyro, reports));
@@ -145,7 +172,7 @@ void add_all(Report& report, const Summary& summary, bool reports) {
 
 Report batch_report(const Summary& summary, const std::string& input, const std::string& output,
                     bool reports) {
-  Report report("fogcomp batch " + input + " -o " + output, headline(summary) + ".");
+  Report report("fogcomp batch " + input + " -o " + output, words(headline(summary) + "."));
   add_next(report, summary, input, output);
   add_rejected(report, summary, reports);
   if (!summary.figures.empty()) {

@@ -10,7 +10,7 @@
 namespace fogcomp::report {
 namespace {
 
-// The run that the first model serves worst.
+// The run that a model serves worst.
 const ModelOnRun& worst_of(const ModelOnRuns& model) {
   const auto drift = [](const ModelOnRun& run) {
     return floor_removed(run.comparison.whole.rms_dph, run.comparison.noise_floor_dph.value_or(0));
@@ -20,21 +20,31 @@ const ModelOnRun& worst_of(const ModelOnRuns& model) {
       [&](const ModelOnRun& a, const ModelOnRun& b) { return drift(a) < drift(b); });
 }
 
-// The model whose worst run is best.
-const ModelOnRuns& best_of(const std::vector<ModelOnRuns>& models) {
-  const auto worst_rms = [](const ModelOnRuns& model) {
-    return worst_of(model).comparison.whole.rms_dph;
-  };
-  return *std::min_element(
-      models.begin(), models.end(),
-      [&](const ModelOnRuns& a, const ModelOnRuns& b) { return worst_rms(a) < worst_rms(b); });
+double worst_rms_dph(const ModelOnRuns& model) {
+  return worst_of(model).comparison.whole.rms_dph;
 }
 
-std::string found(const ModelOnRuns& model, bool of_several) {
-  const Comparison& worst = worst_of(model).comparison;
-  const std::string where = model.runs.size() == 1 ? "" : "at worst, on " + worst.file + ", ";
-  return (of_several ? "Least is left by " : "") + model.file + ": " + where + error_words(worst) +
-         " deg/h.";
+// The model whose worst run is best comes first; the others in the order of the command line.
+std::vector<const ModelOnRuns*> best_first(const std::vector<ModelOnRuns>& models) {
+  std::vector<const ModelOnRuns*> order;
+  for (const ModelOnRuns& model : models) order.push_back(&model);
+  const auto best = std::min_element(order.begin(), order.end(), [](const auto* a, const auto* b) {
+    return worst_rms_dph(*a) < worst_rms_dph(*b);
+  });
+  std::rotate(order.begin(), best, best + 1);
+  return order;
+}
+
+Text found(const std::vector<const ModelOnRuns*>& models) {
+  const ModelOnRuns& best = *models[0];
+  std::vector<std::string> files;
+  for (const ModelOnRuns* model : models) files.push_back(model->file);
+  const Comparison& worst = worst_of(best).comparison;
+  Text text = verbatim(short_names(files)[0]) + (models.size() > 1 ? " is best: " : ": ");
+  if (best.runs.size() > 1) {
+    text += "at worst, on " + verbatim(short_names({worst.file})[0]) + ", ";
+  }
+  return text + error_text(worst) + ".";
 }
 
 }  // namespace
@@ -43,15 +53,16 @@ Report compare_report(const std::vector<ModelOnRuns>& models) {
   const ModelOnRuns& first = models[0];
   std::string subject = "fogcomp compare " + first.file + run_files(first);
   for (std::size_t i = 1; i < models.size(); ++i) subject += " --model " + models[i].file;
-  const ModelOnRuns& best = best_of(models);
-  Report report(subject, found(best, models.size() > 1));
+  const std::vector<const ModelOnRuns*> ranked = best_first(models);
+  const ModelOnRuns& best = *ranked[0];
+  Report report(subject, found(ranked));
   if (std::any_of(best.runs.begin(), best.runs.end(), leaves_drift)) {
     report.next("ask which effect is missing.", "fogcomp diagnose " + best.file + run_files(best));
   } else {
     report.next("nothing above the noise floor is left on these runs: make the board's header.",
                 "fogcomp export " + best.file + " -o fog_model.h");
   }
-  for (std::size_t run = 0; run < first.runs.size(); ++run) add_run(report, models, run);
+  for (std::size_t run = 0; run < first.runs.size(); ++run) add_run(report, ranked, run);
   return report;
 }
 

@@ -1,61 +1,88 @@
 #include "report/diagnose_report.hpp"
 
 #include <algorithm>
+#include <numeric>
 
+#include "dataset/input_columns.hpp"
+#include "evaluation/comparison.hpp"
 #include "report/figures.hpp"
+#include "report/labels.hpp"
 #include "report/run_plots.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::report {
 namespace {
 
-std::string found(const DiagnosisWords& words) {
-  return as_sentence(words.verdict + (words.certainty.empty() ? "" : ": " + words.certainty));
+// What the reader named in the recordings and on the command line.
+std::vector<std::string> names_from_outside(const DiagnosisData& data,
+                                            const std::vector<std::string>& files) {
+  std::vector<std::string> names = files;
+  for (const DiagnosisData::Segment& segment : data.segments()) names.push_back(segment.name);
+  for (const EffectTerm& term : data.offered()) names.push_back(term.name);
+  return names;
 }
 
-void add_next(Report& report, const DiagnosisWords& words, const std::string& model) {
-  if (!words.command.empty()) {
-    report.next("add it; it is kept only if it helps out of sample.", words.command);
-  } else if (!words.next.empty()) {
-    report.next(words.next, "");
-  } else {
+void add_next(Report& report, const DiagnosisWords& said, Verdict verdict,
+              const std::string& model) {
+  if (!said.command.empty()) {
+    report.next("add it; it is kept only if it helps out of sample.", said.command);
+  } else if (!said.next.empty()) {
+    report.next(words(said.next), "");
+  } else if (verdict == Verdict::none) {
     report.next("make the board's header.", "fogcomp export " + model + " -o fog_model.h");
   }
 }
 
-void add_evidence(Report& report, const Diagnosis& diagnosis) {
-  if (diagnosis.candidates.empty()) return;
-  report.section("Evidence for each candidate");
+Text probability_text(double probability) {
+  return words(format("%.3f", probability));
+}
+
+Text joined(const std::vector<std::string>& effects) {
+  return verbatim(join(effects, " and "));
+}
+
+// What is missing may be several effects together.
+void add_explanations(Report& report, const Diagnosis& diagnosis) {
+  if (diagnosis.explanations.empty()) return;
+  report.section("What together explains it");
   Bars bars;
-  bars.caption =
-      "Natural logarithm of the odds against \"nothing is missing\", each candidate alone; most "
-      "probable first.";
+  bars.quantity = "probability";
+  bars.full = 1;
+  bars.caption = "Sets of effects that compete to be all that is missing.";
+  for (const Diagnosis::Explanation& one : diagnosis.explanations) {
+    bars.rows.push_back(
+        {joined(one.effects),
+         {{one.probability, &one == diagnosis.explanations.data() ? "model" : "residual",
+           probability_text(one.probability)}},
+         words("explains " + percent(one.explained_fraction))});
+  }
+  bars.keys = {{"the likeliest", "model"}, {"others", "residual"}};
+  report.bars(bars);
+}
+
+void add_candidates(Report& report, const Diagnosis& diagnosis) {
+  if (diagnosis.candidates.empty()) return;
+  report.section("Each effect");
+  Bars bars;
+  bars.quantity = "probability";
+  bars.full = 1;
+  bars.caption = "That an effect is among those that are missing, alone or with others.";
+  bars.keys = {{"named", "model"}, {"others", "residual"}};
   for (const CandidateFinding& finding : diagnosis.candidates) {
     const std::string shape = shape_words(finding.term());
     const std::vector<std::string>& rivals = diagnosis.confusable;
     const bool rival = std::find(rivals.begin(), rivals.end(), finding.effect) != rivals.end();
     const bool named = rival || finding.effect == diagnosis.effect;
-    bars.rows.push_back({finding.effect,
-                         {{std::max(0.0, finding.evidence), named ? "model" : "residual",
-                           format("%.1f", finding.evidence)}},
-                         format("explains %s, leaves %.4g deg/h rms, probability %.3f",
-                                percent(finding.explained_fraction).c_str(), finding.rms_after_dph,
-                                finding.probability) +
-                             (shape.empty() ? "" : "; " + shape) +
-                             (rival ? "; one of those that cannot be told apart" : "")});
+    const Text note = words("alone explains " + percent(finding.explained_fraction) + ", leaves ") +
+                      number(finding.rms_after_dph) + " deg/h rms" +
+                      words((shape.empty() ? "" : "; " + shape) +
+                            (rival ? "; one of those that cannot be told apart" : ""));
+    bars.rows.push_back({verbatim(finding.effect),
+                         {{finding.probability, named ? "model" : "residual",
+                           probability_text(finding.probability)}},
+                         note});
   }
   report.bars(bars);
-  if (diagnosis.explanations.empty()) return;
-  Table table{{"alternatives: sets of effects that compete", "probability", "explains"}, {}};
-  for (const Diagnosis::Explanation& explanation : diagnosis.explanations) {
-    std::string effects;
-    for (const std::string& effect : explanation.effects) {
-      effects += (effects.empty() ? "" : " and ") + effect;
-    }
-    table.rows.push_back({effects, format("%.3f", explanation.probability),
-                          percent(explanation.explained_fraction)});
-  }
-  report.table(table);
 }
 
 void add_untestable(Report& report, const Diagnosis& diagnosis) {
@@ -63,93 +90,229 @@ void add_untestable(Report& report, const Diagnosis& diagnosis) {
   for (const Untestable& one : diagnosis.untestable) {
     list += (list.empty() ? "" : ", ") + one.effect + " (needs " + one.needs + ")";
   }
-  if (!list.empty()) report.sentence("Not to be seen in these recordings: " + list + ".");
+  if (list.empty()) return;
+  report.sentence("Not to be seen in these recordings: " + words(list) + ".");
 }
 
-void add_ladder(Report& report, const Ladder& ladder) {
+void add_ladder(Report& report, const Ladder& ladder, const std::vector<std::string>& names) {
   report.section("Error ladder");
   Bars bars;
+  bars.quantity = "rms left, deg/h";
   bars.floor = ladder.first.noise_floor_dph;
-  bars.caption = "deg/h rms of a row, everything refitted at each step. Dashed: the noise floor.";
+  bars.caption = "Everything refitted at each step. Dashed: the noise floor.";
   const double first_dph = ladder.first.residual_rms_dph;
-  bars.rows.push_back(
-      {"the model, refitted", {{first_dph, "measured", format("%.4g", first_dph)}}, ""});
+  bars.rows.push_back({"the model, refitted", {{first_dph, "measured", number(first_dph)}}});
   for (const Ladder::Step& step : ladder.steps) {
-    bars.rows.push_back({step_words(step),
-                         {{step.rms_after_dph, "residual", format("%.4g", step.rms_after_dph)}},
-                         ""});
+    bars.rows.push_back({words(step_words(step), names),
+                         {{step.rms_after_dph, "residual", number(step.rms_after_dph)}}});
   }
   report.bars(bars);
   const std::string end = end_words(ladder);  // may begin with the name of an effect
-  report.sentence(ladder.left_alone.empty() ? as_sentence(end) : end + ".");
+  report.sentence(words(ladder.left_alone.empty() ? as_sentence(end) : end + ".", names));
 }
 
-Bars shares(const std::vector<Diagnosis::Share>& shares, const std::string& caption) {
+// What the segments are called: several runs may have the same.
+std::vector<Text> segment_names(const DiagnosisData& data, const std::vector<std::string>& runs) {
+  const std::vector<std::string> files = short_names(runs);
+  const Rows& rows = data.series().rows();
+  std::vector<Text> names;
+  for (const DiagnosisData::Segment& segment : data.segments()) {
+    const std::size_t run = rows.run_at(static_cast<std::size_t>(segment.first));
+    names.push_back((files.size() > 1 ? verbatim(files[run]) + ", " : Text()) +
+                    verbatim(segment.name));
+  }
+  return names;
+}
+
+void add_shares(Report& report, const Text& caption, const std::vector<Text>& names,
+                const std::vector<Diagnosis::Share>& shares) {
   Bars bars;
   bars.caption = caption;
-  for (const Diagnosis::Share& share : shares) {
-    bars.rows.push_back({share.name, {{share.share, "residual", percent(share.share)}}, ""});
+  bars.quantity = "share, %";
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    bars.rows.push_back(
+        {names.at(i), {{100 * shares[i].share, "residual", words(percent(shares[i].share))}}});
   }
-  return bars;
+  report.bars(bars);
 }
 
-void add_where(Report& report, const Diagnosis& diagnosis) {
+void add_where(Report& report, const Diagnosis& diagnosis, const DiagnosisData& data,
+               const std::vector<std::string>& runs) {
   if (diagnosis.verdict == Verdict::none) return;
   report.section("Where it sits");
-  report.bars(shares(diagnosis.segments, "Share of what smooth functions describe, by segment."));
-  report.bars(shares(diagnosis.variables,
-                     "How much of it each variable alone could describe; the best is 100 %."));
+  add_shares(report, "What smooth functions describe, by segment.", segment_names(data, runs),
+             diagnosis.segments);
+  std::vector<Text> variables;
+  for (const Diagnosis::Share& share : diagnosis.variables) {
+    variables.push_back(variable_label(share.name));
+  }
+  add_shares(report, "How much of it each variable alone could describe; the best is 100 %.",
+             variables, diagnosis.variables);
 }
 
 // The rows of one recording, as columns.
 struct Run {
+  RowRange range;
   std::vector<double> time_s;
   std::vector<double> temperature_degc;
-  std::vector<double> rate_degc_per_min;
   std::vector<double> first_dph;
   std::vector<double> last_dph;
   std::vector<std::size_t> stretch_starts;
+  std::vector<TimeAxis::Segment> segments;
 };
 
-Run columns_of(const Rows& rows, RowRange range, const Ladder& ladder) {
+template <class Value>
+std::vector<double> column(const Rows& rows, RowRange range, Value value) {
+  std::vector<double> values;
+  for (std::size_t row = range.first; row < range.end; ++row) {
+    values.push_back(value(rows.signals[row]));
+  }
+  return values;
+}
+
+std::vector<double> part(const Eigen::VectorXd& all, RowRange range) {
+  return {all.data() + range.first, all.data() + range.end};
+}
+
+Run columns_of(const DiagnosisData& data, RowRange range, const Ladder& ladder) {
+  const Rows& rows = data.series().rows();
   Run run;
+  run.range = range;
   for (std::size_t row = range.first; row < range.end; ++row) {
     const bool gap =
         row > range.first && rows.time_s[row] - rows.time_s[row - 1] > 1.5 * rows.row_s;
     if (row == range.first || gap) run.stretch_starts.push_back(row - range.first);
     run.time_s.push_back(rows.time_s[row]);
-    run.temperature_degc.push_back(rows.signals[row].temperature);
-    run.rate_degc_per_min.push_back(rows.signals[row].temperature_rate);
-    run.first_dph.push_back(ladder.first.residual_dph[static_cast<Eigen::Index>(row)]);
-    run.last_dph.push_back(ladder.last.residual_dph[static_cast<Eigen::Index>(row)]);
+  }
+  run.temperature_degc =
+      column(rows, range, [](const auto& signals) { return signals.temperature; });
+  run.first_dph = part(ladder.first.residual_dph, range);
+  run.last_dph = part(ladder.last.residual_dph, range);
+  for (const DiagnosisData::Segment& segment : data.segments()) {
+    const auto first = static_cast<std::size_t>(segment.first);
+    const auto end = static_cast<std::size_t>(segment.end);
+    if (first < range.first || end > range.end) continue;
+    run.segments.push_back({segment.name, segment.kind, rows.time_s[first] - rows.row_s / 2,
+                            rows.time_s[end - 1] + rows.row_s / 2});
   }
   return run;
 }
 
-void add_run(Report& report, const Run& run, const Ladder& ladder, const std::string& group,
-             double row_s) {
-  const TimeAxis axis{run.time_s, run.stretch_starts, group};
-  std::vector<Trace> residuals{{"before", "measured", run.first_dph}};
+// What the effect that is proposed would take out of the residual, everything refitted; about its
+// mean, as the runs' own biases are refitted too. Empty where none is proposed.
+std::vector<double> would_take_out(const Diagnosis& diagnosis, const DiagnosisData& data,
+                                   RowRange range) {
+  const CandidateFinding* const finding = diagnosis.find(effect_to_add(diagnosis));
+  if (finding == nullptr) return {};
+  const Eigen::VectorXd change =
+      data.series().drift_dph(finding->completed) - data.series().drift_dph(diagnosis.terms);
+  std::vector<double> values = part(change, range);
+  const double mean =
+      std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  for (double& value : values) value -= mean;
+  return values;
+}
+
+// One quantity that the residual may depend on.
+struct Variable {
+  std::string name;  ///< as Diagnosis::variables has it
+  Text title;
+  Text label;
+  std::vector<double> values;
+};
+
+// Those that the residual depends on most come first.
+std::vector<Variable> variables_of(const Rows& rows, const Run& run, const Diagnosis& diagnosis) {
+  std::vector<Variable> all;
+  if (ever_moves(branches(run.temperature_degc))) {
+    all.push_back({"temperature_degc", "temperature", "temperature, degC", run.temperature_degc});
+    all.push_back(
+        {"temperature_rate", "temperature rate", "temperature rate, degC/min",
+         column(rows, run.range, [](const auto& signals) { return signals.temperature_rate; })});
+  }
+  for (std::size_t i = 0; i <= fog::kExtensionInputs; ++i) {
+    const auto input = static_cast<fog::Input>(i);
+    std::vector<double> values = column(rows, run.range, [&](const auto& signals) {
+      return input == fog::Input::input_rate ? signals.block.input_rate : signals.block[input];
+    });
+    if (!varies(values)) continue;
+    all.push_back({std::string(input_column(input).name), input_name(input), input_label(input),
+                   std::move(values)});
+  }
+  const auto share_of = [&](const std::string& name) {
+    for (const Diagnosis::Share& one : diagnosis.variables) {
+      if (one.name == name) return one.share;
+    }
+    return 0.0;
+  };
+  const auto share = [&](const Variable& variable) {  // a loop shows over temperature
+    const bool loop = variable.name == "temperature_degc";
+    return std::max(share_of(variable.name), loop ? share_of("temperature history") : 0);
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const Variable& a, const Variable& b) { return share(a) > share(b); });
+  return all;
+}
+
+std::vector<RowRange> stretches_of(const Run& run) {
+  std::vector<RowRange> stretches;
+  for (const std::size_t start : run.stretch_starts) {
+    if (!stretches.empty()) stretches.back().end = start;
+    stretches.push_back({start, run.time_s.size()});
+  }
+  return stretches;
+}
+
+void add_over_variables(Report& report, const Rows& rows, const Run& run, const Ladder& ladder) {
+  const std::vector<Branch> branch = branches(run.temperature_degc);
+  const auto add = [&](const Variable& variable, const char* when, const std::vector<double>& y) {
+    ResidualRows residual;
+    residual.residual_dph = y;
+    residual.time_s = run.time_s;
+    residual.stretches = stretches_of(run);
+    residual.noise = ladder.first.noise;
+    constexpr std::size_t kBins = 15;
+    const Dependence dependence = dependence_on(variable.values, residual, kBins);
+    Plot plot = branch_plot("Residual over " + variable.title + when + ".", variable.label,
+                            "residual, deg/h", variable.values, y, branch);
+    plot.caption = dependence.test.structured()
+                       ? "It depends on this beyond noise."
+                       : "Nothing in it depends on this alone beyond noise.";
+    plot.curves.push_back(bin_means(dependence.bins));
+    if (variable.name == "temperature_degc") {
+      add_loop(plot, loop_over(variable.values, residual, kBins));
+    }
+    report.plot(plot);
+  };
+  for (const Variable& variable : variables_of(rows, run, ladder.first)) {
+    add(variable, "", run.first_dph);
+    if (!ladder.steps.empty()) add(variable, ", after the ladder", run.last_dph);
+  }
+}
+
+void add_run(Report& report, const Run& run, const Ladder& ladder, const DiagnosisData& data,
+             const std::string& group) {
+  const TimeAxis axis{run.time_s, run.stretch_starts, group, run.segments};
+  std::vector<Trace> residuals;
   if (ladder.steps.empty()) {
-    residuals[0].colour = "residual";
-    residuals[0].label = "residual";
+    residuals.push_back({"residual", "residual", run.first_dph});
   } else {
+    residuals.push_back({"before", "measured", run.first_dph});
     residuals.push_back({"after the ladder", "residual", run.last_dph});
   }
-  report.plot(time_plot("Residual, the model refitted.", "residual, deg/h", axis, residuals));
-  report.plot(time_plot("Temperature.", "temperature, degC", axis,
-                        {{"temperature", "part5", run.temperature_degc}}));
-  const std::vector<Branch> branch = branches(run.temperature_degc);
-  const auto over = [&](const std::string& title, const char* label, const std::vector<double>& x,
-                        const std::vector<double>& y) {
-    report.plot(branch_plot(title, label, "residual, deg/h", x, y, branch, row_s));
-  };
-  over("Residual over temperature.", "temperature, degC", run.temperature_degc, run.first_dph);
-  over("Residual over temperature rate.", "temperature rate, degC/min", run.rate_degc_per_min,
-       run.first_dph);
-  if (ladder.steps.empty()) return;
-  over("Residual over temperature, after the ladder.", "temperature, degC", run.temperature_degc,
-       run.last_dph);
+  const std::vector<double> taken_out = would_take_out(ladder.first, data, run.range);
+  const std::string effect = effect_to_add(ladder.first);
+  if (!taken_out.empty()) {
+    residuals.push_back({verbatim(effect) + " would take out", "model", taken_out});
+  }
+  Plot residual = time_plot("Residual, the model refitted.", "residual, deg/h", axis, residuals);
+  if (!taken_out.empty()) {
+    residual.caption =
+        "On top, what " + verbatim(effect) + " would take out, all coefficients solved for anew.";
+  }
+  report.plot(residual);
+  report.plot(temperature_plot(axis, run.temperature_degc));
+  add_over_variables(report, data.series().rows(), run, ladder);
 }
 
 }  // namespace
@@ -160,20 +323,22 @@ Report diagnose_report(const Ladder& ladder, bool loop_wanted, const DiagnosisDa
   std::string runs;
   for (std::size_t i = 1; i < files.size(); ++i) runs += (i == 1 ? "" : " ") + files[i];
   const Diagnosis& diagnosis = ladder.first;
-  const DiagnosisWords words = words_of(diagnosis, model, runs);
-  Report report("fogcomp diagnose " + model + " " + runs, found(words));
-  add_next(report, words, model);
-  for (const std::string& line : words.findings) report.sentence(as_sentence(line));
-  for (const std::string& line : words.limits) report.sentence(as_sentence(line));
-  if (loop_wanted) add_ladder(report, ladder);
-  add_evidence(report, diagnosis);
+  const DiagnosisWords said = words_of(diagnosis, model, runs);
+  const std::vector<std::string> names = names_from_outside(data, files);
+  const std::string found = said.verdict + (said.certainty.empty() ? "" : ": " + said.certainty);
+  Report report("fogcomp diagnose " + model + " " + runs, words(as_sentence(found), names));
+  add_next(report, said, diagnosis.verdict, model);
+  for (const std::string& line : said.findings) report.sentence(words(as_sentence(line), names));
+  for (const std::string& line : said.limits) report.sentence(words(as_sentence(line), names));
+  add_explanations(report, diagnosis);
+  add_candidates(report, diagnosis);
   add_untestable(report, diagnosis);
-  add_where(report, diagnosis);
-  const Rows& rows = data.series().rows();
-  const std::vector<RowRange> ranges = rows.runs();
+  if (loop_wanted) add_ladder(report, ladder, names);
+  add_where(report, diagnosis, data, {files.begin() + 1, files.end()});
+  const std::vector<RowRange> ranges = data.series().rows().runs();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    report.section(files[i + 1]);
-    add_run(report, columns_of(rows, ranges[i], ladder), ladder, format("run %zu", i), rows.row_s);
+    report.file_section(files[i + 1]);
+    add_run(report, columns_of(data, ranges[i], ladder), ladder, data, format("run %zu", i));
   }
   return report;
 }

@@ -1,15 +1,42 @@
 #include "report/figures.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/text.hpp"
 
 namespace fogcomp::report {
 
-std::string dph(const std::optional<double>& value) {
-  constexpr double kLeast = 0.00005;
-  if (!value) return "-";
-  return format("%.4f", std::fabs(*value) < kLeast ? 0.0 : *value);  // no "-0.0000"
+namespace {
+
+constexpr int kSignificant = 4;
+
+int digits_before_point(double size) {
+  return static_cast<int>(std::floor(std::log10(size))) + 1;
+}
+
+}  // namespace
+
+Text significant(double value) {
+  constexpr double kExact = 1e15;
+  const double size = std::fabs(value);
+  if (!std::isfinite(value)) return "-";
+  if (size == std::floor(size) && size < kExact) return verbatim(format("%.0f", value));
+  if (size < 1e-4) return verbatim(format("%.*e", kSignificant - 1, value));
+  return verbatim(format("%.*f", std::max(0, kSignificant - digits_before_point(size)), value));
+}
+
+Text number(double rate_dph) {
+  constexpr int kDecimals = 6;
+  const double size = std::fabs(rate_dph);
+  if (!std::isfinite(rate_dph)) return "-";
+  if (size < 0.5e-6) return "0";
+  const int decimals = std::clamp(kSignificant - digits_before_point(size), 0, kDecimals);
+  return verbatim(format("%.*f", decimals, rate_dph));
+}
+
+Text dph(const std::optional<double>& value) {
+  return value ? number(*value) : Text("-");
 }
 
 std::string percent(double share) {

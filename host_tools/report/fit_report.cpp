@@ -9,11 +9,11 @@
 namespace fogcomp::report {
 namespace {
 
-std::string found(const ModelOnRuns& model, const FitResult& result) {
-  std::string text = format("The model leaves %.4f deg/h rms of a raw std of %.4f",
-                            model.model.residual_rms_dph, result.raw_std_dph);
+Text found(const ModelOnRuns& model, const FitResult& result) {
+  Text text = "The model leaves " + number(model.model.residual_rms_dph) +
+              " deg/h rms, a constant alone " + number(result.raw_std_dph);
   if (const auto floor = model.model.history.back().noise_floor_dph) {
-    text += format("; noise alone would leave %.4f", *floor);
+    text += "; noise alone would leave " + number(*floor);
   }
   return text + ".";
 }
@@ -28,13 +28,14 @@ std::string spaced(const std::string& list) {
 void add_ladder(Report& report, const std::vector<HistoryEntry>& history) {
   Bars bars;
   bars.floor = history.back().noise_floor_dph.value_or(0);
-  bars.caption = "deg/h rms on the data of the fit.";
+  bars.quantity = "rms left, deg/h";
+  bars.caption = "What is left of the data of the fit.";
   if (bars.floor > 0) bars.caption += " Dashed: the noise floor.";
   const double before_dph = history.front().rms_before_dph;
-  bars.rows.push_back({"before", {{before_dph, "measured", dph(before_dph)}}, ""});
+  bars.rows.push_back({"by a constant alone", {{before_dph, "measured", number(before_dph)}}});
   for (const HistoryEntry& step : history) {
-    bars.rows.push_back(
-        {spaced(step.action), {{step.rms_after_dph, "residual", dph(step.rms_after_dph)}}, ""});
+    bars.rows.push_back({verbatim(spaced(step.action)),
+                         {{step.rms_after_dph, "residual", number(step.rms_after_dph)}}});
   }
   report.section("Error ladder");
   report.bars(bars);
@@ -58,7 +59,7 @@ Report fit_report(const ModelOnRuns& model, const FitResult& result,
   report.section("Model");
   report.listing(describe(model.model));
   report.listing(identification);
-  for (std::size_t run = 0; run < model.runs.size(); ++run) add_run(report, {model}, run);
+  for (std::size_t run = 0; run < model.runs.size(); ++run) add_run(report, {&model}, run);
   return report;
 }
 

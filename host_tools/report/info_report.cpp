@@ -13,8 +13,8 @@ namespace fogcomp::report {
 namespace {
 
 struct Finding {
-  std::string found;
-  std::string next;
+  Text found;
+  Text next;
   std::string command;
 };
 
@@ -26,9 +26,8 @@ Finding find(const Recording& recording, const RunSummary& summary) {
   const double deviation = *summary.bias.std_dph;
   const double floor = *summary.noise_floor_dph;
   const double drift = floor_removed(deviation, floor);
-  const std::string error =
-      format("means of %.4g s scatter by %.4f deg/h (std), noise alone would make %.4f",
-             summary.average_s, deviation, floor);
+  const Text error = words(format("means of %.4g s scatter by ", summary.average_s)) +
+                     number(deviation) + " deg/h (std), noise alone would make " + number(floor);
   bool ramps = false;
   for (const SegmentSummary& segment : summary.segments) {
     ramps = ramps || segment.kind != SegmentKind::soak;
@@ -38,7 +37,7 @@ Finding find(const Recording& recording, const RunSummary& summary) {
             "this run shows noise and warm-up only; record one in which the temperature moves.",
             ""};
   }
-  return {format("%.4f deg/h of drift: ", drift) + error + ".",
+  return {number(drift) + " deg/h of drift: " + error + ".",
           "fit physical effects to it, then look at what they leave.",
           "fogcomp fit " + recording.file +
               " -o gyro.model --effects bias,bias_temperature:order=2,temperature_rate"};
@@ -47,56 +46,72 @@ Finding find(const Recording& recording, const RunSummary& summary) {
 void add_overview(Report& report, const Recording& recording, const RunSummary& summary) {
   const BiasSummary& bias = summary.bias;
   Table table{{"bias (rate less input rate)", ""}, {}};
-  table.rows.push_back({"rows", format("%zu", recording.rows())});
+  const auto add = [&](const Text& name, const Text& value) {
+    table.rows.push_back({name, value});
+  };
+  add("rows", verbatim(std::to_string(recording.rows())));
   if (recording.period_s > 0) {
-    table.rows.push_back({"sample rate, Hz", format("%.6g", 1 / recording.period_s)});
+    add("sample rate, Hz", verbatim(format("%.6g", 1 / recording.period_s)));
   }
-  table.rows.push_back({"gaps", format("%zu", recording.stretch_starts.size() - 1)});
-  table.rows.push_back({"mean, deg/h", dph(bias.mean_dph)});
-  table.rows.push_back(
-      {format("std of %.4g s means, deg/h", summary.average_s), dph(bias.std_dph)});
-  table.rows.push_back({"noise floor of such a mean, deg/h", dph(summary.noise_floor_dph)});
+  add("gaps", verbatim(std::to_string(recording.stretch_starts.size() - 1)));
+  add("mean, deg/h", number(bias.mean_dph));
+  add(words(format("std of %.4g s means, deg/h", summary.average_s)), dph(bias.std_dph));
+  add("noise floor of such a mean, deg/h", dph(summary.noise_floor_dph));
   if (bias.std_dph && summary.noise_floor_dph) {
-    table.rows.push_back({"drift, √(std² − floor²), deg/h",
-                          dph(floor_removed(*bias.std_dph, *summary.noise_floor_dph))});
+    add("drift, √(std² − floor²), deg/h",
+        number(floor_removed(*bias.std_dph, *summary.noise_floor_dph)));
   }
   report.table(table);
 }
 
 void add_segments(Report& report, const RunSummary& summary) {
-  Table table{{"segment", "from, h", "length, h", "degC", "degC/min", "mean, deg/h", "std, deg/h",
-               "drift, deg/h"},
+  Table table{{"segment", "mean, deg/h", "drift, deg/h", "std, deg/h", "degC", "degC/min",
+               "from, h", "length, h"},
               {}};
   for (const SegmentSummary& segment : summary.segments) {
     std::optional<double> drift;
     if (segment.bias.std_dph && summary.noise_floor_dph) {
       drift = floor_removed(*segment.bias.std_dph, *summary.noise_floor_dph);
     }
-    table.rows.push_back(
-        {segment.name, format("%.2f", segment.start_s / kSecondsPerHour),
-         format("%.2f", segment.duration_s / kSecondsPerHour),
-         format("%.2f .. %.2f", segment.temperature_min_degc, segment.temperature_max_degc),
-         format("%.3f", segment.temperature_rate_degc_per_min), dph(segment.bias.mean_dph),
-         dph(segment.bias.std_dph), dph(drift)});
+    table.rows.push_back({verbatim(segment.name), number(segment.bias.mean_dph), dph(drift),
+                          dph(segment.bias.std_dph),
+                          verbatim(format("%.2f to %.2f", segment.temperature_min_degc,
+                                          segment.temperature_max_degc)),
+                          verbatim(format("%.3f", segment.temperature_rate_degc_per_min)),
+                          verbatim(format("%.2f", segment.start_s / kSecondsPerHour)),
+                          verbatim(format("%.2f", segment.duration_s / kSecondsPerHour))});
   }
   report.section("Segments");
   report.table(table);
+}
+
+std::vector<TimeAxis::Segment> summary_segments(const RunSummary& summary) {
+  std::vector<TimeAxis::Segment> segments;
+  for (const SegmentSummary& one : summary.segments) {
+    segments.push_back({one.name, one.kind, one.start_s, one.start_s + one.duration_s});
+  }
+  return segments;
 }
 
 void add_over_time(Report& report, const Recording& recording, const RunSummary& summary) {
   const Recording& blocks = summary.blocks;
   if (blocks.rows() < 2) return;
   const std::vector<double> bias = bias_dph(blocks);
-  const TimeAxis axis{blocks.time_s, blocks.stretch_starts, "run"};
+  const TimeAxis axis{blocks.time_s, blocks.stretch_starts, "run", summary_segments(summary)};
   report.section("Over time");
-  report.plot(time_plot(format("Bias, means of %.4g s.", summary.average_s), "bias, deg/h", axis,
-                        {{"bias", "residual", bias}}));
-  report.plot(time_plot("Temperature.", "temperature, degC", axis,
-                        {{"temperature", "model", blocks.temperature_degc}}));
+  Plot means = time_plot(words(format("Bias, means of %.4g s.", summary.average_s)), "bias, deg/h",
+                         axis, {{"bias", "residual", bias}});
+  means.caption = "Mean " + number(summary.bias.mean_dph) + " deg/h, std " +
+                  dph(summary.bias.std_dph) + "; noise alone would make " +
+                  dph(summary.noise_floor_dph) + ".";
+  report.plot(means);
+  report.plot(temperature_plot(axis, blocks.temperature_degc));
   if (recording.rows() == blocks.rows()) return;
-  const TimeAxis samples{recording.time_s, recording.stretch_starts, "run"};
+  const TimeAxis samples{recording.time_s, recording.stretch_starts, "run", axis.segments};
   const std::vector<double> sample_bias = bias_dph(recording);
-  report.plot(time_plot("Samples.", "bias, deg/h", samples, {{"sample", "second", sample_bias}}));
+  Plot every = time_plot("Samples.", "bias, deg/h", samples, {{"sample", "second", sample_bias}});
+  every.caption = "Std " + dph(summary.bias.sample_std_dph) + " deg/h.";
+  report.plot(every);
 }
 
 void add_noise(Report& report, const RunSummary& summary) {
@@ -110,8 +125,8 @@ void add_noise(Report& report, const RunSummary& summary) {
   Table table{{"coefficient (IEEE Std 952)", "value", "+- (95 %)", "unit"}, {}};
   const auto add = [&](const char* name, const std::optional<NoiseCoefficient>& one,
                        const char* unit) {
-    table.rows.push_back({name, one ? format("%.3g", one->value) : "not shown",
-                          one ? format("%.2g", one->half_width_95) : "", unit});
+    table.rows.push_back({name, one ? verbatim(format("%.3g", one->value)) : Text("not shown"),
+                          one ? verbatim(format("%.2g", one->half_width_95)) : Text(), unit});
   };
   add("quantization Q", summary.noise.quantization_deg, "deg");
   add("angle random walk N", summary.noise.angle_random_walk_dprh, "deg/sqrt(h)");
@@ -123,15 +138,22 @@ void add_noise(Report& report, const RunSummary& summary) {
 
 void add_over_temperature(Report& report, const RunSummary& summary) {
   const Recording& blocks = summary.blocks;
-  report.section("Over temperature");
-  report.plot(branch_plot("Bias over temperature.", "temperature, degC", "bias, deg/h",
-                          blocks.temperature_degc, bias_dph(blocks),
-                          branches(blocks.temperature_degc), summary.average_s));
   const TemperatureSensitivity& sensitivity = summary.sensitivity;
+  const std::vector<Branch> branch = branches(blocks.temperature_degc);
+  report.section("Over temperature");
+  if (ever_moves(branch)) {
+    Plot plot = branch_plot("Bias over temperature.", "temperature, degC", "bias, deg/h",
+                            blocks.temperature_degc, bias_dph(blocks), branch);
+    if (sensitivity.hysteresis_dph) {
+      plot.caption = "Heating and cooling lie up to " + number(*sensitivity.hysteresis_dph) +
+                     words(format(" deg/h apart, at %.0f degC.", *sensitivity.hysteresis_at_degc));
+    }
+    report.plot(plot);
+  }
   Table table{{"sensitivity", "value", "unit"}, {}};
-  const auto add = [&](const std::string& name, const std::optional<double>& value,
-                       const char* unit) {
-    table.rows.push_back({name, value ? format("%.3g", *value) : "not shown", unit});
+  const auto add = [&](const Text& name, const std::optional<double>& value, const Text& unit) {
+    table.rows.push_back(
+        {name, value ? verbatim(format("%.3g", *value)) : Text("not shown"), unit});
   };
   add("bias to temperature (worst soak)", sensitivity.bias_dph_per_degc, "deg/h/degC");
   add("to temperature rate, heating", sensitivity.heating_dph_per_degc_per_min, "deg/h/(degC/min)");

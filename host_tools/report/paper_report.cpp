@@ -15,15 +15,15 @@ std::vector<double> as_vector(const Eigen::VectorXd& values) {
   return {values.data(), values.data() + values.size()};
 }
 
-std::string cell(MeanStd value) {
-  return format("%.4f ± %.4f", value.mean_dph, value.std_dph);
+Text cell(MeanStd value) {
+  return number(value.mean_dph) + " +- " + number(value.std_dph);
 }
 
 void add_table_1(Report& report, const Study& study) {
   const Eigen::VectorXd& raw = study.run.series.rows().drift_dph;
   Table table{{"segment", "raw, printed", "raw, ours", "denoised, printed", "denoised, ours"}, {}};
   for (const PrintedSegment& printed : kPrinted) {
-    table.rows.push_back({printed.name, cell({printed.raw_mean, printed.raw_std}),
+    table.rows.push_back({verbatim(printed.name), cell({printed.raw_mean, printed.raw_std}),
                           cell(mean_and_std(study.of_segment(printed.name, raw))),
                           cell({printed.denoised_mean, printed.denoised_std}),
                           cell(mean_and_std(study.of_segment(printed.name, study.denoised_dph)))});
@@ -40,7 +40,7 @@ void add_table_2(Report& report, const Study& study) {
   };
   Table table{{"segment", "BP, printed", "BP, ours", "PSO-BP, printed", "PSO-BP, ours"}, {}};
   for (const PrintedSegment& printed : kPrinted) {
-    table.rows.push_back({printed.name, cell({printed.bp_mean, printed.bp_std}),
+    table.rows.push_back({verbatim(printed.name), cell({printed.bp_mean, printed.bp_std}),
                           left(printed, "bp"), cell({printed.pso_bp_mean, printed.pso_bp_std}),
                           left(printed, "pso-bp")});
   }
@@ -51,18 +51,24 @@ void add_table_2(Report& report, const Study& study) {
 
 void add_table_3(Report& report, const Study& study) {
   const PrintedSegment& all = kPrinted.back();
-  Table table{{"", "std, printed", "gone", "drift", "std, ours", "gone", "drift"}, {}};
+  Table table{{"", "std, printed", "std, ours", "gone, printed", "gone, ours", "drift, printed",
+               "drift, ours"},
+              {}};
   Bars bars;
+  bars.quantity = "std of the whole run, deg/h";
   bars.floor = study.run.noise_floor_dph;
-  bars.caption = "Std of the whole run, deg/h. Dashed: the noise floor of ours.";
+  bars.caption = "Dashed: the noise floor of ours.";
   bars.keys = {{"printed", "measured"}, {"ours", "residual"}};
+  const auto gone = [](double left, double raw) {
+    return words(format("%.2f %%", 100 * (1 - left / raw)));
+  };
   const auto add = [&](const char* name, double printed, double ours) {
-    table.rows.push_back({name, dph(printed), format("%.2f %%", 100 * (1 - printed / all.raw_std)),
-                          dph(floor_removed(printed, kPrintedFloorDph)), dph(ours),
-                          format("%.2f %%", 100 * (1 - ours / study.raw.std_dph)),
-                          dph(floor_removed(ours, study.run.noise_floor_dph))});
+    table.rows.push_back({name, number(printed), number(ours), gone(printed, all.raw_std),
+                          gone(ours, study.raw.std_dph),
+                          number(floor_removed(printed, kPrintedFloorDph)),
+                          number(floor_removed(ours, study.run.noise_floor_dph))});
     bars.rows.push_back(
-        {name, {{printed, "measured", dph(printed)}, {ours, "residual", dph(ours)}}, ""});
+        {name, {{printed, "measured", number(printed)}, {ours, "residual", number(ours)}}});
   };
   add("raw", all.raw_std, study.raw.std_dph);
   add("BP", all.bp_std, study.model("bp").own.residual.std_dph);
@@ -71,6 +77,31 @@ void add_table_3(Report& report, const Study& study) {
   report.sentence("Std in deg/h, how much of it is gone, and the drift √(std² − floor²).");
   report.table(table);
   report.bars(bars);
+}
+
+// Rows of one segment follow each other; "20~-40" is a ramp.
+std::vector<TimeAxis::Segment> study_segments(const Study& study, const std::vector<double>& degc) {
+  const std::vector<std::string>& names = study.run.segments;
+  const Rows& rows = study.run.series.rows();
+  std::vector<TimeAxis::Segment> segments;
+  std::size_t first = 0;
+  for (std::size_t row = 1; row <= names.size(); ++row) {
+    if (row < names.size() && names[row] == names[first]) continue;
+    const bool is_ramp = names[first].find('~') != std::string::npos;
+    const SegmentKind ramp =
+        degc[row - 1] > degc[first] ? SegmentKind::ramp_up : SegmentKind::ramp_down;
+    segments.push_back({names[first], is_ramp ? ramp : SegmentKind::soak,
+                        rows.time_s[first] - rows.row_s / 2,
+                        rows.time_s[row - 1] + rows.row_s / 2});
+    first = row;
+  }
+  return segments;
+}
+
+Text std_text(const Text& what, const std::vector<double>& values) {
+  const Eigen::Map<const Eigen::VectorXd> all(values.data(),
+                                              static_cast<Eigen::Index>(values.size()));
+  return what + number(mean_and_std(all).std_dph) + " deg/h";
 }
 
 void add_figures(Report& report, const Study& study) {
@@ -86,34 +117,44 @@ void add_figures(Report& report, const Study& study) {
   const std::vector<double> after_pso_bp = as_vector(rows.drift_dph - pso_bp);
   std::vector<double> degc;
   for (const auto& signals : rows.signals) degc.push_back(signals.temperature);
-  const TimeAxis axis{rows.time_s, {0}, "run"};
-  const auto add = [&](const char* title, const char* label, const std::vector<Trace>& traces) {
-    report.plot(time_plot(title, label, axis, traces));
+  const std::vector<double> truth = as_vector(study.run.truth_dph);
+  const TimeAxis axis{rows.time_s, {0}, "run", study_segments(study, degc)};
+  const auto add = [&](const char* title, const Text& caption, const std::vector<Trace>& traces) {
+    Plot plot = time_plot(title, "bias, deg/h", axis, traces);
+    plot.caption = caption;
+    report.plot(plot);
   };
   report.section("The paper's figures on a simulated gyro");
-  add("Figure 1, temperature.", "temperature, degC", {{"temperature", "part5", degc}});
-  add("Figure 1, raw bias.", "bias, deg/h", {{"raw", "residual", raw}});
-  add("Figure 3: denoised, soft thresholds.", "bias, deg/h",
+  Plot temperature = temperature_plot(axis, degc);
+  temperature.title = "Figure 1, temperature.";
+  report.plot(temperature);
+  add("Figure 1, raw bias.", std_text("Std ", raw) + "; the truth is the drift without any noise.",
+      {{"raw", "residual", raw}, {"truth", "mark", truth}});
+  add("Figure 3: denoised, soft thresholds.",
+      std_text("Std ", raw) + std_text(" raw, ", soft) + " denoised.",
       {{"raw", "measured", raw}, {"denoised", "residual", soft}});
-  add("Figure 4: hard and soft thresholds.", "bias, deg/h",
-      {{"soft", "residual", soft}, {"hard", "model", hard}});
-  add("Figure 8: what the networks predict.", "bias, deg/h",
+  add("Figure 4: hard and soft thresholds.",
+      std_text("Std ", soft) + std_text(" soft, ", hard) + " hard.",
+      {{"soft", "residual", soft}, {"hard", "model", hard, Look::dashed}});
+  add("Figure 8: what the networks predict.", {},
       {{"denoised", "measured", soft}, {"BP", "model", predicted}, {"PSO-BP", "second", swarm}});
-  add("Figure 9: compensated by BP.", "bias, deg/h",
+  add("Figure 9: compensated by BP.",
+      std_text("Std ", raw) + std_text(" raw, ", after_bp) + " after BP.",
       {{"raw", "measured", raw}, {"after BP", "model", after_bp}});
-  add("Figure 10: compensated by PSO-BP.", "bias, deg/h",
+  add("Figure 10: compensated by PSO-BP.",
+      std_text("Std ", raw) + std_text(" raw, ", after_pso_bp) + " after PSO-BP.",
       {{"raw", "measured", raw}, {"after PSO-BP", "second", after_pso_bp}});
 }
 
 void add_medians(Report& report, const std::vector<Study>& studies) {
   Table table{{"model", "std", "drift", "error"}, {}};
   for (const std::string& profile : kHeldOutProfiles) {
-    table.head.push_back(profile + ": drift");
+    table.head.push_back(verbatim(profile) + ": drift");
     table.head.push_back("error");
   }
   for (const ModelMedians& model : medians_of(studies)) {
     table.rows.push_back(
-        {model.name, dph(model.std_dph), dph(model.drift_dph), dph(model.truth_rms_dph)});
+        {verbatim(model.name), dph(model.std_dph), dph(model.drift_dph), dph(model.truth_rms_dph)});
     for (std::size_t i = 0; i < kHeldOutProfiles.size(); ++i) {
       table.rows.back().push_back(dph(model.held_out_drift_dph[i]));
       table.rows.back().push_back(dph(model.held_out_truth_rms_dph[i]));
@@ -126,23 +167,23 @@ void add_medians(Report& report, const std::vector<Study>& studies) {
     table.rows.back().push_back(dph(floor_dph));
   }
   report.section("What the paper does not show");
-  report.sentence(
+  report.sentence(words(
       format("deg/h, medians of %zu gyro%s: drift without the noise floor, and error against the "
              "noise-free truth, on the run that a model was fitted to and on programmes that it "
              "never saw. Noise alone: what a fit would leave that knew the course of every effect.",
-             studies.size(), studies.size() == 1 ? "" : "s"));
+             studies.size(), studies.size() == 1 ? "" : "s")));
   report.table(table);
 }
 
-std::string found(const std::vector<Study>& studies) {
+Text found(const std::vector<Study>& studies) {
   for (const ModelMedians& model : medians_of(studies)) {
     if (model.name != "pso-bp") continue;
-    return format(
+    return words(format(
         "PSO-BP takes %.2f %% off the std of the whole run (printed: %.2f %%), %.1f %% of what the "
         "noise floor allows.",
-        100 * model.cut, 100 * kPrintedPsoBpCut, 100 * model.cut_of_bound);
+        100 * model.cut, 100 * kPrintedPsoBpCut, 100 * model.cut_of_bound));
   }
-  return "";
+  return {};
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ const char* name_of(Look look) {
       return "line";
     case Look::dashed:
       return "dashed";
+    case Look::faint:
+      return "faint";
     case Look::points:
       return "points";
     case Look::cloud:
@@ -40,31 +42,50 @@ const char* name_of(Look look) {
 }
 
 const char* name_of(Plot::Kind kind) {
-  if (kind == Plot::Kind::linear) return "linear";
-  return kind == Plot::Kind::log_log ? "log_log" : "stacked";
+  switch (kind) {
+    case Plot::Kind::linear:
+      return "linear";
+    case Plot::Kind::log_y:
+      return "log_y";
+    case Plot::Kind::log_log:
+      return "log_log";
+    case Plot::Kind::stacked:
+      break;
+  }
+  return "stacked";
 }
 
 }  // namespace
 
 Json plot_json(const Plot& plot) {
-  const bool logarithmic = plot.kind == Plot::Kind::log_log;
+  const bool log_x = plot.kind == Plot::Kind::log_log;
+  const bool log_y = log_x || plot.kind == Plot::Kind::log_y;
   Json curves = Json::array();
   for (const Curve& curve : plot.curves) {
     Json one = Json::object();
-    one.set("label", curve.label).set("colour", curve.colour).set("look", name_of(curve.look));
-    one.set("y", rounded(curve.y, logarithmic));
-    if (!curve.x.empty()) one.set("x", rounded(curve.x, logarithmic));
+    one.set("label", curve.label.utf8()).set("colour", curve.colour);
+    one.set("look", name_of(curve.look)).set("y", rounded(curve.y, log_y));
+    if (!curve.x.empty()) one.set("x", rounded(curve.x, log_x));
     if (!curve.sigma.empty()) one.set("sigma", rounded(curve.sigma, true));
     curves.push(std::move(one));
   }
   Json levels = json_array(plot.levels, [&](const Level& level) {
-    return Json::object().set("label", level.label).set("y", level.y);
+    return Json::object().set("label", level.label.utf8()).set("y", level.y);
   });
+  Json bands = json_array(plot.bands, [&](const Band& band) {
+    return Json::object()
+        .set("label", band.label.utf8())
+        .set("from", band.from)
+        .set("to", band.to)
+        .set("colour", band.colour);
+  });
+  Json names = json_array(plot.x_names, [](const Text& name) { return Json(name.utf8()); });
   Json json = Json::object();
   json.set("kind", name_of(plot.kind)).set("group", plot.group);
-  json.set("x_label", plot.x_label).set("y_label", plot.y_label);
-  json.set("x", rounded(plot.x, logarithmic)).set("curves", std::move(curves));
-  json.set("levels", std::move(levels));
+  json.set("x_label", plot.x_label.utf8()).set("y_label", plot.y_label.utf8());
+  json.set("x", rounded(plot.x, log_x)).set("x_names", std::move(names));
+  json.set("curves", std::move(curves)).set("levels", std::move(levels));
+  json.set("bands", std::move(bands));
   return json;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "report/page_text.hpp"
 #include "support/json.hpp"
 
 namespace fogcomp::report {
@@ -12,12 +13,13 @@ namespace fogcomp::report {
 enum class Look : std::uint8_t {
   line,
   dashed,
+  faint,  ///< a line behind what matters
   points,
   cloud,  ///< small faint points, of which there are hundreds
 };
 
 struct Curve {
-  std::string label;
+  Text label;
   std::string colour;       ///< a name of page/style.css without "--": measured, model, part1...
   std::vector<double> y;    ///< in the plot's unit; not finite: a gap
   std::vector<double> x{};  ///< of its own, in any order; empty: the plot's
@@ -27,21 +29,36 @@ struct Curve {
 
 /// A line across the whole plot, such as a noise floor.
 struct Level {
-  std::string label;
+  Text label;
   double y = 0;
+};
+
+/// A part of the x axis with a name, such as a soak or a ramp; shaded behind the curves.
+struct Band {
+  Text label;
+  double from = 0;  ///< in the plot's unit
+  double to = 0;
+  std::string colour{};  ///< as Curve::colour; "": not shaded, only named
 };
 
 /// A plot as data; page/plots.js draws it.
 struct Plot {
-  enum class Kind : std::uint8_t { linear, log_log, stacked };
-  std::string title;
-  std::string x_label;  ///< with the unit, as "time, h"
-  std::string y_label;
-  std::vector<Curve> curves;
-  std::vector<double> x{};  ///< rising; of all curves that have none of their own
+  enum class Kind : std::uint8_t {
+    linear,
+    log_y,  ///< x linear
+    log_log,
+    stacked
+  };
+  Text title;
+  Text x_label;  ///< with the unit, as "time, h"
+  Text y_label;
+  std::vector<Curve> curves;    ///< later ones lie on top
+  std::vector<double> x{};      ///< rising; of all curves that have none of their own
+  std::vector<Text> x_names{};  ///< of x = 1, 2, ... instead of numbers
   std::vector<Level> levels{};
-  std::string caption{};  ///< what to look at, and how the rows were thinned
-  std::string group{};    ///< plots of one group share cursor and zoom in x
+  std::vector<Band> bands{};
+  Text caption{};       ///< what is to be seen
+  std::string group{};  ///< plots of one group share cursor and zoom in x
   Kind kind = Kind::linear;
 };
 

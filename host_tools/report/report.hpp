@@ -3,15 +3,17 @@
 #include <string>
 #include <vector>
 
+#include "report/page_text.hpp"
 #include "report/plot.hpp"
 #include "support/json.hpp"
 
 namespace fogcomp::report {
 
-/// Rows of text; the first column is a name, the others are figures.
+/// Rows of text; the first column is a name, which stays in view where a screen is too narrow for
+/// the others: those that decide come first.
 struct Table {
-  std::vector<std::string> head;
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Text> head;
+  std::vector<std::vector<Text>> rows;
   std::vector<std::string> links{};  ///< of each row's name, relative to the page; empty: none
 };
 
@@ -20,35 +22,38 @@ struct Bars {
   struct Bar {
     double value = 0;
     std::string colour;  ///< as Curve::colour
-    std::string text;    ///< the value in words
+    Text text;           ///< the value in words
   };
   struct Row {
-    std::string name;
+    Text name;
     std::vector<Bar> bars;  ///< one, or before and after
-    std::string note;       ///< e.g. what could stand for it
+    Text note{};            ///< e.g. what could stand for it
   };
   struct Key {
-    std::string label;
+    Text label;
     std::string colour;
   };
-  std::vector<Row> rows;
+  Text quantity;  ///< what all bars are of, with its unit: the name of the axis
+  std::vector<Row> rows{};
+  double full = 0;   ///< value of a bar of full length; 0: the largest
   double floor = 0;  ///< marked on every bar; 0: none
-  std::string caption;
-  std::vector<Key> keys;  ///< what the colours mean, where a row has several
+  Text caption{};
+  std::vector<Key> keys{};  ///< what the colours mean, where a row has several
 };
 
 /// One HTML page that needs nothing else: words and tables as HTML, plots as data with the script
-/// that draws them. Whatever is given as text is escaped; in sentences, labels and captions deg/h,
-/// degC and +- are typeset.
+/// that draws them. Nothing that is given becomes markup.
 class Report {
  public:
-  /// `subject`: what it is about, e.g. "fogcomp info run.csv". `found`: one sentence.
-  Report(std::string subject, std::string found);
+  /// `subject`: the command line, e.g. "fogcomp info run.csv". `found`: one sentence.
+  Report(std::string subject, Text found);
 
   /// What to do next and the command line to type, "" for none.
-  void next(const std::string& sentence, const std::string& command);
-  void section(const std::string& heading);
-  void sentence(const std::string& text);
+  void next(const Text& sentence, const std::string& command);
+  void section(const Text& heading);
+  /// About one file, headed by its name; `path` stands small beneath where it says more.
+  void file_section(const std::string& path, const Text& remark = {});
+  void sentence(const Text& text);
   /// Fixed pitch, line by line, as on a terminal.
   void listing(const std::string& text);
   void table(const Table& table);
@@ -59,8 +64,10 @@ class Report {
   std::string html() const;
 
  private:
+  void begin_section(const std::string& heading);
+
   std::string subject_;
-  std::string found_;
+  Text found_;
   std::string body_;
   Json plots_ = Json::array();
   std::size_t plot_count_ = 0;

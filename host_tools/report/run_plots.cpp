@@ -1,8 +1,9 @@
 #include "report/run_plots.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <numeric>
 
+#include "report/figures.hpp"
 #include "report/thinning.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
@@ -10,28 +11,37 @@
 namespace fogcomp::report {
 namespace {
 
-constexpr const char* kTimeLabel = "time since power-on, h";
-
 std::vector<const std::vector<double>*> columns_of(const std::vector<Trace>& traces) {
   std::vector<const std::vector<double>*> columns;
   for (const Trace& trace : traces) columns.push_back(&trace.values);
   return columns;
 }
 
-Plot plot_over_time(const std::string& title, const std::string& y_label, const TimeAxis& axis,
+const char* shade_of(SegmentKind kind) {
+  switch (kind) {
+    case SegmentKind::ramp_up:
+      return "heating";
+    case SegmentKind::ramp_down:
+      return "cooling";
+    case SegmentKind::soak:
+      break;
+  }
+  return "";
+}
+
+Plot plot_over_time(const Text& title, const Text& y_label, const TimeAxis& axis,
                     const std::vector<double>& time_s) {
   Plot plot;
   plot.title = title;
-  plot.x_label = kTimeLabel;
+  plot.x_label = "time since power-on, h";
   plot.y_label = y_label;
   plot.group = axis.group;
   for (const double time : time_s) plot.x.push_back(time / kSecondsPerHour);
+  for (const TimeAxis::Segment& segment : axis.segments) {
+    plot.bands.push_back({verbatim(segment.name), segment.from_s / kSecondsPerHour,
+                          segment.to_s / kSecondsPerHour, shade_of(segment.kind)});
+  }
   return plot;
-}
-
-std::string thinned_words(const TimeAxis& axis, std::size_t points, const char* how) {
-  if (points >= axis.time_s.size()) return "";
-  return format("Of %zu rows, %s in each of %zu columns.", axis.time_s.size(), how, kColumns);
 }
 
 }  // namespace
@@ -42,29 +52,53 @@ std::vector<std::size_t> starts_of(const std::vector<RowRange>& stretches) {
   return starts;
 }
 
+std::vector<TimeAxis::Segment> segments_of(const Comparison& comparison) {
+  std::vector<TimeAxis::Segment> segments;
+  const double half_row_s = comparison.row_s / 2;
+  for (const Comparison::Segment& one : comparison.segments) {
+    if (one.range.size() == 0) continue;
+    segments.push_back({one.name, one.kind, comparison.rows[one.range.first].time_s - half_row_s,
+                        comparison.rows[one.range.end - 1].time_s + half_row_s});
+  }
+  return segments;
+}
+
 std::string part_colour(std::size_t i) {
   constexpr std::size_t kColours = 8;
   return format("part%zu", i % kColours + 1);
 }
 
-Plot time_plot(const std::string& title, const std::string& y_label, const TimeAxis& axis,
+Plot time_plot(const Text& title, const Text& y_label, const TimeAxis& axis,
                const std::vector<Trace>& traces) {
-  Curves curves = least_and_greatest(axis.time_s, columns_of(traces), axis.stretch_starts);
+  Curves curves = min_and_max(axis.time_s, columns_of(traces), axis.stretch_starts);
   Plot plot = plot_over_time(title, y_label, axis, curves.x);
-  plot.caption = thinned_words(axis, curves.x.size(), "the least and the greatest");
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    plot.curves.push_back({traces[i].label, traces[i].colour, std::move(curves.y[i])});
+    Curve curve{traces[i].label, traces[i].colour, std::move(curves.y[i])};
+    curve.look = traces[i].look;
+    plot.curves.push_back(std::move(curve));
   }
   return plot;
 }
 
-Plot stacked_plot(const std::string& title, const std::string& y_label, const TimeAxis& axis,
+Plot temperature_plot(const TimeAxis& axis, const std::vector<double>& temperature_degc) {
+  Plot plot = time_plot("Temperature.", "temperature, degC", axis,
+                        {{"temperature", "part5", temperature_degc}});
+  const auto [min, max] = std::minmax_element(temperature_degc.begin(), temperature_degc.end());
+  const auto soaks = std::count_if(
+      axis.segments.begin(), axis.segments.end(),
+      [](const TimeAxis::Segment& segment) { return segment.kind == SegmentKind::soak; });
+  const auto ramps = static_cast<std::ptrdiff_t>(axis.segments.size()) - soaks;
+  plot.caption =
+      words(format("%.1f to %.1f degC; soaks: %td, ramps: %td.", *min, *max, soaks, ramps));
+  return plot;
+}
+
+Plot stacked_plot(const Text& title, const Text& y_label, const TimeAxis& axis,
                   const std::vector<Trace>& traces) {
   Curves curves = column_means(axis.time_s, columns_of(traces), axis.stretch_starts);
   Plot plot = plot_over_time(title, y_label, axis, curves.x);
   plot.kind = Plot::Kind::stacked;
-  plot.caption =
-      "Each less its mean over the run. " + thinned_words(axis, curves.x.size(), "the mean");
+  plot.caption = "Each less its mean over the run.";
   std::vector<double> sum(curves.x.size());
   for (std::size_t i = 0; i < traces.size(); ++i) {
     const std::vector<double>& all = traces[i].values;
@@ -80,27 +114,58 @@ Plot stacked_plot(const std::string& title, const std::string& y_label, const Ti
   return plot;
 }
 
-Plot branch_plot(const std::string& title, const std::string& x_label, const std::string& y_label,
+Plot branch_plot(const Text& title, const Text& x_label, const Text& y_label,
                  const std::vector<double>& x, const std::vector<double>& y,
-                 const std::vector<Branch>& branch, double row_s) {
+                 const std::vector<Branch>& branch) {
   const std::size_t per_point = rows_per_point(x.size());
   Plot plot;
   plot.title = title;
   plot.x_label = x_label;
   plot.y_label = y_label;
-  plot.caption = "Soaks count with the ramp before them.";
-  plot.caption +=
-      format(" Each point is the mean of %.4g s.", static_cast<double>(per_point) * row_s);
-  const auto add = [&](const char* label, const char* colour, Branch wanted) {
+  const auto add = [&](const Text& label, const char* colour, Branch wanted) {
     Cloud cloud = thinned(x, y, branch, wanted, per_point);
     if (cloud.x.empty()) return;
     plot.curves.push_back({label, colour, std::move(cloud.y), std::move(cloud.x), {}, Look::cloud});
   };
   add("heating", "heating", Branch::heating);
   add("cooling", "cooling", Branch::cooling);
-  if (plot.curves.empty()) return plot;
-  add("before the first movement", "measured", Branch::none);
+  add(plot.curves.empty() ? "temperature at rest" : "before the first movement", "measured",
+      Branch::none);
   return plot;
+}
+
+bool ever_moves(const std::vector<Branch>& branch) {
+  return std::any_of(branch.begin(), branch.end(), [](Branch one) { return one != Branch::none; });
+}
+
+Curve bin_means(const std::vector<ResidualBin>& bins) {
+  Curve means{"mean", "mark", {}};
+  for (const ResidualBin& bin : bins) {
+    means.x.push_back(bin.at);
+    means.y.push_back(bin.mean_dph);
+    means.sigma.push_back(bin.sigma_dph);
+  }
+  return means;
+}
+
+void add_loop(Plot& over_temperature, const Loop& loop) {
+  const LoopBin* const widest = loop.widest();
+  if (widest == nullptr) return;
+  Curve heating{"heating, mean", "heating", {}};
+  Curve cooling{"cooling, mean", "cooling", {}};
+  for (const LoopBin& bin : loop.bins) {
+    heating.x.push_back(bin.at_degc);
+    heating.y.push_back(bin.heating_dph);
+    cooling.x.push_back(bin.at_degc);
+    cooling.y.push_back(bin.cooling_dph);
+  }
+  over_temperature.curves.push_back(std::move(heating));
+  over_temperature.curves.push_back(std::move(cooling));
+  if (!loop.test.structured()) return;
+  over_temperature.caption += " Heating less cooling " + number(widest->width_dph()) + " +- " +
+                              number(widest->sigma_dph) + " deg/h at " +
+                              words(format("%.0f degC", widest->at_degc)) +
+                              ": a loop, which temperature alone cannot model.";
 }
 
 }  // namespace fogcomp::report

@@ -5,38 +5,63 @@
 
 #include "dataset/segments.hpp"
 #include "evaluation/branches.hpp"
+#include "evaluation/comparison.hpp"
+#include "evaluation/dependence.hpp"
 #include "report/plot.hpp"
 
 namespace fogcomp::report {
 
 /// A quantity over time, to be drawn.
 struct Trace {
-  std::string label;
+  Text label;
   std::string colour;
   const std::vector<double>& values;
+  Look look = Look::line;
 };
 
 /// Time axis of a run that several plots share: cursor and zoom go together by `group`.
 struct TimeAxis {
+  /// A soak or a ramp.
+  struct Segment {
+    std::string name;
+    SegmentKind kind = SegmentKind::soak;
+    double from_s = 0;
+    double to_s = 0;
+  };
   const std::vector<double>& time_s;
   std::vector<std::size_t> stretch_starts;
   std::string group;
+  std::vector<Segment> segments;
 };
 std::vector<std::size_t> starts_of(const std::vector<RowRange>& stretches);
+std::vector<TimeAxis::Segment> segments_of(const Comparison& comparison);
 
-/// Traces over hours since power-on; long ones as least and greatest of each column.
-Plot time_plot(const std::string& title, const std::string& y_label, const TimeAxis& axis,
+/// Traces over hours since power-on, the segments shaded; long ones as minimum and maximum of each
+/// column.
+Plot time_plot(const Text& title, const Text& y_label, const TimeAxis& axis,
                const std::vector<Trace>& traces);
 
+/// The temperature, with its range and segments in words.
+Plot temperature_plot(const TimeAxis& axis, const std::vector<double>& temperature_degc);
+
 /// The same traces upon each other as areas, each less its mean, with their sum.
-Plot stacked_plot(const std::string& title, const std::string& y_label, const TimeAxis& axis,
+Plot stacked_plot(const Text& title, const Text& y_label, const TimeAxis& axis,
                   const std::vector<Trace>& traces);
 
-/// One quantity over another, heating and cooling in two colours; without curves where the
-/// temperature never moved. `row_s`: length of a row.
-Plot branch_plot(const std::string& title, const std::string& x_label, const std::string& y_label,
+/// One quantity over another as points, heating and cooling in two colours.
+Plot branch_plot(const Text& title, const Text& x_label, const Text& y_label,
                  const std::vector<double>& x, const std::vector<double>& y,
-                 const std::vector<Branch>& branch, double row_s);
+                 const std::vector<Branch>& branch);
+
+/// Whether the temperature ever moved: else a plot over it has nothing to show.
+bool ever_moves(const std::vector<Branch>& branch);
+
+/// The means of the residual's bins with their standard errors, to lie on a branch_plot().
+Curve bin_means(const std::vector<ResidualBin>& bins);
+
+/// Means of heating and cooling branch on a plot over temperature, and in its caption how far they
+/// lie apart where that is more than noise.
+void add_loop(Plot& over_temperature, const Loop& loop);
 
 /// The colour of the i-th of several like things.
 std::string part_colour(std::size_t i);

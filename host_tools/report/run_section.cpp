@@ -1,18 +1,19 @@
 #include "report/run_section.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "evaluation/autocorrelation.hpp"
 #include "evaluation/noise_coefficients.hpp"
 #include "report/allan_plot.hpp"
 #include "report/figures.hpp"
+#include "report/labels.hpp"
 #include "report/run_plots.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::report {
 namespace {
 
-using Models = std::vector<ModelOnRuns>;
+using Models = std::vector<const ModelOnRuns*>;
 
 template <class Value>
 std::vector<double> column(const Comparison& comparison, Value value) {
@@ -26,12 +27,22 @@ const Comparison& on_run(const ModelOnRuns& model, std::size_t run) {
 }
 
 // One model has the name of what it is; several are told apart by their files.
-std::string label(const Models& models, std::size_t model, const char* alone) {
-  return models.size() == 1 ? alone : models[model].file;
+std::vector<Text> labels(const Models& models, const Text& alone) {
+  if (models.size() == 1) return {alone};
+  std::vector<std::string> files;
+  for (const ModelOnRuns* model : models) files.push_back(model->file);
+  std::vector<Text> labels;
+  for (const std::string& name : short_names(files)) labels.push_back(verbatim(name));
+  return labels;
 }
 
+// The best has the colour of a single one.
 std::string residual_colour(std::size_t model) {
-  return model == 0 ? "residual" : part_colour(model + 1);
+  return model == 0 ? "residual" : part_colour(model);
+}
+
+Look look_of(std::size_t model) {
+  return model == 0 ? Look::line : Look::faint;
 }
 
 std::optional<double> drift_left(const Comparison& comparison, double rms_dph) {
@@ -39,95 +50,128 @@ std::optional<double> drift_left(const Comparison& comparison, double rms_dph) {
   return floor_removed(rms_dph, *comparison.noise_floor_dph);
 }
 
+// Inputs on which the residual depends, which structure_words() does not ask.
+Text input_words(const ModelOnRun& run) {
+  Text text;
+  for (std::size_t i = 0; i < run.analysis.inputs.size(); ++i) {
+    const ClassTest& test = run.analysis.inputs[i].test;
+    if (!test.structured()) continue;
+    const std::optional<double> share = run.analysis.share_of_excess(test);
+    text += " It depends on the " + input_name(run.comparison.inputs[i].input) +
+            (share ? words(": " + percent(*share) + " of what is above the floor.") : Text("."));
+  }
+  return text;
+}
+
 void add_words(Report& report, const Models& models, std::size_t run) {
-  for (const ModelOnRuns& model : models) {
-    const std::string name = models.size() == 1 ? "" : model.file + ": ";
-    const Comparison& comparison = on_run(model, run);
-    const std::string error = error_words(comparison) + " deg/h";
-    report.sentence((name.empty() ? as_sentence(error) : name + error + ".") + " " +
-                    as_sentence(structure_words(model.runs[run])));
-    for (const std::string& warning : range_warnings(comparison, model.model)) {
-      report.sentence(as_sentence("warning: " + name + warning));
+  const std::vector<Text> names = labels(models, "The model");
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const Text name = names[i] + ": ";
+    const Comparison& comparison = on_run(*models[i], run);
+    report.sentence(name + error_text(comparison) + ". " +
+                    words(as_sentence(structure_words(models[i]->runs[run]))) +
+                    input_words(models[i]->runs[run]));
+    for (const std::string& warning : range_warnings(comparison, models[i]->model)) {
+      report.sentence("Warning: " + name + words(warning) + ".");
     }
   }
 }
 
 void add_segments(Report& report, const Comparison& comparison) {
-  Table table{{"segment", "rows", "raw mean", "raw std", "residual mean", "residual std",
-               "residual rms", "floor", "drift left"},
+  Table table{{"segment", "rms left", "drift left", "by a constant", "residual mean",
+               "residual std", "raw mean", "raw std", "rows"},
               {}};
   const auto add = [&](const Comparison::Segment& segment) {
     if (segment.range.size() == 0) return;
-    table.rows.push_back({segment.name, format("%zu", segment.range.size()),
-                          dph(segment.raw_mean_dph), dph(segment.raw_std_dph),
-                          dph(segment.mean_dph), dph(segment.std_dph), dph(segment.rms_dph),
-                          dph(comparison.noise_floor_dph),
-                          dph(drift_left(comparison, segment.rms_dph))});
+    table.rows.push_back({verbatim(segment.name), number(segment.rms_dph),
+                          dph(drift_left(comparison, segment.rms_dph)),
+                          number(constant_rms_dph(comparison, segment)), number(segment.mean_dph),
+                          number(segment.std_dph), number(segment.raw_mean_dph),
+                          number(segment.raw_std_dph),
+                          verbatim(std::to_string(segment.range.size()))});
   };
   for (const Comparison::Segment& segment : comparison.segments) add(segment);
   add(comparison.whole);
   report.sentence(
-      format("deg/h, means of %.4g s; drift left is √(rms² − floor²).", comparison.row_s));
+      words(format("deg/h, means of %.4g s. Drift left: √(rms² − floor²). By a constant: the rms "
+                   "that the model's mean over the run alone would leave.",
+                   comparison.row_s)));
   report.table(table);
 }
 
-// Rms segment by segment: before, then what each model leaves.
+// The same quantity segment by segment: left by a constant alone, then by each model.
 void add_before_and_after(Report& report, const Models& models, std::size_t run) {
-  const Comparison& first = on_run(models[0], run);
+  const Comparison& best = on_run(*models[0], run);
   Bars bars;
-  bars.floor = first.noise_floor_dph.value_or(0);
-  bars.caption = bars.floor > 0 ? "Error per segment, deg/h; dashed: the noise floor."
-                                : "Error per segment, deg/h.";
-  bars.keys = {{"before (std)", "measured"}};
+  bars.quantity = "rms left, deg/h";
+  bars.floor = best.noise_floor_dph.value_or(0);
+  bars.caption = "What is left of each segment.";
+  if (bars.floor > 0) bars.caption += " Dashed: the noise floor.";
+  bars.keys = {{"by a constant alone", "measured"}};
+  const std::vector<Text> names = labels(models, "the model");
   for (std::size_t i = 0; i < models.size(); ++i) {
-    bars.keys.push_back({label(models, i, "after (rms)"), residual_colour(i)});
+    bars.keys.push_back({"by " + names[i], residual_colour(i)});
   }
   const auto add = [&](std::size_t segment, bool whole) {
     const auto of = [&](const ModelOnRuns& model) -> const Comparison::Segment& {
       const Comparison& comparison = on_run(model, run);
       return whole ? comparison.whole : comparison.segments[segment];
     };
-    const Comparison::Segment& raw = of(models[0]);
-    if (raw.range.size() == 0) return;
-    Bars::Row row{raw.name, {{raw.raw_std_dph, "measured", dph(raw.raw_std_dph)}}, ""};
+    const Comparison::Segment& own = of(*models[0]);
+    if (own.range.size() == 0) return;
+    const double before_dph = constant_rms_dph(best, own);
+    Bars::Row row{verbatim(own.name), {{before_dph, "measured", number(before_dph)}}};
     for (std::size_t i = 0; i < models.size(); ++i) {
-      const double rms_dph = of(models[i]).rms_dph;
-      row.bars.push_back({rms_dph, residual_colour(i), dph(rms_dph)});
+      const double rms_dph = of(*models[i]).rms_dph;
+      row.bars.push_back({rms_dph, residual_colour(i), number(rms_dph)});
     }
     bars.rows.push_back(std::move(row));
   };
-  for (std::size_t i = 0; i < first.segments.size(); ++i) add(i, false);
+  for (std::size_t i = 0; i < best.segments.size(); ++i) add(i, false);
   add(0, true);
   report.bars(bars);
 }
 
+// Where what is left is largest.
+Text worst_segment(const Comparison& comparison) {
+  const auto worst =
+      std::max_element(comparison.segments.begin(), comparison.segments.end(),
+                       [](const auto& a, const auto& b) { return a.rms_dph < b.rms_dph; });
+  if (comparison.segments.size() < 2 || worst->range.size() == 0) return {};
+  return "Largest in " + verbatim(worst->name) + ": rms " + number(worst->rms_dph) + " deg/h.";
+}
+
 void add_over_time(Report& report, const Models& models, std::size_t run) {
-  const Comparison& first = on_run(models[0], run);
+  const Comparison& best = on_run(*models[0], run);
   const std::vector<double> time_s =
-      column(first, [](const Comparison::Row& row) { return row.time_s; });
+      column(best, [](const Comparison::Row& row) { return row.time_s; });
   const std::vector<double> degc =
-      column(first, [](const Comparison::Row& row) { return row.temperature_degc; });
-  const std::vector<double> measured = first.measured_dph();
+      column(best, [](const Comparison::Row& row) { return row.temperature_degc; });
+  const std::vector<double> measured = best.measured_dph();
   std::vector<std::vector<double>> drifts;
   std::vector<std::vector<double>> residuals;
-  for (const ModelOnRuns& model : models) {
-    drifts.push_back(column(on_run(model, run), [](const auto& row) { return row.drift_dph; }));
-    residuals.push_back(on_run(model, run).residuals_dph());
+  for (const ModelOnRuns* model : models) {
+    drifts.push_back(column(on_run(*model, run), [](const auto& row) { return row.drift_dph; }));
+    residuals.push_back(on_run(*model, run).residuals_dph());
   }
+  const bool several = models.size() > 1;
+  const std::vector<Text> drift_names = labels(models, "model");
+  const std::vector<Text> residual_names = labels(models, "residual");
   std::vector<Trace> over{{"measured", "measured", measured}};
   std::vector<Trace> left;
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    over.push_back(
-        {label(models, i, "model"), models.size() == 1 ? "model" : residual_colour(i), drifts[i]});
+  for (std::size_t i = models.size(); i-- > 0;) {  // the best on top
+    over.push_back({drift_names[i], several ? residual_colour(i) : "model", drifts[i], look_of(i)});
+    left.push_back({residual_names[i], residual_colour(i), residuals[i], look_of(i)});
   }
-  for (std::size_t i = models.size(); i-- > 0;) {
-    left.push_back({label(models, i, "residual"), residual_colour(i), residuals[i]});
-  }
-  const TimeAxis axis{time_s, starts_of(first.stretches), format("run %zu", run)};
-  report.plot(time_plot("Rate less input rate, the model on top.", "rate, deg/h", axis, over));
-  report.plot(
-      time_plot("Temperature.", "temperature, degC", axis, {{"temperature", "part5", degc}}));
-  report.plot(time_plot("Residual.", "residual, deg/h", axis, left));
+  const TimeAxis axis{time_s, starts_of(best.stretches), format("run %zu", run), segments_of(best)};
+  Plot rate = time_plot("Rate less input rate, the model on top.", "rate, deg/h", axis, over);
+  rate.caption = "Std of what is measured " + number(best.whole.raw_std_dph) + " deg/h.";
+  report.plot(rate);
+  report.plot(temperature_plot(axis, degc));
+  Plot residual = time_plot("Residual.", "residual, deg/h", axis, left);
+  residual.caption = (several ? residual_names[0] + ": rms " : Text("Rms ")) +
+                     number(best.whole.rms_dph) + " deg/h. " + worst_segment(best);
+  report.plot(residual);
 }
 
 void add_parts(Report& report, const ModelOnRuns& model, std::size_t run) {
@@ -139,17 +183,18 @@ void add_parts(Report& report, const ModelOnRuns& model, std::size_t run) {
     constexpr double kConstant = 1e-9;  // deg/h: such a part has no share in any change
     if (comparison.effects[i].std_dph < kConstant) continue;
     parts.push_back(
-        {comparison.effects[i].name, part_colour(parts.size()), comparison.parts_dph[i]});
+        {verbatim(comparison.effects[i].name), part_colour(parts.size()), comparison.parts_dph[i]});
   }
   if (!parts.empty()) {
-    report.plot(stacked_plot("What each part of the model does.", "drift, deg/h",
-                             {time_s, starts_of(comparison.stretches), format("run %zu", run)},
-                             parts));
+    report.plot(stacked_plot(
+        "What each part of the model does.", "drift, deg/h",
+        {time_s, starts_of(comparison.stretches), format("run %zu", run), segments_of(comparison)},
+        parts));
   }
-  Table table{{"part", "mean, deg/h", "std, deg/h", "share of the raw variance"}, {}};
+  Table table{{"part", "share of the raw variance", "std, deg/h", "mean, deg/h"}, {}};
   for (const EffectShare& effect : comparison.effects) {
-    table.rows.push_back({effect.name, dph(effect.mean_dph), dph(effect.std_dph),
-                          format("%.1f %%", 100 * effect.share)});
+    table.rows.push_back({verbatim(effect.name), words(format("%.1f %%", 100 * effect.share)),
+                          number(effect.std_dph), number(effect.mean_dph)});
   }
   report.sentence(
       "Share: what comes back when a part alone is left out; parts that go together share, so the "
@@ -157,10 +202,21 @@ void add_parts(Report& report, const ModelOnRuns& model, std::size_t run) {
   report.table(table);
 }
 
-Curve bin_means(const char* label, const char* colour) {
-  return {label, colour, {}, {}, {}, Look::line};
+// A plot of the residual over one quantity, and how much of it that quantity could explain.
+struct Dependent {
+  Plot plot;
+  double variance_dph2 = 0;
+};
+
+// What a test says of one quantity.
+Text dependence_text(const ResidualAnalysis& analysis, const ClassTest& test) {
+  if (!test.structured()) return "Nothing in it depends on this alone beyond noise.";
+  const std::optional<double> share = analysis.share_of_excess(test);
+  if (!share) return "It depends on this, though all of it lies at the noise floor.";
+  return "It depends on this: " + words(percent(*share)) + " of what lies above the noise floor.";
 }
 
+// What is left over everything that it could depend on; what it depends on most comes first.
 void add_dependences(Report& report, const ModelOnRuns& model, std::size_t run) {
   const Comparison& comparison = on_run(model, run);
   const ResidualAnalysis& analysis = model.runs[run].analysis;
@@ -170,60 +226,71 @@ void add_dependences(Report& report, const ModelOnRuns& model, std::size_t run) 
   const std::vector<double> rate = column(
       comparison, [](const Comparison::Row& row) { return row.temperature_rate_degc_per_min; });
   const std::vector<Branch> branch = branches(degc);
-
-  Plot over_temperature = branch_plot("Residual over temperature.", "temperature, degC",
-                                      "residual, deg/h", degc, residual, branch, comparison.row_s);
-  Curve heating = bin_means("heating, mean", "heating");
-  Curve cooling = bin_means("cooling, mean", "cooling");
-  for (const LoopBin& bin : analysis.history.bins) {
-    heating.x.push_back(bin.at_degc);
-    heating.y.push_back(bin.heating_dph);
-    cooling.x.push_back(bin.at_degc);
-    cooling.y.push_back(bin.cooling_dph);
+  std::vector<Dependent> all;
+  const auto add = [&](const Text& title, const Text& label, const std::vector<double>& x,
+                       const ClassTest& test) {
+    Plot plot = branch_plot(title, label, "residual, deg/h", x, residual, branch);
+    plot.caption = dependence_text(analysis, test);
+    all.push_back({std::move(plot), test.structured() ? test.variance_dph2 : 0});
+  };
+  if (ever_moves(branch)) {
+    add("Residual over temperature.", "temperature, degC", degc, analysis.temperature.test);
+    add_loop(all.back().plot, analysis.history);
+    if (analysis.history.test.structured()) {
+      all.back().variance_dph2 =
+          std::max(all.back().variance_dph2, analysis.history.test.variance_dph2);
+    }
+    add("Residual over temperature rate.", "temperature rate, degC/min", rate, analysis.rate.test);
+    all.back().plot.curves.push_back(bin_means(analysis.rate.bins));
   }
-  if (!heating.x.empty()) {
-    over_temperature.caption += " Lines apart: a loop, which temperature alone cannot model.";
-    over_temperature.curves.push_back(std::move(heating));
-    over_temperature.curves.push_back(std::move(cooling));
+  for (std::size_t i = 0; i < comparison.inputs.size(); ++i) {
+    const Comparison::VaryingInput& input = comparison.inputs[i];
+    add("Residual over " + input_name(input.input) + ".", input_label(input.input), input.values,
+        analysis.inputs[i].test);
+    all.back().plot.curves.push_back(bin_means(analysis.inputs[i].bins));
   }
-  report.plot(over_temperature);
-
-  Plot over_rate = branch_plot("Residual over temperature rate.", "temperature rate, degC/min",
-                               "residual, deg/h", rate, residual, branch, comparison.row_s);
-  Curve means = bin_means("mean", "mark");
-  for (const ResidualBin& bin : analysis.rate.bins) {
-    means.x.push_back(bin.at);
-    means.y.push_back(bin.mean_dph);
-    means.sigma.push_back(bin.sigma_dph);
-  }
-  if (over_rate.curves.empty()) return;
-  if (!means.x.empty()) over_rate.curves.push_back(std::move(means));
-  report.plot(over_rate);
+  std::stable_sort(all.begin(), all.end(), [](const Dependent& a, const Dependent& b) {
+    return a.variance_dph2 > b.variance_dph2;
+  });
+  for (const Dependent& one : all) report.plot(one.plot);
 }
 
-void add_noise(Report& report, const ModelOnRuns& model, std::size_t run) {
-  const ResidualAnalysis& analysis = model.runs[run].analysis;
-  if (!analysis.raw_allan.empty()) {
-    report.plot(allan_plot({{"before", "measured", analysis.raw_allan},
-                            {"after", "residual", analysis.residual_allan}},
-                           fit_noise_coefficients(analysis.residual_allan)));
+void add_allan(Report& report, const Models& models, std::size_t run) {
+  const ResidualAnalysis& best = models[0]->runs[run].analysis;
+  if (best.raw_allan.empty()) return;
+  const std::vector<Text> names = labels(models, "after");
+  std::vector<AllanCurve> curves{{"before", "measured", best.raw_allan}};
+  for (std::size_t i = models.size(); i-- > 0;) {
+    curves.push_back({names[i], residual_colour(i), models[i]->runs[run].analysis.residual_allan});
   }
+  report.plot(allan_plot(curves, fit_noise_coefficients(best.residual_allan)));
+}
+
+void add_autocorrelation(Report& report, const Models& models, std::size_t run) {
   constexpr std::size_t kLags = 100;
-  const Comparison& comparison = on_run(model, run);
-  const std::vector<double> residual = comparison.residuals_dph();
-  Curve curve{"residual", "residual", {}, {}, {}, Look::line};
-  for (std::size_t lag = 1; lag <= std::min(kLags, residual.size() / 4); ++lag) {
-    curve.x.push_back(static_cast<double>(lag) * comparison.row_s);
-    curve.y.push_back(autocorrelation(residual, comparison.stretches, lag));
-  }
-  if (curve.x.size() < 2) return;
+  const std::vector<Text> names = labels(models, "residual");
   Plot plot;
   plot.title = "Autocorrelation of the residual.";
-  plot.caption = "White noise stays between the dashed lines 95 times in 100.";
   plot.x_label = "lag, s";
   plot.y_label = "correlation";
-  plot.levels = {{"white noise", analysis.white_band}, {"", -analysis.white_band}};
-  plot.curves.push_back(std::move(curve));
+  for (std::size_t i = models.size(); i-- > 0;) {
+    const Comparison& comparison = on_run(*models[i], run);
+    const std::vector<double> residual = comparison.residuals_dph();
+    Curve curve{names[i], residual_colour(i), {}, {}, {}, look_of(i)};
+    for (std::size_t lag = 1; lag <= std::min(kLags, residual.size() / 4); ++lag) {
+      curve.x.push_back(static_cast<double>(lag) * comparison.row_s);
+      curve.y.push_back(autocorrelation(residual, comparison.stretches, lag));
+    }
+    if (curve.x.size() < 2) return;
+    plot.curves.push_back(std::move(curve));
+  }
+  const double band = models[0]->runs[run].analysis.white_band;
+  const Curve& best = plot.curves.back();
+  plot.caption =
+      words(format("%.2f from one row to the next; white noise stays between the dashed "
+                   "lines, +-%.2f, 95 times in 100.",
+                   best.y[0], band));
+  plot.levels = {{"white noise", band}, {"", -band}};
   report.plot(plot);
 }
 
@@ -235,21 +302,34 @@ std::string run_files(const ModelOnRuns& model) {
   return files;
 }
 
+Text error_text(const Comparison& comparison) {
+  Text text = "rms " + number(comparison.whole.rms_dph) + " deg/h left; a constant alone leaves " +
+              number(constant_rms_dph(comparison, comparison.whole));
+  if (!comparison.noise_floor_dph) return text + " (too short to know its noise floor)";
+  return text + ", the noise floor is " + number(*comparison.noise_floor_dph);
+}
+
 bool leaves_drift(const ModelOnRun& run) {
   return run.analysis.excess_dph2.has_value();
 }
 
-void add_run(Report& report, const std::vector<ModelOnRuns>& models, std::size_t run) {
-  report.section(on_run(models[0], run).file);
+void add_run(Report& report, const Models& models, std::size_t run) {
+  const Comparison& best = on_run(*models[0], run);
+  report.file_section(best.file);
   add_words(report, models, run);
-  add_segments(report, on_run(models[0], run));
+  const bool several = models.size() > 1;
+  if (several) {
+    report.sentence("The table, what the residual depends on, and the parts are of the best, " +
+                    labels(models, "")[0] + ".");
+  }
   add_before_and_after(report, models, run);
-  if (on_run(models[0], run).rows.size() < 2) return;
+  add_segments(report, best);
+  if (best.rows.size() < 2) return;
   add_over_time(report, models, run);
-  if (models.size() > 1) report.sentence("What follows is of " + models[0].file + ".");
-  add_dependences(report, models[0], run);
-  add_parts(report, models[0], run);
-  add_noise(report, models[0], run);
+  add_dependences(report, *models[0], run);
+  add_parts(report, *models[0], run);
+  add_allan(report, models, run);
+  add_autocorrelation(report, models, run);
 }
 
 }  // namespace fogcomp::report

@@ -13,7 +13,7 @@ constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 using Columns = std::vector<const std::vector<double>*>;
 
-// Rows [first, end) as two points: least and greatest of each curve, as they come.
+// Rows [first, end) as two points: minimum and maximum of each curve, as they come.
 void append_extremes(Curves& curves, const std::vector<double>& x, const Columns& y,
                      RowRange rows) {
   const bool single = rows.size() == 1;
@@ -82,8 +82,8 @@ Curves cut(const std::vector<double>& x, const Columns& y,
 
 }  // namespace
 
-Curves least_and_greatest(const std::vector<double>& x, const Columns& y,
-                          const std::vector<std::size_t>& stretch_starts) {
+Curves min_and_max(const std::vector<double>& x, const Columns& y,
+                   const std::vector<std::size_t>& stretch_starts) {
   return cut(x, y, stretch_starts, append_extremes);
 }
 

@@ -20,12 +20,11 @@ struct Curves {
 
 /// `x` rises; each of `y` has as many values; `stretch_starts`: the first row of each stretch
 /// without a gap, 0 included. Up to 2 * kColumns rows stay as they are. More are cut into kColumns
-/// equal divisions of x, of which each curve keeps the least and the greatest value in the order in
+/// equal divisions of x, of which each curve keeps the minimum and the maximum in the order in
 /// which they come: no spike is lost and none is made up, whatever the number of rows. A gap is a
 /// point of NaN.
-Curves least_and_greatest(const std::vector<double>& x,
-                          const std::vector<const std::vector<double>*>& y,
-                          const std::vector<std::size_t>& stretch_starts);
+Curves min_and_max(const std::vector<double>& x, const std::vector<const std::vector<double>*>& y,
+                   const std::vector<std::size_t>& stretch_starts);
 
 /// The same for curves that are drawn upon each other: each keeps the mean of a division, so that
 /// their sum stays the sum.

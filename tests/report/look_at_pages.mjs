@@ -19,6 +19,25 @@ const look = `(() => {
     paper: (r + g + b) / 3,
     sideways: document.documentElement.scrollWidth - innerWidth,
     words: document.querySelector("h1").textContent.length,
+    // Of a table that is too wide for the window: can it be scrolled, is there a sign, and what stays in view?
+    tables: [...document.querySelectorAll("table:not(.u-legend)")].map((table) => {
+      const box = table.parentElement;
+      const heads = [...table.querySelectorAll("thead th")].map((head) => head.getBoundingClientRect());
+      const { overflowX, backgroundImage } = getComputedStyle(box);
+      const broken = [...table.querySelectorAll("th")].some((cell) => cell.getBoundingClientRect().width < 40);
+      return {
+        wide: table.scrollWidth > box.clientWidth, scrolls: /auto|scroll/.test(overflowX),
+        sign: /gradient/.test(backgroundImage), keeps_name: getComputedStyle(table.querySelector("tbody th")).position === "sticky",
+        deciding: heads[Math.min(1, heads.length - 1)].right - innerWidth, broken,
+      };
+    }),
+    hidden_listings: [...document.querySelectorAll("pre")].filter((pre) => pre.scrollWidth > pre.clientWidth &&
+      !/gradient/.test(getComputedStyle(pre).backgroundImage)).length,
+    captions: [...document.querySelectorAll("figcaption")].map((caption) => caption.textContent),
+    unnamed_axes: [...document.querySelectorAll("figure.bars")].filter((figure) => !figure.querySelector(".quantity")?.textContent).length,
+    help: /click on a name in a legend/.test(document.querySelector("footer")?.textContent),
+    legends: [...document.querySelectorAll(".u-legend .u-series")].map((row) => ({
+      text: row.textContent, colon: getComputedStyle(row.querySelector("th"), "::after").content.includes(":") })),
     plots: [...document.querySelectorAll(".canvas")].map((box) => {
       const canvas = box.querySelector("canvas");
       if (!canvas) return { coloured: 0, wide: true };
@@ -32,11 +51,26 @@ const look = `(() => {
         if (pixels[i + 3] > 60 && Math.max(...rgb) - Math.min(...rgb) > 60) ++coloured;
       }
       const points = data[box.dataset.plot].curves.flatMap((curve) => curve.y).filter((y) => y !== null).length;
-      return { coloured, lost: points - Number(box.dataset.points), wide: canvas.getBoundingClientRect().right > box.getBoundingClientRect().right + 1 };
+      const { x_label, y_label, bands } = data[box.dataset.plot];
+      return { labels: [x_label, y_label], over_time: /^time since/.test(x_label), ramps: (bands || []).filter((band) => band.colour).length,
+               shaded: Number(box.dataset.shaded), named: Number(box.dataset.named), coloured, lost: points - Number(box.dataset.points), wide: canvas.getBoundingClientRect().right > box.getBoundingClientRect().right + 1 };
     }),
   };
 })()`;
 const pictures = `[...document.querySelectorAll(".canvas canvas")].map((canvas) => canvas.toDataURL())`;
+
+// As printed, between the margins of A4.
+const fits_the_paper = `(async () => {
+  const style = document.createElement("style");
+  const printed = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules])
+    .filter((rule) => rule.conditionText === "print").flatMap((rule) => [...rule.cssRules])
+    .filter((rule) => rule.selectorText).map((rule) => rule.cssText);
+  style.textContent = printed.join("\\n") + " main { width: 690px; }";
+  document.head.append(style);
+  const fits = [...document.querySelectorAll("table:not(.u-legend)")].every((table) => table.getBoundingClientRect().width <= 690);
+  style.remove();
+  return fits;
+})()`;
 
 const check = (name, good, what) => {
   if (good) return;
@@ -56,7 +90,24 @@ const look_at = async (tab, name, shape, plots) => {
     check(view, plot.coloured > 40, `plot ${i} shows no curve (${plot.coloured} coloured pixels)`);
     check(view, plot.lost <= 0, `plot ${i} lacks ${plot.lost} of its points`);
     check(view, !plot.wide, `plot ${i} is wider than its box`);
+    check(view, !plot.labels.some((label) => /_|deg|^gyro,/.test(label)), `plot ${i} has axes "${plot.labels.join('", "')}"`);
+    if (!plot.over_time) return;
+    check(view, plot.ramps > 0 && plot.shaded === plot.ramps, `plot ${i} shades ${plot.shaded} of ${plot.ramps} ramps`);
+    check(view, plot.named > 0, `plot ${i} names no segment`);
   });
+  seen.tables.forEach((table, i) => {
+    check(view, !table.broken, `table ${i} breaks a name letter by letter`);
+    if (!table.wide) return;
+    check(view, table.scrolls && table.sign, `table ${i} is cut off without a sign that it can be scrolled`);
+    check(view, shape.width > 600 || table.keeps_name, `table ${i} loses the names of its rows`);
+    check(view, table.deciding <= 0, `the first figures of table ${i} are out of view`);
+  });
+  check(view, !seen.captions.some((caption) => /columns|\d rows|is the mean of/.test(caption)),
+        `a caption tells how it was made: ${seen.captions.find((caption) => /columns|\d rows|is the mean of/.test(caption))}`);
+  check(view, seen.hidden_listings === 0, `${seen.hidden_listings} listings are cut off without a sign`);
+  check(view, seen.unnamed_axes === 0, `${seen.unnamed_axes} lists of bars do not say what they are of`);
+  check(view, seen.help, "does not say that a click in a legend hides a curve");
+  check(view, !seen.legends.some(({ text, colon }) => colon || /[–:]\s*$/.test(text)), "a legend waits for a cursor");
   if (shots) {
     writeFileSync(join(shots, `${basename(name, ".html")}_${shape.width}_${shape.dark ? "dark" : "light"}.png`),
                   await tab.screenshot());
@@ -95,6 +146,35 @@ const zoom = async (tab, name) => {
   check(name, after.every((picture, i) => picture === before[i]), "a double click does not show all again");
 };
 
+// A drag upwards zooms this plot's y alone; a click on a name in the legend hides its curve.
+const zoom_y_and_hide = async (tab, name) => {
+  const place = await tab.evaluate(`(() => {
+    const { left, top, width, height } = document.querySelector(".canvas .u-over").getBoundingClientRect();
+    return { x: left + width / 2, top: top + 0.7 * height, to: top + 0.3 * height };
+  })()`);
+  const before = await tab.evaluate(pictures);
+  await tab.mouse("mouseMoved", place.x, place.top);
+  await tab.mouse("mousePressed", place.x, place.top, { button: "left", buttons: 1, clickCount: 1 });
+  await tab.mouse("mouseMoved", place.x + 3, place.to, { button: "left", buttons: 1 });
+  await tab.mouse("mouseReleased", place.x + 3, place.to, { button: "left", clickCount: 1 });
+  await tab.settle();
+  const zoomed = await tab.evaluate(pictures);
+  check(name, zoomed[0] !== before[0], "a drag upwards does not zoom");
+  check(name, zoomed.slice(1).every((picture, i) => picture === before[i + 1]), "a drag upwards changes other plots");
+  for (const clickCount of [1, 2]) {
+    await tab.mouse("mousePressed", place.x, place.top, { button: "left", buttons: 1, clickCount });
+    await tab.mouse("mouseReleased", place.x, place.top, { button: "left", clickCount });
+  }
+  await tab.settle();
+  check(name, (await tab.evaluate(pictures))[0] === before[0], "a double click does not undo a drag upwards");
+  const click = 'document.querySelectorAll(".canvas .u-legend .u-series")[1].querySelector("th").click()';
+  await tab.evaluate(click);
+  await tab.settle();
+  check(name, (await tab.evaluate(pictures))[0] !== before[0], "a click in the legend does not hide a curve");
+  await tab.evaluate(click);
+  await tab.settle();
+};
+
 const browser = new Browser(program);
 try {
   for (const word of pages) {
@@ -108,10 +188,14 @@ try {
       for (const dark of [false, true]) await look_at(tab, name, { width, dark }, Number(plots));
     }
     await tab.show({ width: 1280, dark: false });
-    if (Number(plots) > 1) await zoom(tab, name);
+    if (Number(plots) > 1) {
+      await zoom(tab, name);
+      await zoom_y_and_hide(tab, name);
+    }
     await tab.show({ width: 1280, dark: true });
     const before = await tab.evaluate(pictures);
     const print = await tab.pdf();
+    check(name, await tab.evaluate(fits_the_paper), "a table is wider than the paper");
     check(name, print.subarray(0, 5).toString() === "%PDF-", "cannot be printed");
     await tab.settle();
     check(name, (await tab.evaluate(pictures)).every((picture, i) => picture === before[i]),

@@ -1,5 +1,6 @@
 // Draws the plots of a report with uPlot from the data in #plots (report/plot.hpp). Drag zooms, a
-// double click shows all again; plots of one group share cursor and zoom.
+// double click shows all again, a click in the legend hides a curve; plots of one group share cursor
+// and zoom in x.
 "use strict";
 (() => {
   const plots = JSON.parse(document.getElementById("plots").textContent);
@@ -33,7 +34,7 @@
     const byte = Math.round(255 * opacity).toString(16).padStart(2, "0");
     return opacity < 1 ? hex + byte : hex;
   };
-  const significant = (value) => (value == null ? "–" : String(Number(value.toPrecision(4))));
+  const significant = (value) => (value == null ? "" : String(Number(value.toPrecision(4))));
   const decimals = (step) => {
     let places = 0;
     while (places < 9 && Math.abs(step * 10 ** places - Math.round(step * 10 ** places)) > 1e-6) {
@@ -98,7 +99,7 @@
     bands: [],
     series: plot.curves.map((curve) => {
       const points = curve.look === "points" || curve.look === "cloud";
-      const opacity = curve.look === "cloud" ? 0.6 : 1;
+      const opacity = { cloud: 0.6, faint: 0.6 }[curve.look] || 1;
       return {
         label: curve.label,
         stroke: () => colour(curve.colour, opacity),
@@ -111,6 +112,54 @@
       };
     }),
   });
+
+  // The segments of the x axis that are in view: their edges in canvas pixels.
+  const bands_in_view = (u, plot) => plot.bands.map((band) => ({
+    ...band,
+    left: Math.max(u.bbox.left, u.valToPos(band.from, "x", true)),
+    right: Math.min(u.bbox.left + u.bbox.width, u.valToPos(band.to, "x", true)),
+  })).filter(({ left, right }) => left < right);
+
+  // Behind everything. How many is left in the page for tests.
+  const shade = (u, plot, holder) => {
+    const shaded = bands_in_view(u, plot).filter((band) => band.colour);
+    u.ctx.save();
+    shaded.forEach(({ left, right, colour: name }) => {
+      u.ctx.fillStyle = colour(name, 0.13);
+      u.ctx.fillRect(left, u.bbox.top, right - left, u.bbox.height);
+    });
+    u.ctx.restore();
+    holder.dataset.shaded = shaded.length;
+  };
+  // Before everything, where there is room: the whole name, or what comes behind its first word, as
+  // "-40" of "soak -40".
+  const name_bands = (u, plot, holder) => {
+    const pen = u.ctx;
+    let named = 0;
+    pen.save();
+    pen.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
+    pen.textAlign = "center";
+    pen.textBaseline = "top";
+    pen.lineWidth = 3 * devicePixelRatio;
+    pen.strokeStyle = colour("paper", 0.8);
+    pen.fillStyle = colour("faint");
+    bands_in_view(u, plot).forEach(({ left, right, label }) => {
+      const room = right - left - 4 * devicePixelRatio;
+      const name = [label, label.split(" ").slice(1).join(" ")]
+        .find((text) => text && pen.measureText(text).width <= room);
+      if (!name) return;
+      const place = [name, (left + right) / 2, u.bbox.top + 3 * devicePixelRatio];
+      pen.strokeText(...place);
+      pen.fillText(...place);
+      ++named;
+    });
+    pen.restore();
+    holder.dataset.named = named;
+  };
+  const segment_at = (plot, x) => {
+    const band = x == null ? undefined : plot.bands.find(({ from, to }) => x >= from && x < to);
+    return band ? ` (${band.label})` : "";
+  };
 
   // Standard deviations as vertical bars, levels as lines with their names.
   const annotate = (u, plot) => {
@@ -163,7 +212,8 @@
   const size_of = (holder, plot) => {
     const width = root.dataset.printing ? printed_width : holder.clientWidth;
     const square = plot.kind === "log_log" || plot.curves.some((curve) => curve.look === "cloud");
-    return { width, height: Math.round(Math.min(square ? 400 : 280, Math.max(220, 0.7 * width))) };
+    const names = 7 * Math.max(0, ...plot.x_names.map((name) => name.length)); // they stand upright
+    return { width, height: Math.round(Math.min(square ? 400 : 280, Math.max(220, 0.7 * width))) + names };
   };
 
   const axis = (label, extra) => ({
@@ -177,14 +227,33 @@
     ...extra,
   });
 
-  // uPlot colours the marks of its legend once only.
-  const colour_legend = (u) => u.root.querySelectorAll(".u-legend .u-series").forEach((row, i) => {
-    const stroke = i > 0 && u.series[i].stroke;
+  // uPlot colours the marks of its legend once only, and does not say what a click there does.
+  const dress_legend = (u) => u.root.querySelectorAll(".u-legend .u-series").forEach((row, i) => {
+    if (i === 0) return;
+    row.title = "click: hide or show this curve";
+    const stroke = u.series[i].stroke;
     if (stroke) row.querySelector(".u-marker").style.background = stroke();
   });
 
+  // Names below an axis of 1, 2, ..., every one or every second, third... as there is room.
+  const name_axis = (names) => {
+    const wide = Math.max(...names.map((name) => name.length));
+    return {
+      splits: (u, i, least, most) => {
+        const stride = Math.max(1, Math.ceil((most - least) * 18 / u.width));
+        return names.map((name, n) => n + 1).filter((n) => n >= least && n <= most && (n - 1) % stride === 0);
+      },
+      values: (u, splits) => splits.map((n) => names[n - 1]),
+      rotate: -90,
+      size: 20 + 7 * wide,
+      gap: 4,
+      grid: { show: false },
+    };
+  };
+
   const draw = (holder, plot) => {
-    const logarithmic = plot.kind === "log_log";
+    const log_x = plot.kind === "log_log";
+    const log_y = log_x || plot.kind === "log_y";
     const { data, series, bands } = plot.kind === "stacked" ? stacked(plot) : unstacked(plot);
     const y_range = (u, least, most) => {
       if (least == null) return [0, 1];
@@ -195,35 +264,40 @@
       const spare = 0.06 * (most - least) || 0.1 * Math.abs(most) || 1;
       return [least - spare, most + spare];
     };
-    const values = logarithmic ? (u, splits) => splits.map((v) => (v == null ? "" : significant(v)))
-      : (u, splits, a, space, step) => splits.map((v) => v.toFixed(decimals(step)));
+    const values = (logarithmic) => (logarithmic ? (u, splits) => splits.map(significant)
+      : (u, splits, a, space, step) => splits.map((v) => v.toFixed(decimals(step))));
+    const by_name = plot.x_names.length > 0;
+    const x_value = (self, v) =>
+      (by_name ? plot.x_names[v - 1] || "" : significant(v) + segment_at(plot, v));
     const peers = groups.get(plot.group) || [];
     const u = new uPlot({
       ...size_of(holder, plot),
       scales: {
-        x: { time: false, distr: logarithmic ? 3 : 1 },
-        y: logarithmic ? { distr: 3 } : { range: y_range },
+        x: { time: false, distr: log_x ? 3 : 1,
+             ...(by_name ? { range: (u, least, most) => [least - 0.5, most + 0.5] } : {}) },
+        y: log_y ? { distr: 3 } : { range: y_range },
       },
       axes: [
-        axis(plot.x_label, { values, size: 34 }),
+        axis(plot.x_label, by_name ? name_axis(plot.x_names) : { values: values(log_x), size: 34 }),
         axis(plot.y_label, {
-          values,
+          values: values(log_y),
           // The same for plots below each other, unless a figure needs more.
           size: (self, texts) => 18 + 7 * Math.max(6, ...(texts || []).map((text) => (text || "").length)),
         }),
       ],
-      series: [{ label: plot.x_label, value: (self, v) => significant(v) },
+      series: [{ label: plot.x_label, value: x_value },
                ...series.map((one) => ({ value: (self, v) => significant(v), points: { show: false }, ...one }))],
       bands,
       cursor: {
-        drag: { x: true, y: plot.group === "", uni: 30 },
+        drag: { x: true, y: true, uni: 30 },
         sync: plot.group ? { key: plot.group, filters: { pub: (type) => type === "mousemove" || type === "mouseleave" } }
           : undefined,
         dataIdx: plot.curves.some((curve) => curve.x) ? nearest : undefined,
         points: { size: 7 },
       },
       hooks: {
-        draw: [(self) => annotate(self, plot)],
+        drawClear: [(self) => shade(self, plot, holder)],
+        draw: [(self) => annotate(self, plot), (self) => name_bands(self, plot, holder)],
         // Only what the reader did spreads: the others then have the same range and stop there.
         setScale: [(self, key) => {
           if (key !== "x" || !self.ready) return;
@@ -243,7 +317,7 @@
       peers.push(u);
       groups.set(plot.group, peers);
     }
-    colour_legend(u);
+    dress_legend(u);
     holder.dataset.points = data.slice(1).flat().filter((y) => y !== null).length;
     drawn.push({ u, holder, plot });
   };
@@ -254,7 +328,7 @@
   });
   const redraw_all = () => drawn.forEach(({ u }) => {
     u.redraw(false, true);
-    colour_legend(u);
+    dress_legend(u);
   });
   const print = (on) => {
     if (on) root.dataset.printing = "yes";

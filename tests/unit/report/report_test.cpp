@@ -15,26 +15,89 @@ std::size_t count(const std::string& text, const std::string& word) {
   return found;
 }
 
+// Everything that a report takes, with `name` wherever a name from outside can stand.
+Report full_report(const std::string& name) {
+  const Text text = verbatim(name);
+  Report report(name, text);
+  report.next(text, name);
+  report.section(text);
+  report.file_section(name);
+  report.sentence(text);
+  report.listing(name);
+  report.table({{text}, {{text, text}}, {name}});
+  Bars bars;
+  bars.quantity = text;
+  bars.rows = {{text, {{1, "model", text}}, text}};
+  bars.caption = text;
+  bars.keys = {{text, "model"}};
+  report.bars(bars);
+  Plot plot;
+  plot.title = plot.x_label = plot.y_label = plot.caption = text;
+  plot.curves = {{text, "model", {1, 2}}};
+  plot.x = {0, 1};
+  plot.x_names = {text};
+  plot.levels = {{text, 1}};
+  plot.bands = {{text, 0, 1, "heating"}};
+  report.plot(plot);
+  return report;
+}
+
 // What a file may be called.
 const char* const kHostile = "</script><script>alert(1)</script>&\"x.csv";
 
 TEST(Report, NamesOfFilesCannotBecomeMarkup) {
-  Report plain("fogcomp info run.csv", "Found.");
-  Report hostile(kHostile, kHostile);
-  for (Report* report : {&plain, &hostile}) {
-    const std::string name = report == &plain ? "run.csv" : kHostile;
-    report->next(name, name);
-    report->section(name);
-    report->sentence(name);
-    report->listing(name);
-    report->table({{name}, {{name, name}}});
-    report->bars({{{name, {{1, "model", name}}, name}}, 1, name, {{name, "model"}}});
-    report->plot({name, name, name, {{name, "model", {1, 2}}}, {0, 1}, {{name, 1}}, name});
+  const std::string plain = full_report("run.csv").html();
+  const std::string hostile = full_report(kHostile).html();
+  for (const char* tag : {"<script", "</script", "<td", "<figure"}) {
+    EXPECT_EQ(count(hostile, tag), count(plain, tag)) << tag;
   }
-  for (const char* tag : {"<script", "</script", "<td", "<figure", "<p"}) {
-    EXPECT_EQ(count(hostile.html(), tag), count(plain.html(), tag)) << tag;
-  }
-  EXPECT_EQ(count(hostile.html(), "alert(1)</"), 0U);
+  EXPECT_EQ(count(hostile, "alert(1)</"), 0U);
+}
+
+TEST(Report, NamesOfFilesStayAsTheyAre) {
+  const std::string page = full_report("run_degC+-2deg_chi^2.csv").html();
+  const std::string as_long = full_report("run_number_12345678x.csv").html();
+  EXPECT_EQ(count(page, "run_degC+-2deg_chi^2.csv"), count(as_long, "run_number_12345678x.csv"));
+  for (const char* sign : {"_°C", "±2", "χ²"}) EXPECT_EQ(count(page, sign), 0U) << sign;
+}
+
+TEST(Report, AFileIsHeadedByItsNameWithThePathBeneath) {
+  Report report("subject", "Found.");
+  report.file_section("/lab/2024/run.csv", " (holdout)");
+  report.file_section("plain.csv");
+  const std::string page = report.html();
+  EXPECT_EQ(count(page, "<h2>run.csv (holdout)</h2>"), 1U);
+  EXPECT_EQ(count(page, "<p class=\"path\">/lab/2024/run.csv</p>"), 1U);
+  EXPECT_EQ(count(page, "<h2>plain.csv</h2>"), 1U);
+  EXPECT_EQ(count(page, "<p class=\"path\">"), 1U);
+}
+
+TEST(Report, BarsHaveAnAxisWithANameAndAnEnd) {
+  Report report("subject", "Found.");
+  Bars bars;
+  bars.quantity = "rms left, deg/h";
+  bars.rows = {{"before", {{0.25, "measured", "0.25"}}}};
+  report.bars(bars);
+  bars.quantity = "probability";
+  bars.full = 1;
+  report.bars(bars);
+  const std::string page = report.html();
+  EXPECT_EQ(count(page, "<span>0</span><span class=\"quantity\">rms left, °/h</span><span>0.2500<"),
+            1U);
+  EXPECT_EQ(count(page, "<span>0</span><span class=\"quantity\">probability</span><span>1<"), 1U);
+  EXPECT_EQ(count(page, "width:100.0%"), 1U);
+  EXPECT_EQ(count(page, "width:25.0%"), 1U);
+}
+
+TEST(Report, AColumnWithASentenceMayBeBrokenAndFiguresMayNot) {
+  Report report("subject", "Found.");
+  report.table(
+      {{"gyro", "outcome", "reason"},
+       {{"G1", "fail", "holdout_drift_dph is 0.2, which is above 0.1"}, {"G2", "pass", ""}}});
+  const std::string page = report.html();
+  EXPECT_EQ(count(page, "<td class=\"words\">"), 2U);
+  EXPECT_EQ(count(page, "<th class=\"words\">reason"), 1U);
+  EXPECT_EQ(count(page, "<td>fail</td>"), 1U);
 }
 
 TEST(Report, NothingInThePageNamesAPlaceToLoadFrom) {
@@ -60,6 +123,19 @@ TEST(PlotJson, RoundsEachValueOfALogarithmicAxisByItself) {
   plot.curves = {{"sigma", "model", {1234.5678, 0.000123456789}, {1, 10}}};
   EXPECT_NE(plot_json(plot).text().find("[1234.57,0.000123457]"), std::string::npos)
       << plot_json(plot).text();
+}
+
+TEST(PlotJson, HasTheSegmentsAndTheNamesOfAnAxis) {
+  Plot plot;
+  plot.kind = Plot::Kind::log_y;
+  plot.bands = {{"soak 20", 0, 1.5}, {"ramp 20..-40", 1.5, 2, "cooling"}};
+  plot.x_names = {verbatim("SN 0042")};
+  const std::string json = plot_json(plot).text();
+  EXPECT_NE(json.find(R"({"label":"ramp 20..-40","from":1.5,"to":2,"colour":"cooling"})"),
+            std::string::npos)
+      << json;
+  EXPECT_NE(json.find(R"("x_names":["SN 0042"])"), std::string::npos) << json;
+  EXPECT_NE(json.find(R"("kind":"log_y")"), std::string::npos) << json;
 }
 
 }  // namespace

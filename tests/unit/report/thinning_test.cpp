@@ -23,9 +23,9 @@ struct Long {
   }
 };
 
-TEST(LeastAndGreatest, KeepsEveryColumnsExtremesAndTheSpikeOfAnyLongRun) {
+TEST(MinAndMax, KeepsEveryColumnsExtremesAndTheSpikeOfAnyLongRun) {
   const Long run;
-  const Curves curves = least_and_greatest(run.time_s, {&run.value}, {0});
+  const Curves curves = min_and_max(run.time_s, {&run.value}, {0});
   ASSERT_LE(curves.x.size(), 2 * kColumns + 2);
   ASSERT_EQ(curves.y[0].size(), curves.x.size());
   EXPECT_TRUE(std::is_sorted(curves.x.begin(), curves.x.end()));
@@ -40,24 +40,24 @@ TEST(LeastAndGreatest, KeepsEveryColumnsExtremesAndTheSpikeOfAnyLongRun) {
   }
 }
 
-TEST(LeastAndGreatest, LeavesShortRunsAsTheyAre) {
+TEST(MinAndMax, LeavesShortRunsAsTheyAre) {
   const std::vector<double> x{0, 1, 2, 10, 11};
   const std::vector<double> y{5, 3, 4, 1, 2};
-  const Curves curves = least_and_greatest(x, {&y}, {0, 3});
+  const Curves curves = min_and_max(x, {&y}, {0, 3});
   ASSERT_EQ(curves.x, (std::vector<double>{0, 1, 2, 6, 10, 11}));
   EXPECT_TRUE(std::isnan(curves.y[0][3]));
   EXPECT_EQ(curves.y[0][2], 4);
   EXPECT_EQ(curves.y[0][4], 1);
 }
 
-TEST(LeastAndGreatest, ManyShortGapsDoNotAddPoints) {
+TEST(MinAndMax, ManyShortGapsDoNotAddPoints) {
   std::vector<double> x;
   std::vector<std::size_t> starts;
   for (std::size_t i = 0; i < 100'000; ++i) {
     if (i % 10 == 0) starts.push_back(i);
     x.push_back(static_cast<double>(i + 2 * (i / 10)));
   }
-  const Curves curves = least_and_greatest(x, {&x}, starts);
+  const Curves curves = min_and_max(x, {&x}, starts);
   EXPECT_LE(curves.x.size(), 2 * kColumns + 2);
   EXPECT_TRUE(std::none_of(curves.y[0].begin(), curves.y[0].end(),
                            [](double value) { return std::isnan(value); }));
