@@ -14,8 +14,8 @@ constexpr std::size_t kMostRows = 20'000'000;
 struct CaptureCounts {
   std::size_t invalid_samples = 0;    ///< gyro not valid, or no temperature yet: left out
   std::size_t held_temperatures = 0;  ///< not valid or not possible: the last valid one stands
-  std::size_t repeated_samples = 0;   ///< same sequence number as the one before: left out
-  std::size_t missing_samples = 0;    ///< sequence numbers that never came
+  std::size_t late_samples = 0;       ///< late or repeated, as the board judges it: left out
+  std::size_t missing_samples = 0;    ///< that never came, as the board counts them
   std::size_t discarded_bytes = 0;    ///< part of no good frame
 };
 

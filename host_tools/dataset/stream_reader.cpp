@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "core/acquisition/sequence_monitor.hpp"
 #include "core/acquisition/stream_parser.hpp"
 #include "dataset/input_columns.hpp"
 #include "support/input_error.hpp"
@@ -48,11 +49,14 @@ class SampleCollector {
   }
 
   void add(const fog::SensorSample& sample) {
-    if (any_ && sample.sequence == static_cast<std::uint16_t>(number_)) {
-      ++counts_.repeated_samples;
+    const fog::SequenceMonitor::Verdict verdict = sequence_.judge(sample.sequence);
+    if (verdict.late) {  // its time has passed
+      ++counts_.late_samples;
       return;
     }
-    advance_to(sample.sequence);
+    number_ = any_ ? number_ + verdict.missing + 1 : sample.sequence;
+    any_ = true;
+    counts_.missing_samples += verdict.missing;
     const double temperature_degc = sample.temperature_q16 * kDegcPerLsb;
     const bool temperature_valid =
         sample.temperature_valid && column_info(Column::temperature_degc).can_be(temperature_degc);
@@ -90,7 +94,7 @@ class SampleCollector {
     if (recording_.rows() == 0) {
       throw InputError(recording_.file, "no sample is valid: " + summary());
     }
-    if (counts_.invalid_samples + counts_.held_temperatures + counts_.repeated_samples +
+    if (counts_.invalid_samples + counts_.held_temperatures + counts_.late_samples +
             counts_.missing_samples + counts_.discarded_bytes >
         0) {
       std::fprintf(stderr, "%s: %s\n", recording_.file.c_str(), summary().c_str());
@@ -104,17 +108,6 @@ class SampleCollector {
     return recording_.*input_column(static_cast<fog::Input>(i)).values;
   }
 
-  void advance_to(std::uint16_t sequence) {
-    if (!any_) {
-      number_ = sequence;
-      any_ = true;
-      return;
-    }
-    const auto step = static_cast<std::uint16_t>(sequence - static_cast<std::uint16_t>(number_));
-    number_ += step;
-    counts_.missing_samples += step - 1U;
-  }
-
   std::string summary() const {
     std::string text;
     const auto add_count = [&text](std::size_t count, const std::string& what) {
@@ -122,7 +115,7 @@ class SampleCollector {
     };
     add_count(counts_.discarded_bytes, "damaged bytes ");
     add_count(counts_.missing_samples, "missing samples ");
-    add_count(counts_.repeated_samples, "repeated samples ");
+    add_count(counts_.late_samples, "late or repeated samples ");
     add_count(counts_.invalid_samples, "invalid samples ");
     add_count(counts_.held_temperatures, "held temperatures ");
     return text;
@@ -132,8 +125,11 @@ class SampleCollector {
   double rate_hz_;
   Recording recording_;
   CaptureCounts counts_;
+  fog::SequenceMonitor sequence_;
   bool any_ = false;
-  std::uint64_t number_ = 0;  // of the sample, counted from sequence number 0 before the first
+  // Of the sample. The first has its sequence number; from there on it counts the time of the
+  // board.
+  std::uint64_t number_ = 0;
   bool has_temperature_ = false;
   double temperature_degc_ = 0;
   std::array<std::optional<double>, fog::kExtensionInputs> extension_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -110,7 +111,55 @@ TEST(StreamReader, LeavesOutInvalidSamplesAndHoldsTheTemperature) {
   EXPECT_EQ(recording.temperature_degc, (std::vector<double>{1, 2, 4}));
   EXPECT_EQ(recording.capture->invalid_samples, 2U);  // 0 has no temperature yet, 2 no rate
   EXPECT_EQ(recording.capture->held_temperatures, 1U);
-  EXPECT_EQ(recording.capture->repeated_samples, 1U);
+  EXPECT_EQ(recording.capture->late_samples, 1U);
+}
+
+std::string stream_of(const std::vector<std::size_t>& sequence) {
+  std::string bytes;
+  for (const std::size_t number : sequence) {
+    fog::SensorSample sample{static_cast<std::uint16_t>(number), 1024, 20 * 65536, true, true};
+    const fog::SensorFrame frame = fog::encode_sensor_frame(sample);
+    bytes.append(reinterpret_cast<const char*>(frame.data()), frame.size());
+  }
+  return bytes;
+}
+
+std::vector<std::size_t> numbers(std::size_t first, std::size_t end) {
+  std::vector<std::size_t> sequence(end - first);
+  std::iota(sequence.begin(), sequence.end(), first);
+  return sequence;
+}
+
+// A sample that comes late is one that has no row, not 65,535 that never came.
+TEST(StreamReader, LetsTimeStandAtALateOrRepeatedSample) {
+  std::vector<std::size_t> late = numbers(0, 60000);
+  late.insert(late.begin() + 30000, 29998);
+  std::vector<std::size_t> repeated = numbers(0, 60000);
+  repeated.insert(repeated.begin() + 30000, 29999);
+  for (const auto& sequence : {late, repeated}) {
+    const Recording recording = read_stream(stream_of(sequence));
+    EXPECT_EQ(recording.rows(), 60000U);
+    EXPECT_EQ(recording.time_s.back(), 59999 / 200.0);
+    EXPECT_EQ(recording.stretch_starts.size(), 1U);
+    EXPECT_EQ(recording.capture->late_samples, 1U);
+    EXPECT_EQ(recording.capture->missing_samples, 0U);
+  }
+  std::vector<std::size_t> swapped = numbers(0, 60000);
+  std::swap(swapped[30000], swapped[30001]);
+  const Recording recording = read_stream(stream_of(swapped));
+  EXPECT_EQ(recording.rows(), 59999U);
+  EXPECT_EQ(recording.time_s.back(), 59999 / 200.0);
+  EXPECT_EQ(recording.capture->late_samples, 1U);
+  EXPECT_EQ(recording.capture->missing_samples, 1U);
+}
+
+TEST(StreamReader, FollowsADemodulatorThatCountsAnewAsTheBoardDoes) {
+  const Recording recording =
+      read_stream(stream_of(numbers(0, 30000)) + stream_of(numbers(0, 10000)));
+  EXPECT_EQ(recording.rows(), 39993U) << "seven are taken for late";
+  EXPECT_EQ(recording.time_s.back(), 39999 / 200.0) << "but their time passed";
+  EXPECT_EQ(recording.capture->late_samples, 7U);
+  EXPECT_EQ(recording.capture->missing_samples, 7U);
 }
 
 TEST(StreamReader, HoldsTheTemperatureWhereItIsImpossible) {
