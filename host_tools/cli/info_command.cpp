@@ -75,6 +75,7 @@ Json info_json(const Recording& recording, const RunSummary& summary) {
   object.set("file", recording.file)
       .set("rows", recording.rows())
       .set("bad_rows", recording.bad_rows)
+      .set("refused_rows", recording.refused_rows)
       .set("gaps", recording.stretch_starts.size() - 1)
       .set("period_s", recording.period_s)
       .set("average_s", summary.average_s)
