@@ -144,8 +144,8 @@ void print_text(const Fit& fit, const std::string& output) {
   std::printf("%td rows of %g s, raw std %.4f deg/h\n", fit.rows, fit.row_s,
               fit.result.raw_std_dph);
   if (const std::size_t refused = refused_rows(fit)) {
-    std::printf("%zu row%s of the recordings left out: the board would refuse %s\n", refused,
-                refused == 1 ? "" : "s", refused == 1 ? "it" : "them");
+    std::printf("%zu row%s of the recordings left out by the board's rules\n", refused,
+                refused == 1 ? "" : "s");
   }
   std::printf("\n%s\n", describe(fit.model).c_str());
   std::puts(identification_text(fit).c_str());

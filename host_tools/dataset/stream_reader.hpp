@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "dataset/input_file.hpp"
@@ -11,6 +12,9 @@ namespace fogcomp {
 /// good frame somewhere (damage at the start does not matter), or too many control characters for a
 /// CSV.
 bool is_sensor_stream(std::string_view head);
+
+/// "damaged bytes 5, late or repeated samples 1"; empty for a capture in good order.
+std::string describe(const CaptureCounts& counts);
 
 /// Rows from the frames of a capture, by the board's own parser and its own judge of the sequence
 /// numbers (SPEC.md, "Judging a sample"). The first sample's time is its sequence number over the

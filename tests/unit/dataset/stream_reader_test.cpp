@@ -90,8 +90,9 @@ TEST(StreamReader, HoldsAnInputUntilItsNextRecord) {
         {fog::Input::temperature2, fog::ExtensionValue::from_raw(degc * 65536)});
     return std::string(reinterpret_cast<const char*>(frame.data()), frame.size());
   };
-  const Recording recording = read_stream(frame(1) + record(30) + frame(2) + frame(3) +
-                                          record(-300) + frame(4) + record(31) + frame(5));
+  const Recording recording =
+      read_stream(frame(1) + record(30) + frame(2) + frame(3) + record(-300) + record(131) +
+                  frame(4) + record(31) + frame(5));
   EXPECT_EQ(recording.temperature2_degc, (std::vector<double>{30, 30, 30, 30, 31}));
 }
 
@@ -169,6 +170,34 @@ TEST(StreamReader, HoldsTheTemperatureWhereItIsImpossible) {
       read_stream(frame(1) + std::string(reinterpret_cast<const char*>(cold.data()), cold.size()));
   EXPECT_EQ(recording.temperature_degc, (std::vector<double>{1, 1}));
   EXPECT_EQ(recording.capture->held_temperatures, 1U);
+}
+
+// A board without a temperature gives its drift up after a minute: then it has no valid rate.
+TEST(StreamReader, HoldsATemperatureNoLongerThanTheBoardHoldsADrift) {
+  ReadOptions options;
+  options.stream_rate_hz = 1;
+  std::string bytes = frame(1);
+  for (std::size_t number = 2; number <= 100; ++number) bytes += frame(number, true, false);
+  const Recording recording = read_stream(bytes + frame(101), options);
+  EXPECT_EQ(recording.rows(), 62U);
+  EXPECT_EQ(recording.time_s[60], 61);
+  EXPECT_EQ(recording.time_s[61], 101);
+  EXPECT_EQ(recording.capture->held_temperatures, 60U);
+  EXPECT_EQ(recording.capture->invalid_samples, 39U);
+}
+
+TEST(StreamReader, LeavesOutSamplesWhoseTemperatureJumps) {
+  std::string bytes = stream_of(numbers(0, 1000));
+  fog::SensorSample sample{1000, 1024, 85 * 65536, true, true};
+  for (int i = 0; i < 150; ++i, ++sample.sequence) {
+    const fog::SensorFrame wrong = fog::encode_sensor_frame(sample);
+    bytes.append(reinterpret_cast<const char*>(wrong.data()), wrong.size());
+  }
+  const Recording recording = read_stream(bytes + stream_of(numbers(1150, 2000)));
+  EXPECT_EQ(recording.rows(), 1850U);
+  EXPECT_EQ(recording.refused_rows, 150U);
+  EXPECT_EQ(recording.time_s.back(), 1999 / 200.0);
+  EXPECT_EQ(recording.capture->held_temperatures, 0U);
 }
 
 TEST(StreamReader, IsNotFooledByDamageAtTheStart) {
