@@ -44,32 +44,36 @@ bool is_power_on_reading(double degc) {
 /// The core's monitor, led along rows of any length, forwards or backwards in time.
 class TemperatureWalk {
  public:
+  /// What speaks against a reading: nothing, temperature_invalid, or temperature_jump with it.
+  /// (frozen_temperatures() looks for frozen ones.)
   Status judge(double time_s, double degc) {
-    if (!fog::is_possible(board_temperature(degc))) return Status::temperature_invalid;
+    const fog::Temperature reading = board_temperature(degc);
+    if (!fog::is_possible(reading)) return Status::temperature_invalid;
     const double passed_s = any_ ? std::fabs(time_s - judged_s_) : 0;
-    fog::TemperatureMonitor next = monitor_;
-    Status status = next.judge(board_temperature(degc), true, elapsed_us(passed_s));
-    if (any(status, Status::temperature_jump) && may_have_come_straight(degc)) {
-      fog::TemperatureMonitor straight = monitor_;
-      const Status seen = lead_straight(straight, time_s, degc, passed_s);
-      if (!any(seen, Status::temperature_jump)) {
-        next = straight;
-        status = seen;
-      }
-    }
-    monitor_ = next;
+    believed_ = believes(reading, time_s, degc, passed_s);
     any_ = true;
     judged_s_ = time_s;
-    believed_ = !any(status, Status::temperature_jump);
-    if (believed_) {
-      has_good_ = true;
-      good_s_ = time_s;
-      good_degc_ = degc;
-    }
-    return status;
+    if (!believed_) return Status::temperature_invalid | Status::temperature_jump;
+    has_good_ = true;
+    good_s_ = time_s;
+    good_degc_ = degc;
+    return Status::none;
   }
 
  private:
+  // Leads the monitor to the reading: at once, or, if it takes that for a jump, in a straight line.
+  bool believes(fog::Temperature reading, double time_s, double degc, double passed_s) {
+    const fog::TemperatureMonitor before = monitor_;
+    const Status at_once = monitor_.judge(reading, true, elapsed_us(passed_s));
+    if (!any(at_once, Status::temperature_jump)) return true;
+    if (!may_have_come_straight(degc)) return false;
+    fog::TemperatureMonitor straight = before;
+    const Status seen = lead_straight(straight, time_s, degc, passed_s);
+    if (any(seen, Status::temperature_jump)) return false;
+    monitor_ = straight;
+    return true;
+  }
+
   // A sensor that says 85 degC again and again is in its first state, however long it lasts.
   bool may_have_come_straight(double degc) const {
     return has_good_ && (believed_ || !is_power_on_reading(degc));
@@ -153,10 +157,13 @@ class RowJudge {
 
   std::vector<Status> judge_backwards_from(std::size_t first) const {
     std::vector<Status> status(first, Status::none);
-    if (first == time_s_.size()) return status;
     TemperatureWalk walk;
-    judge_in(walk, first);
-    for (std::size_t row = first; row-- > 0;) status[row] = judge_in(walk, row);
+    const bool known = first < time_s_.size();
+    if (known) judge_in(walk, first);
+    for (std::size_t row = first; row-- > 0;) {
+      if (known) status[row] = judge_in(walk, row);
+      if (!known && !is_possible(row)) status[row] = Status::temperature_invalid;
+    }
     return status;
   }
 
@@ -173,7 +180,7 @@ class RowJudge {
       jumping_ = true;
       left_ = good_;
       jump_ = row;
-    } else if (is_possible(row)) {
+    } else if (status == Status::none) {
       if (jumping_) excursion_ = agree(row - 1, row);
       jumping_ = false;
       good_ = row;
@@ -194,7 +201,7 @@ class RowJudge {
   void refuse_excursion(std::size_t end) {
     while (!refused_.empty() && refused_.back().row >= jump_) refused_.pop_back();
     for (std::size_t row = jump_; row < end; ++row) {
-      note(row, Status::temperature_invalid | Status::temperature_jump);
+      note(row, is_possible(row) ? Status::temperature_jump : Status::temperature_invalid);
     }
     walk_ = TemperatureWalk();
     judge_in(walk_, left_);
@@ -211,11 +218,11 @@ class RowJudge {
 
   void note(std::size_t row, Status status) {
     const auto refuse = [&](Refusal why) { refused_.push_back({row, why}); };
-    if (!is_possible(row)) {
-      refuse(Refusal::impossible_temperature);
-    } else if (any(status, Status::temperature_jump)) {
+    if (any(status, Status::temperature_jump)) {
       refuse(is_power_on_reading(temperature_degc_[row]) ? Refusal::power_on_temperature
                                                          : Refusal::temperature_jump);
+    } else if (any(status, Status::temperature_invalid)) {
+      refuse(Refusal::impossible_temperature);
     } else if (any(status, Status::rate_out_of_range)) {
       refuse(Refusal::rate_beyond_range);
     } else if (any(status, Status::rate_jump)) {
