@@ -110,12 +110,19 @@ Json steps_json(const Fit& fit) {
   return steps;
 }
 
+std::size_t refused_rows(const Fit& fit) {
+  std::size_t rows = 0;
+  for (const RunInBlocks& run : fit.runs) rows += run.refused_rows;
+  return rows;
+}
+
 void print_json(const Fit& fit, const std::string& output) {
   const Identification& identified = fit.result.identified;
   Json notes = identified.warnings;
   if (is_dropped(fit)) notes.push(network_verdict(fit.result));
   Json result = Json::object();
   result.set("model", output).set("rows", static_cast<std::size_t>(fit.rows));
+  result.set("refused_rows", refused_rows(fit));
   result.set("raw_std_dph", fit.result.raw_std_dph)
       .set("residual_rms_dph", fit.model.residual_rms_dph);
   result.set("misfit", identified.misfit).set("outliers", identified.outliers);
@@ -134,8 +141,13 @@ void print_json(const Fit& fit, const std::string& output) {
 }
 
 void print_text(const Fit& fit, const std::string& output) {
-  std::printf("%td rows of %g s, raw std %.4f deg/h\n\n%s\n", fit.rows, fit.row_s,
-              fit.result.raw_std_dph, describe(fit.model).c_str());
+  std::printf("%td rows of %g s, raw std %.4f deg/h\n", fit.rows, fit.row_s,
+              fit.result.raw_std_dph);
+  if (const std::size_t refused = refused_rows(fit)) {
+    std::printf("%zu row%s of the recordings left out by the board's rules\n", refused,
+                refused == 1 ? "" : "s");
+  }
+  std::printf("\n%s\n", describe(fit.model).c_str());
   std::puts(identification_text(fit).c_str());
   for (const HistoryEntry& step : fit.model.history) {
     std::printf("  %-44s %.4f -> %.4f deg/h rms\n", step.action.c_str(), step.rms_before_dph,

@@ -70,11 +70,21 @@ void set_coefficients(Json& object, const NoiseCoefficients& noise,
       .set("quantization_deg", as_json(noise.quantization_deg));
 }
 
+Json capture_json(const CaptureCounts& counts) {
+  return Json::object()
+      .set("discarded_bytes", counts.discarded_bytes)
+      .set("missing_samples", counts.missing_samples)
+      .set("late_samples", counts.late_samples)
+      .set("invalid_samples", counts.invalid_samples)
+      .set("held_temperatures", counts.held_temperatures);
+}
+
 Json info_json(const Recording& recording, const RunSummary& summary) {
   Json object = Json::object();
   object.set("file", recording.file)
       .set("rows", recording.rows())
       .set("bad_rows", recording.bad_rows)
+      .set("refused_rows", recording.refused_rows)
       .set("gaps", recording.stretch_starts.size() - 1)
       .set("period_s", recording.period_s)
       .set("average_s", summary.average_s)
@@ -87,6 +97,7 @@ Json info_json(const Recording& recording, const RunSummary& summary) {
   set_coefficients(object, summary.noise, value_or_null);
   Json half_widths = Json::object();
   set_coefficients(half_widths, summary.noise, half_width_or_null);
+  if (recording.capture) object.set("capture", capture_json(*recording.capture));
   const TemperatureSensitivity& sensitivity = summary.sensitivity;
   object.set("half_width_95", std::move(half_widths))
       .set("bias_temperature_sensitivity_dph_per_degc", sensitivity.bias_dph_per_degc)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dataset/stream_reader.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
@@ -41,7 +42,16 @@ std::string overview(const Recording& recording, const RunSummary& summary, int 
   }
   const std::size_t gaps = recording.stretch_starts.size() - 1;
   if (gaps > 0) text += format(", %zu gap%s", gaps, gaps == 1 ? "" : "s");
-  if (recording.bad_rows > 0) text += format(", %zu bad rows left out", recording.bad_rows);
+  if (recording.bad_rows > 0) {
+    text +=
+        format(", %zu bad row%s left out", recording.bad_rows, recording.bad_rows == 1 ? "" : "s");
+  }
+  if (recording.refused_rows > 0) {
+    text += format("\n  %zu row%s left out by the board's rules", recording.refused_rows,
+                   recording.refused_rows == 1 ? "" : "s");
+  }
+  const std::string disorder = recording.capture ? describe(*recording.capture) : "";
+  if (!disorder.empty()) text += "\n  " + disorder;
 
   text += "\n\nBias (rate less input rate), deg/h\n";
   const auto line = [&](const std::string& label, const std::optional<double>& value) {

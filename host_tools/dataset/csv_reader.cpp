@@ -107,8 +107,9 @@ CsvHeader read_header(InputFile& file, const ReadOptions& options) {
 /// Collects good rows into a Recording and bad ones into a count.
 class RowCollector {
  public:
-  RowCollector(const CsvHeader& header, const InputFile& file, const ReadOptions& options)
-      : header_(header), file_(file), options_(options) {
+  RowCollector(const CsvHeader& header, const InputFile& file, const ReadOptions& options,
+               LineNumbers& lines)
+      : header_(header), file_(file), options_(options), lines_(lines) {
     recording_.file = file.path();
     for (const std::size_t slot : header.slots) {
       if (slot < kColumns.size()) columns_.push_back({slot, &(recording_.*kColumns[slot].values)});
@@ -136,6 +137,7 @@ class RowCollector {
                                              kMostRows / 1'000'000));
     }
     previous_s_ = time_s;
+    lines_.add(recording_.rows(), file_.line_number());
     if (!row.label.empty() || !recording_.labels.empty()) add_label(row.label);
     for (const auto& [slot, values] : columns_) values->push_back(row.values[slot]);
   }
@@ -179,6 +181,7 @@ class RowCollector {
   const CsvHeader& header_;
   const InputFile& file_;
   const ReadOptions& options_;
+  LineNumbers& lines_;
   Recording recording_;
   std::vector<Target> columns_;
   double previous_s_ = -std::numeric_limits<double>::infinity();
@@ -187,9 +190,9 @@ class RowCollector {
 
 }  // namespace
 
-Recording read_csv(InputFile& file, const ReadOptions& options) {
+Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lines) {
   const CsvHeader header = read_header(file, options);
-  RowCollector collector(header, file, options);
+  RowCollector collector(header, file, options, lines);
   bool reserved = false;
   std::string_view line;
   while (file.next_line(line)) {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "dataset/input_file.hpp"
+#include "dataset/line_numbers.hpp"
 #include "dataset/recording.hpp"
 
 namespace fogcomp {
 
 /// The columns and labels of a CSV as contract "Recordings" describes it; period and stretches are
-/// left to read_recording. Throws InputError `FILE:LINE: what is wrong; what to do`.
-Recording read_csv(InputFile& file, const ReadOptions& options);
+/// left to read_recording. `lines` gets the line of each row. Throws InputError
+/// `FILE:LINE: what is wrong; what to do`.
+Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lines);
 
 }  // namespace fogcomp

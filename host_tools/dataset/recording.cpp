@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "dataset/csv_reader.hpp"
+#include "dataset/line_numbers.hpp"
+#include "dataset/refused_rows.hpp"
 #include "dataset/stream_reader.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
@@ -38,6 +40,7 @@ double without_rounding_dust(double period_s) {
 
 void find_stretches(Recording& recording) {
   recording.stretch_starts = {0};
+  recording.period_s = 0;
   const std::vector<double>& time_s = recording.time_s;
   if (time_s.size() < 2) return;
   const double longest_s = kGapPeriods * median_spacing_s(time_s);
@@ -76,10 +79,11 @@ Recording read_recording(const std::string& path, const ReadOptions& options) {
   if (head.empty()) throw InputError(path, "is empty; is it the right file?");
 
   Recording recording;
+  LineNumbers lines;
   if (is_sensor_stream(head)) {
     recording = read_sensor_stream(file, options);
   } else {
-    recording = read_csv(file, options);
+    recording = read_csv(file, options, lines);
     if (options.stream_rate_hz) {
       std::fprintf(stderr, "%s: a CSV has its own time; --rate changes nothing\n", path.c_str());
     }
@@ -88,6 +92,9 @@ Recording read_recording(const std::string& path, const ReadOptions& options) {
     recording.input_rate_dph.assign(recording.rows(), options.default_input_rate_dph);
   }
   find_stretches(recording);
+  if (options.keep_refused_rows) return recording;
+  leave_out_refused_rows(recording, lines);
+  if (recording.refused_rows > 0) find_stretches(recording);
   return recording;
 }
 

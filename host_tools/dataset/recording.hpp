@@ -12,10 +12,11 @@ constexpr std::size_t kMostRows = 20'000'000;
 
 /// What a captured sensor stream held besides the rows.
 struct CaptureCounts {
-  std::size_t invalid_samples = 0;    ///< gyro not valid, or no temperature yet: left out
+  /// Left out: gyro not valid, or no temperature yet, or none for as long as a board holds a drift.
+  std::size_t invalid_samples = 0;
   std::size_t held_temperatures = 0;  ///< not valid or not possible: the last valid one stands
-  std::size_t repeated_samples = 0;   ///< same sequence number as the one before: left out
-  std::size_t missing_samples = 0;    ///< sequence numbers that never came
+  std::size_t late_samples = 0;       ///< late or repeated, as the board judges it: left out
+  std::size_t missing_samples = 0;    ///< that never came, as the board counts them
   std::size_t discarded_bytes = 0;    ///< part of no good frame
 };
 
@@ -42,7 +43,8 @@ struct Recording {
     std::string text;
   };
   std::vector<Label> labels;
-  std::size_t bad_rows = 0;  ///< left out by skip_bad_rows
+  std::size_t bad_rows = 0;      ///< left out by skip_bad_rows
+  std::size_t refused_rows = 0;  ///< left out because the board would refuse them
   std::optional<CaptureCounts> capture;
 
   std::size_t rows() const { return time_s.size(); }
@@ -56,6 +58,8 @@ struct ReadOptions {
   /// is given.
   std::optional<double> model_scale_factor;
   bool skip_bad_rows = false;
+  /// Keeps the rows that the board would refuse: for its own code, which judges them itself.
+  bool keep_refused_rows = false;
   /// Constant input rate (Earth rate by latitude and axis) for a file without that column, which it
   /// then gets; left at 0 the column stays empty.
   double default_input_rate_dph = 0;
@@ -70,9 +74,9 @@ std::vector<double> bias_dph(const Recording& recording);
 
 constexpr double kDefaultStreamRateHz = 200;
 
-/// Reads a CSV, or a captured sensor stream (told apart by content, not by name). What was ignored
-/// or left out is named on stderr, one line per kind.
-/// Throws InputError `FILE:LINE: what is wrong; what to do`.
+/// Reads a CSV, or a captured sensor stream (told apart by content, not by name). Rows that the
+/// board would refuse (row_judge.hpp) are left out. What was ignored or left out is named on
+/// stderr, one line per kind. Throws InputError `FILE:LINE: what is wrong; what to do`.
 Recording read_recording(const std::string& path, const ReadOptions& options);
 
 }  // namespace fogcomp

@@ -9,7 +9,10 @@
 #include <string>
 #include <utility>
 
+#include "core/acquisition/sequence_monitor.hpp"
 #include "core/acquisition/stream_parser.hpp"
+#include "core/acquisition/temperature_monitor.hpp"
+#include "dataset/board_limits.hpp"
 #include "dataset/input_columns.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -44,23 +47,27 @@ class SampleCollector {
   void add(const fog::ExtensionRecord& record) {
     const double value = std::ldexp(record.value.raw(), -fog::ExtensionValue::fractional_bits);
     if (!input_column(record.input).can_be(value)) return;
+    if (record.input == fog::Input::temperature2 && !fog::is_possible(record.value)) return;
     extension_[static_cast<std::size_t>(record.input)] = value;
   }
 
   void add(const fog::SensorSample& sample) {
-    if (any_ && sample.sequence == static_cast<std::uint16_t>(number_)) {
-      ++counts_.repeated_samples;
+    const fog::SequenceMonitor::Verdict verdict = sequence_.judge(sample.sequence);
+    if (verdict.late) {  // its time has passed
+      ++counts_.late_samples;
       return;
     }
-    advance_to(sample.sequence);
-    const double temperature_degc = sample.temperature_q16 * kDegcPerLsb;
+    number_ = any_ ? number_ + verdict.missing + 1 : sample.sequence;
+    any_ = true;
+    counts_.missing_samples += verdict.missing;
     const bool temperature_valid =
-        sample.temperature_valid && column_info(Column::temperature_degc).can_be(temperature_degc);
+        sample.temperature_valid &&
+        fog::is_possible(fog::Temperature::from_raw(sample.temperature_q16));
     if (temperature_valid) {
-      temperature_degc_ = temperature_degc;
-      has_temperature_ = true;
+      temperature_degc_ = sample.temperature_q16 * kDegcPerLsb;
+      temperature_number_ = number_;
     }
-    if (!sample.gyro_valid || !has_temperature_) {
+    if (!sample.gyro_valid || !holds_temperature()) {
       ++counts_.invalid_samples;
       return;
     }
@@ -88,12 +95,11 @@ class SampleCollector {
                        "file?");
     }
     if (recording_.rows() == 0) {
-      throw InputError(recording_.file, "no sample is valid: " + summary());
+      throw InputError(recording_.file, "no sample is valid: " + describe(counts_));
     }
-    if (counts_.invalid_samples + counts_.held_temperatures + counts_.repeated_samples +
-            counts_.missing_samples + counts_.discarded_bytes >
-        0) {
-      std::fprintf(stderr, "%s: %s\n", recording_.file.c_str(), summary().c_str());
+    const std::string disorder = describe(counts_);
+    if (!disorder.empty()) {
+      std::fprintf(stderr, "%s: %s\n", recording_.file.c_str(), disorder.c_str());
     }
     recording_.capture = counts_;
     return std::move(recording_);
@@ -104,42 +110,40 @@ class SampleCollector {
     return recording_.*input_column(static_cast<fog::Input>(i)).values;
   }
 
-  void advance_to(std::uint16_t sequence) {
-    if (!any_) {
-      number_ = sequence;
-      any_ = true;
-      return;
-    }
-    const auto step = static_cast<std::uint16_t>(sequence - static_cast<std::uint16_t>(number_));
-    number_ += step;
-    counts_.missing_samples += step - 1U;
-  }
-
-  std::string summary() const {
-    std::string text;
-    const auto add_count = [&text](std::size_t count, const std::string& what) {
-      if (count > 0) text += (text.empty() ? "" : ", ") + (what + std::to_string(count));
-    };
-    add_count(counts_.discarded_bytes, "damaged bytes ");
-    add_count(counts_.missing_samples, "missing samples ");
-    add_count(counts_.repeated_samples, "repeated samples ");
-    add_count(counts_.invalid_samples, "invalid samples ");
-    add_count(counts_.held_temperatures, "held temperatures ");
-    return text;
+  // A board without a temperature has a drift no longer than this, and then no valid rate.
+  bool holds_temperature() const {
+    return temperature_number_ &&
+           static_cast<double>(number_ - *temperature_number_) <= kHoldSeconds * rate_hz_;
   }
 
   double dph_per_count_;
   double rate_hz_;
   Recording recording_;
   CaptureCounts counts_;
+  fog::SequenceMonitor sequence_;
   bool any_ = false;
-  std::uint64_t number_ = 0;  // of the sample, counted from sequence number 0 before the first
-  bool has_temperature_ = false;
+  // Of the sample. The first has its sequence number; from there on it counts the time of the
+  // board.
+  std::uint64_t number_ = 0;
+  std::optional<std::uint64_t> temperature_number_;  // of the sample whose temperature stands
   double temperature_degc_ = 0;
   std::array<std::optional<double>, fog::kExtensionInputs> extension_;
 };
 
 }  // namespace
+
+std::string describe(const CaptureCounts& counts) {
+  std::string text;
+  const auto add_count = [&text](std::size_t count, const std::string& what) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + (what + std::to_string(count));
+  };
+  add_count(counts.discarded_bytes, "damaged bytes ");
+  add_count(counts.missing_samples, "missing samples ");
+  add_count(counts.late_samples, "late or repeated samples ");
+  add_count(counts.invalid_samples, "invalid samples ");
+  add_count(counts.held_temperatures, "held temperatures ");
+  return text;
+}
 
 bool is_sensor_stream(std::string_view head) {
   fog::StreamParser parser;

@@ -9,6 +9,7 @@ namespace fogcomp {
 RunInBlocks run_in_blocks(const Recording& recording, double average_s) {
   RunInBlocks run;
   run.file = recording.file;
+  run.refused_rows = recording.refused_rows;
   run.blocks = make_blocks(recording);
   for (const Segment& segment : find_segments(recording)) {
     const bool last = segment.end_row == recording.rows();

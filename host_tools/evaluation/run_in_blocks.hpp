@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct RunInBlocks {
     double end_s = 0;  ///< where the next one begins; infinite for the last
   };
   std::string file;
+  std::size_t refused_rows = 0;  ///< left out of it because the board would refuse them
   BlockSeries blocks;
   std::vector<TimedSegment> segments;     ///< in order of time, all of the run
   double average_s = 0;                   ///< wanted length of a row

@@ -4,12 +4,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "dataset/board_limits.hpp"
 #include "identification/block_series.hpp"
 
 namespace fogcomp {
-
-/// Longest time without a temperature for which the board keeps its last drift.
-constexpr double kHoldSeconds = 60;
 
 inline std::uint32_t hold_blocks(double block_s) {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(kHoldSeconds / block_s)));

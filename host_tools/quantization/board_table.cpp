@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/protocol/crc.hpp"
+#include "dataset/board_limits.hpp"
 #include "dataset/input_columns.hpp"
 #include "identification/block_series.hpp"
 #include "identification/block_walk.hpp"
@@ -17,7 +18,6 @@
 namespace fogcomp {
 namespace {
 
-constexpr double kRangeDegPerS = 570;       // of the rate format's 582
 constexpr double kStuckSeconds = 0.5;       // equal counts for longer than this ...
 constexpr double kLeastStuckSamples = 100;  // ... and for at least this many samples
 constexpr double kSettleTimeConstants = 5;

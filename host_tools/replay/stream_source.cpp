@@ -27,7 +27,9 @@ StreamSource::StreamSource(const std::string& path, const ReadOptions& options, 
   InputFile file(path);
   capture_ = is_sensor_stream(file.peek());
   if (capture_) return;
-  recording_ = read_recording(path, options);
+  ReadOptions all_rows = options;
+  all_rows.keep_refused_rows = true;
+  recording_ = read_recording(path, all_rows);
   if (has(needs, fog::Input::elapsed)) warn_of_late_start(recording_);
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     if (!has(extension_, static_cast<fog::Input>(i)) || !extension_column(recording_, i).empty()) {

@@ -21,7 +21,7 @@ has_keys() {
 "$fogcomp" simulate -o run.csv --json >simulate.json
 has_keys simulate.json file rows
 "$fogcomp" info run.csv --json >info.json
-has_keys info.json rows period_s mean_dph std_dph noise_floor_dph "segments 0 name" \
+has_keys info.json rows refused_rows period_s mean_dph std_dph noise_floor_dph "segments 0 name" \
   "segments 0 start_s" "segments 0 end_s" "segments 0 mean_dph" "segments 0 std_dph" \
   "segments 0 temperature_min_degc" "segments 0 temperature_max_degc" "allan tau_s" \
   "allan sigma_dph" "allan one_sigma_dph" angle_random_walk_dprh bias_instability_dph \

@@ -12,9 +12,6 @@ constexpr std::uint32_t kLongestUs = 3600 * kSecondUs;
 // second since the last good reading, and 2 degC for the sensor's own noise and resolution.
 constexpr std::int64_t kStepAtOnce = 2 * kOneDegree;
 
-// What a DS18B20 says before its first conversion.
-constexpr Temperature kPowerOnReading = from_integer<Temperature>(85);
-
 // Steps of many resolutions, again and again, are noise that the sensor resolves: it never stands
 // still. Anything less may stand for hours in a soak, and is frozen only where thermal mass forbids
 // a stop: it moved by four resolutions and a quarter of a degree, and then by nothing for two

@@ -14,6 +14,9 @@ constexpr bool is_possible(Temperature temperature) {
   return temperature >= kLeastTemperature && temperature <= kMostTemperature;
 }
 
+/// What a DS18B20 says before its first conversion.
+constexpr Temperature kPowerOnReading = from_integer<Temperature>(85);
+
 /// Finds temperatures that a coil cannot have: missing, impossible, jumping, frozen. It only uses
 /// that a coil has a thermal mass (SPEC.md, "Temperature"); DESIGN.md says what that cannot find.
 class TemperatureMonitor {

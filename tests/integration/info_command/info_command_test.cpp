@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "core/acquisition/sensor_frame.hpp"
 #include "dataset/recording.hpp"
 #include "unit/dataset/temporary_file.hpp"
 
@@ -67,6 +68,41 @@ TEST(InfoCommand, PrintsOneJsonObjectWithEveryPromisedKey) {
                           "quantization_deg"}) {
     EXPECT_NE(outcome.output.find("\"" + std::string(key) + "\":"), std::string::npos) << key;
   }
+}
+
+TEST(InfoCommand, TellsHowManyRowsTheBoardWouldRefuse) {
+  std::string text = "time_s,temperature_degc,rate_dph\n";
+  for (int i = 0; i < 100; ++i) {
+    text += std::to_string(i) + (i % 30 == 20 ? ",85,1\n" : ",20,1\n");
+  }
+  const std::string run = temporary_file("refused.csv", text);
+  const std::string said = info(run).output;
+  EXPECT_NE(said.find("3 rows left out: temperature 85 degC at line 22 (then 52, 82) is"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("\n  3 rows left out by the board's rules\n"), std::string::npos) << said;
+  EXPECT_NE(info(run + " --json").output.find("\"refused_rows\":3"), std::string::npos);
+}
+
+TEST(InfoCommand, TellsWhatADamagedCaptureHeld) {
+  std::string bytes;
+  for (const int sequence : {0, 1, 2, 1, 3, 6, 7, 8, 9}) {
+    const fog::SensorFrame frame = fog::encode_sensor_frame(
+        {static_cast<std::uint16_t>(sequence), 700 + sequence, 20 * 65536, true, sequence != 7});
+    bytes.append(reinterpret_cast<const char*>(frame.data()), frame.size());
+  }
+  bytes[5 * 16 + 6] = static_cast<char>(bytes[5 * 16 + 6] + 1);  // of number 6
+  const std::string run = temporary_file("capture.bin", bytes);
+  EXPECT_NE(info(run).output.find("\n  damaged bytes 16, missing samples 3, late or repeated "
+                                  "samples 1, held temperatures 1\n"),
+            std::string::npos)
+      << info(run).output;
+  EXPECT_NE(info(run + " --json")
+                .output.find(
+                    "\"capture\":{\"discarded_bytes\":16,\"missing_samples\":3,\"late_samples\":1,"
+                    "\"invalid_samples\":0,\"held_temperatures\":1}"),
+            std::string::npos)
+      << info(run + " --json").output;
 }
 
 TEST(InfoCommand, SubtractsTheEarthRateOfALatitude) {

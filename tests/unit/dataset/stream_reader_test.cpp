@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -89,8 +90,9 @@ TEST(StreamReader, HoldsAnInputUntilItsNextRecord) {
         {fog::Input::temperature2, fog::ExtensionValue::from_raw(degc * 65536)});
     return std::string(reinterpret_cast<const char*>(frame.data()), frame.size());
   };
-  const Recording recording = read_stream(frame(1) + record(30) + frame(2) + frame(3) +
-                                          record(-300) + frame(4) + record(31) + frame(5));
+  const Recording recording =
+      read_stream(frame(1) + record(30) + frame(2) + frame(3) + record(-300) + record(131) +
+                  frame(4) + record(31) + frame(5));
   EXPECT_EQ(recording.temperature2_degc, (std::vector<double>{30, 30, 30, 30, 31}));
 }
 
@@ -110,7 +112,55 @@ TEST(StreamReader, LeavesOutInvalidSamplesAndHoldsTheTemperature) {
   EXPECT_EQ(recording.temperature_degc, (std::vector<double>{1, 2, 4}));
   EXPECT_EQ(recording.capture->invalid_samples, 2U);  // 0 has no temperature yet, 2 no rate
   EXPECT_EQ(recording.capture->held_temperatures, 1U);
-  EXPECT_EQ(recording.capture->repeated_samples, 1U);
+  EXPECT_EQ(recording.capture->late_samples, 1U);
+}
+
+std::string stream_of(const std::vector<std::size_t>& sequence) {
+  std::string bytes;
+  for (const std::size_t number : sequence) {
+    fog::SensorSample sample{static_cast<std::uint16_t>(number), 1024, 20 * 65536, true, true};
+    const fog::SensorFrame frame = fog::encode_sensor_frame(sample);
+    bytes.append(reinterpret_cast<const char*>(frame.data()), frame.size());
+  }
+  return bytes;
+}
+
+std::vector<std::size_t> numbers(std::size_t first, std::size_t end) {
+  std::vector<std::size_t> sequence(end - first);
+  std::iota(sequence.begin(), sequence.end(), first);
+  return sequence;
+}
+
+// A sample that comes late is one that has no row, not 65,535 that never came.
+TEST(StreamReader, LetsTimeStandAtALateOrRepeatedSample) {
+  std::vector<std::size_t> late = numbers(0, 60000);
+  late.insert(late.begin() + 30000, 29998);
+  std::vector<std::size_t> repeated = numbers(0, 60000);
+  repeated.insert(repeated.begin() + 30000, 29999);
+  for (const auto& sequence : {late, repeated}) {
+    const Recording recording = read_stream(stream_of(sequence));
+    EXPECT_EQ(recording.rows(), 60000U);
+    EXPECT_EQ(recording.time_s.back(), 59999 / 200.0);
+    EXPECT_EQ(recording.stretch_starts.size(), 1U);
+    EXPECT_EQ(recording.capture->late_samples, 1U);
+    EXPECT_EQ(recording.capture->missing_samples, 0U);
+  }
+  std::vector<std::size_t> swapped = numbers(0, 60000);
+  std::swap(swapped[30000], swapped[30001]);
+  const Recording recording = read_stream(stream_of(swapped));
+  EXPECT_EQ(recording.rows(), 59999U);
+  EXPECT_EQ(recording.time_s.back(), 59999 / 200.0);
+  EXPECT_EQ(recording.capture->late_samples, 1U);
+  EXPECT_EQ(recording.capture->missing_samples, 1U);
+}
+
+TEST(StreamReader, FollowsADemodulatorThatCountsAnewAsTheBoardDoes) {
+  const Recording recording =
+      read_stream(stream_of(numbers(0, 30000)) + stream_of(numbers(0, 10000)));
+  EXPECT_EQ(recording.rows(), 39993U) << "seven are taken for late";
+  EXPECT_EQ(recording.time_s.back(), 39999 / 200.0) << "but their time passed";
+  EXPECT_EQ(recording.capture->late_samples, 7U);
+  EXPECT_EQ(recording.capture->missing_samples, 7U);
 }
 
 TEST(StreamReader, HoldsTheTemperatureWhereItIsImpossible) {
@@ -120,6 +170,34 @@ TEST(StreamReader, HoldsTheTemperatureWhereItIsImpossible) {
       read_stream(frame(1) + std::string(reinterpret_cast<const char*>(cold.data()), cold.size()));
   EXPECT_EQ(recording.temperature_degc, (std::vector<double>{1, 1}));
   EXPECT_EQ(recording.capture->held_temperatures, 1U);
+}
+
+// A board without a temperature gives its drift up after a minute: then it has no valid rate.
+TEST(StreamReader, HoldsATemperatureNoLongerThanTheBoardHoldsADrift) {
+  ReadOptions options;
+  options.stream_rate_hz = 1;
+  std::string bytes = frame(1);
+  for (std::size_t number = 2; number <= 100; ++number) bytes += frame(number, true, false);
+  const Recording recording = read_stream(bytes + frame(101), options);
+  EXPECT_EQ(recording.rows(), 62U);
+  EXPECT_EQ(recording.time_s[60], 61);
+  EXPECT_EQ(recording.time_s[61], 101);
+  EXPECT_EQ(recording.capture->held_temperatures, 60U);
+  EXPECT_EQ(recording.capture->invalid_samples, 39U);
+}
+
+TEST(StreamReader, LeavesOutSamplesWhoseTemperatureJumps) {
+  std::string bytes = stream_of(numbers(0, 1000));
+  fog::SensorSample sample{1000, 1024, 85 * 65536, true, true};
+  for (int i = 0; i < 150; ++i, ++sample.sequence) {
+    const fog::SensorFrame wrong = fog::encode_sensor_frame(sample);
+    bytes.append(reinterpret_cast<const char*>(wrong.data()), wrong.size());
+  }
+  const Recording recording = read_stream(bytes + stream_of(numbers(1150, 2000)));
+  EXPECT_EQ(recording.rows(), 1850U);
+  EXPECT_EQ(recording.refused_rows, 150U);
+  EXPECT_EQ(recording.time_s.back(), 1999 / 200.0);
+  EXPECT_EQ(recording.capture->held_temperatures, 0U);
 }
 
 TEST(StreamReader, IsNotFooledByDamageAtTheStart) {

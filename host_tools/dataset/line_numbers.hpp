@@ -1,0 +1,36 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace fogcomp {
+
+/// The line of its file that each row of a recording comes from; empty for a captured stream.
+class LineNumbers {
+ public:
+  /// Rows come in order, from 0.
+  void add(std::size_t row, std::size_t line) {
+    if (marks_.empty() || line - marks_.back().line != row - marks_.back().row) {
+      marks_.push_back({row, line});
+    }
+  }
+
+  bool empty() const { return marks_.empty(); }
+
+  std::size_t line_of(std::size_t row) const {
+    const auto after = std::upper_bound(marks_.begin(), marks_.end(), row,
+                                        [](std::size_t r, const Mark& m) { return r < m.row; });
+    const Mark& mark = *(after - 1);
+    return mark.line + (row - mark.row);
+  }
+
+ private:
+  struct Mark {
+    std::size_t row;
+    std::size_t line;
+  };
+  std::vector<Mark> marks_;  // where a line does not follow that of the row before
+};
+
+}  // namespace fogcomp
