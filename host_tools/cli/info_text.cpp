@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dataset/rate_resolution.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
@@ -42,6 +43,10 @@ std::string overview(const Recording& recording, const RunSummary& summary, int 
   const std::size_t gaps = recording.stretch_starts.size() - 1;
   if (gaps > 0) text += format(", %zu gap%s", gaps, gaps == 1 ? "" : "s");
   if (recording.bad_rows > 0) text += format(", %zu bad rows left out", recording.bad_rows);
+
+  if (recording.rows() > 1 && !rate_resolution(recording).moves()) {
+    text += "\n  note: the rate does not move; is the gyro on and connected?";
+  }
 
   text += "\n\nBias (rate less input rate), deg/h\n";
   const auto line = [&](const std::string& label, const std::optional<double>& value) {

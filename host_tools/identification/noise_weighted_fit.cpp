@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "identification/quiet_rows.hpp"
+#include "identification/undetermined.hpp"
 #include "identification/whitening.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
@@ -83,6 +84,7 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
   fit.robust = kept;
   for (int round = 0; round < kRounds; ++round) {
     fit.noise = settings.noise ? *settings.noise : noise_of(rows, bridged(fit.residual_dph, kept));
+    fit.noise.white_variance = std::max(std::pow(rows.rounding_dph, 2), fit.noise.white_variance);
     fit.row_weights = rows.weights.cwiseProduct(fit.robust);
     const Whitening whitening(fit.noise, rows, fit.row_weights);
     WhitenedProblem problem(series, whitening, fit.terms, nuisance);
@@ -91,7 +93,6 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
     });
     fit.terms = problem.terms();
     const LinearFit solved = problem.solve();
-    fit.rank = solved.rank;
     fit.coefficients = solved.coefficients;
     fit.whitened = problem.jacobian(fit.shapes);
     fit.whitened_measured = problem.measured();
@@ -117,11 +118,7 @@ NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<Ef
                                    "recording, fewer effects or a shorter --average",
                                    rows.size(), rows.row_s, unknowns));
   }
-  if (fit.rank != fit.linear()) {
-    throw InputError("fit", format("these recordings determine only %td of %td coefficients; leave "
-                                   "out an effect or lower an order",
-                                   fit.rank, fit.linear()));
-  }
+  if (!is_determined(fit)) refuse_undetermined(fit, rows);
   return fit;
 }
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "identification/undetermined.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -27,8 +29,9 @@ std::optional<ChangePoint> locate(const Rows& rows, const NoiseWeightedFit& fit,
   const Eigen::Index others = fit.linear() - columns;
   const Eigen::VectorXd residual =
       fit.residual_dph + fit.columns.rightCols(others) * fit.coefficients.segment(columns, others);
-  const Eigen::VectorXd tame = without_wild_rows(
-      rows, residual, kWildRow * white_noise_of(residual, rows.row_s).white_dph());
+  const double white_dph =
+      std::max(rows.rounding_dph, white_noise_of(residual, rows.row_s).white_dph());
+  const Eigen::VectorXd tame = without_wild_rows(rows, residual, kWildRow * white_dph);
   const Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(kept).cwiseProduct(tame));
   const Eigen::MatrixXd slow = slow_columns(rows, kSlowSeconds);
   Eigen::MatrixXd model(rows.size(), columns + slow.cols());
@@ -63,16 +66,18 @@ FitWithSteps fit_with_steps(const SignalSeries& series, const std::vector<Effect
   while (result.steps.size() < kMostSteps) {
     const auto seen = locate(rows, result.fit, result.fit.linear(), kept);
     if (!seen || !earns(*seen, kWorthALook)) break;
-    const NoiseWeightedFit tried = fit_determined(
+    const NoiseWeightedFit tried = fit_rows(
         series, terms, with_column(columns, step_column(rows, static_cast<std::size_t>(seen->row))),
-        kept);
+        {kept, std::nullopt, {}});
+    if (!is_determined(tried)) break;
     const auto found = locate(rows, tried, tried.linear() - 1, kept);
     if (!found || !earns(*found, kEarned)) break;
     const Eigen::MatrixXd more =
         with_column(columns, step_column(rows, static_cast<std::size_t>(found->row)));
     Eigen::VectorXd fewer = kept;
     fewer.segment(found->first, found->last - found->first + 1).setZero();
-    NoiseWeightedFit fit = fit_determined(series, terms, more, fewer);
+    NoiseWeightedFit fit = fit_rows(series, terms, more, {fewer, std::nullopt, {}});
+    if (!is_determined(fit)) break;
     if (least_chi_square(fit, result.steps.size() + 1) < kEarned) break;
     result.steps.push_back(*found);
     result.fit = std::move(fit);
