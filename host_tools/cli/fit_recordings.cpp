@@ -139,6 +139,7 @@ Fit fit_recordings(const Arguments& arguments, const std::vector<std::string>& f
   model = std::move(wanted_terms);
   fit.searched_steps = searches_steps(model.terms);
   TrainingRuns training = read_training_runs(files, reading, model.average_s);
+  print_notes(training.notes);
   model.noise_dph_rthz = training.noise_dph_rthz;
   SignalSeries series(model);
   for (const RunInBlocks& run : training.runs) series.add(run.blocks);

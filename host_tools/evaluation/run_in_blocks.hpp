@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,13 +21,15 @@ struct RunInBlocks {
     double end_s = 0;  ///< where the next one begins; infinite for the last
   };
   std::string file;
+  std::uint64_t rows_hash = 0;  ///< of the recording (dataset/data_hash.hpp)
   BlockSeries blocks;
   std::vector<TimedSegment> segments;     ///< in order of time, all of the run
   double average_s = 0;                   ///< wanted length of a row
   std::optional<double> noise_floor_dph;  ///< of such a row, from the recording alone
 };
 
-/// `average_s` in seconds, > 0: the length of the rows that a model will be judged in.
+/// `average_s` in seconds, > 0: the length of the rows that a model will be judged in. Throws
+/// InputError for a rate that does not move (dataset/rate_resolution.hpp).
 RunInBlocks run_in_blocks(const Recording& recording, double average_s);
 
 }  // namespace fogcomp
