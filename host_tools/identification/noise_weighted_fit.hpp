@@ -16,10 +16,10 @@ namespace fogcomp {
 struct NoiseWeightedFit {
   std::vector<EffectTerm> terms;       ///< as given, shape parameters where the cost is least
   std::vector<ShapeParameter> shapes;  ///< those that were moved
-  NoiseModel noise;  ///< what the rows were weighted with; at least what rounding makes
-  Eigen::VectorXd robust;              ///< 1, less for outliers, 0 for rows that are left out
-  Eigen::VectorXd row_weights;         ///< time behind a row times that
-  std::size_t outliers = 0;            ///< rows weighted down
+  NoiseModel noise;             ///< what the rows were weighted with; at least what rounding makes
+  Eigen::VectorXd robust;       ///< 1, less for outliers, 0 for rows that are left out
+  Eigen::VectorXd row_weights;  ///< time behind a row times that
+  std::size_t outliers = 0;     ///< rows weighted down
 
   Eigen::MatrixXd columns;       ///< rows x linear: regressors of all terms, then the nuisance
   Eigen::VectorXd coefficients;  ///< linear

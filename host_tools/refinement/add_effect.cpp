@@ -1,9 +1,11 @@
 #include "refinement/add_effect.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "evaluation/autocorrelation.hpp"
+#include "identification/shape_limits.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -66,12 +68,27 @@ OutOfSample judge(const Model& before, const Addition& after, const SignalSeries
   return judge_on_holdouts(before, after.model, holdouts, identified.noise, run_offsets);
 }
 
+// Steps that are searched for anew stand behind all other terms after a fit.
+std::size_t place_of(const std::string& name, const std::vector<EffectTerm>& terms) {
+  const auto found = std::find_if(terms.begin(), terms.end(),
+                                  [&](const EffectTerm& term) { return term.name == name; });
+  return static_cast<std::size_t>(found - terms.begin());
+}
+
+// Why what is new in a term is not believed although it helps; "" where nothing speaks against it.
+std::string doubt_of(const EffectTerm& term, const Model& before) {
+  const EffectTerm* own = before.find(term.name);
+  for (const ShapeDoubt& doubt : shape_doubts(term)) {
+    if (own == nullptr || !own->identified[doubt.parameter]) return doubt.sentence;
+  }
+  return own == nullptr ? coefficient_doubt(term) : "";
+}
+
 }  // namespace
 
 Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
                     const std::vector<RunInBlocks>& holdouts, const AddSettings& settings) {
   Addition result;
-  result.changed = change.changed;
   Model before = model;
   before.noise_dph_rthz = training.noise_dph_rthz;
   result.model = before;
@@ -89,6 +106,7 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
   fit_model(before, series, fitting);
   half = 1;
   result.fit = fit_model(result.model, series, fitting);
+  result.changed = place_of(change.terms[change.changed].name, result.model.terms);
   result.out_of_sample = judge(before, result, series, holdouts, settings.run_offsets);
 
   result.halves = judge_halves(
@@ -119,6 +137,11 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
   if (judged.helps() && rose) {
     result.reason = format("makes the whole model worse on the holdouts: %.4f -> %.4f deg/h",
                            step.holdout->rms_before_dph, step.holdout->rms_after_dph);
+  }
+  const std::string doubt = doubt_of(result.model.terms[result.changed], model);
+  if (result.accepted && !doubt.empty()) {
+    result.accepted = false;
+    result.reason = doubt;
   }
   step.forced = !result.accepted;
   result.model.history.push_back(step);

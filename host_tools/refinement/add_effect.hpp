@@ -50,8 +50,9 @@ struct Addition {
 ///
 /// Accepted if the effects alone gain out of sample (OutOfSample::helps): on the holdouts, or where
 /// there are none on stretches or runs left out; and if the whole model's rms on the holdouts has
-/// not risen beyond chance. Throws InputError for a run that lacks what the effect needs, and for
-/// data that cannot determine it.
+/// not risen beyond chance; and if the data determine what is new: no shape at a bound or anywhere
+/// within its range, a coefficient larger than its uncertainty. Throws InputError for a run that
+/// lacks what the effect needs, and for data that cannot determine it.
 Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
                     const std::vector<RunInBlocks>& holdouts, const AddSettings& settings);
 

@@ -20,6 +20,7 @@
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "refinement/add_effect.hpp"
+#include "refinement/physical_lags.hpp"
 #include "simulation/embedded_files.hpp"
 #include "simulation/gyro_description.hpp"
 #include "simulation/profile_parser.hpp"
@@ -346,8 +347,15 @@ void run_case(std::uint64_t id, const Options& options, Tally& tally) {
     training.noise_floor_dph = training.runs[0].noise_floor_dph;
     SignalSeries series(model);
     series.add(training.runs[0].blocks);
-    const FitResult fit = fit_model(model, series, {});
+    FitSettings settings;
+    settings.network.hidden = dice.one_in(10) ? 2 : 0;
+    settings.network.training.epochs = 20;
+    if (settings.network.hidden > 0) model.network.inputs = settings.network_inputs;
+    const FitResult fit = fit_model(model, series, settings);
     see_fit(numbers, model, fit);
+    for (const PhysicalLag& lag : physical_lags(model, training.runs, false)) {
+      numbers.see("physical lag", {lag.value_s, lag.sigma_s});
+    }
   });
   if (!fitted) return;
   run("compare", id, recording, terms, tally,
