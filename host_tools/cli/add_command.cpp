@@ -140,15 +140,15 @@ int run_add(const Arguments& arguments) {
   reading.model_scale_factor = model.scale_factor;
   const TrainingRuns training =
       read_training_runs({words.begin() + first_run, words.end()}, reading, model.average_s);
-  std::vector<RunInBlocks> holdouts;
-  for (const std::string& file : arguments.all("holdout")) {
-    holdouts.push_back(run_in_blocks(read_recording(file, reading), model.average_s));
-  }
+  const Holdouts holdouts =
+      read_holdouts(arguments.all("holdout"), reading, model.average_s, training.runs);
+  print_notes(training.notes);
+  print_notes(holdouts.notes);
   Addition addition;
   {
     Progress progress("training");
     settings.progress = [&](double done) { progress.update(done); };
-    addition = add_effect(model, change, training, holdouts, settings);
+    addition = add_effect(model, change, training, holdouts.runs, settings);
   }
   const bool written = addition.accepted || arguments.has("force");
   if (written) save_model(addition.model, output);

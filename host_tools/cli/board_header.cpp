@@ -21,6 +21,13 @@ std::uint32_t data_hash(const Model& model) {
 
 BoardHeader board_header(const Model& model, const std::string& file, const Arguments& arguments,
                          bool allow_error) {
+  if (model.uncertain && !allow_error) {
+    throw InputError(
+        file, format("these recordings did not determine it: somewhere in its trained range the "
+                     "drift is known to +- %.2g deg/h, worse than the %.2g deg/h that it is to "
+                     "compensate; fit fewer effects or more data, or give --allow-error",
+                     model.uncertain->sigma_dph, model.uncertain->drift_dph));
+  }
   const BoardTable table = make_board_table(model, board_settings(arguments));
   const fog::ModelParameters parameters = read_board_table(table, file);
   const QuantizationError error = verify_quantization(model, parameters);

@@ -17,7 +17,8 @@ struct BoardHeader {
 };
 
 /// By board_options(); `file` is the model's, for the header and for errors. Throws InputError for
-/// a model that no board can have, and, unless `allow_error`, for integers too far off.
+/// a model that no board can have, and, unless `allow_error`, for integers too far off and for a
+/// drift that its data did not determine (Model::uncertain).
 BoardHeader board_header(const Model& model, const std::string& file, const Arguments& arguments,
                          bool allow_error);
 

@@ -7,6 +7,7 @@
 #include "cli/compare_text.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
+#include "dataset/data_hash.hpp"
 #include "model/model_file.hpp"
 #include "report/compare_report.hpp"
 #include "support/input_error.hpp"
@@ -38,9 +39,16 @@ int run_compare(const Arguments& arguments) {
       arguments.has("average") ? arguments.number("average", 1e-3, 1e6) : models[0].model.average_s;
   ReadOptions options = read_options(arguments);
   options.model_scale_factor = models[0].model.scale_factor;
+  KnownRows known;
   for (std::size_t i = 1; i < arguments.positionals().size(); ++i) {
     const RunInBlocks run =
         run_in_blocks(read_recording(arguments.positionals()[i], options), row_s);
+    const std::string same = known.file_with(run.rows_hash);
+    if (!same.empty()) {
+      print_notes({same_rows_words(run.file, same)});
+      continue;
+    }
+    known.add(run.rows_hash, run.file);
     for (ModelOnRuns& model : models) {
       Comparison comparison = compare_with(model.model, run);
       ResidualAnalysis analysis = analyse_residual(comparison);

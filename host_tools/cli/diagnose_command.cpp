@@ -7,6 +7,7 @@
 #include "cli/diagnosis_text.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
+#include "dataset/data_hash.hpp"
 #include "identification/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "report/diagnose_report.hpp"
@@ -38,7 +39,11 @@ int run_diagnose(const Arguments& arguments) {
   DiagnosisData data(model, offered(arguments, model));
   std::string runs;
   for (std::size_t i = 1; i < files.size(); ++i) {
-    data.add(read_recording(files[i], options));
+    const std::string same = data.add(read_recording(files[i], options));
+    if (!same.empty()) {
+      print_notes({same_rows_words(files[i], same)});
+      continue;
+    }
     runs += (runs.empty() ? "" : " ") + files[i];
   }
   if (arguments.has("static")) {

@@ -20,9 +20,11 @@ std::string without_value(const CatalogueEntry& entry, const fog::ParameterDescr
 std::string range(const CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
   const std::string unit =
       std::string(parameter.unit) == "1" ? "" : std::string(" ") + parameter.unit;
-  return format("%g to %g%s; not given: %s", parameter.least_milli / 1000.0,
+  const bool lag = is_lag_of_rate(parameter.unit, entry.coefficients);
+  return format("%g to %g%s; not given: %s%s", parameter.least_milli / 1000.0,
                 parameter.most_milli / 1000.0, unit.c_str(),
-                without_value(entry, parameter).c_str());
+                without_value(entry, parameter).c_str(),
+                lag ? "; behind the lags of dT/dt: `fit` prints the gyro's own beside it" : "");
 }
 
 std::string entry_text(const CatalogueEntry& entry) {

@@ -74,9 +74,11 @@ Command export_command() {
   command.least_positionals = command.most_positionals = 1;
   command.summary = "the C header of weights for the firmware";
   command.example = "fogcomp export gyro.model -o fog_model.h --sample-rate 200";
-  command.options = {{"o", "HEADER", "header to write", ""},
-                     {"allow-error", "", "write it even if the integers are too far off", ""},
-                     {"json", "", "one JSON object on stdout", ""}};
+  command.options = {
+      {"o", "HEADER", "header to write", ""},
+      {"allow-error", "", "write it even if the integers are too far off, or the fit too uncertain",
+       ""},
+      {"json", "", "one JSON object on stdout", ""}};
   for (Option& option : board_options()) command.options.push_back(std::move(option));
   command.run = run_export;
   return command;

@@ -64,6 +64,9 @@ std::string identification_text(const Fit& fit) {
     text += format("  %-24s would show from a peak of %.2g deg/h on\n", model.terms[i].name.c_str(),
                    identified.visible_dph[i]);
   }
+  for (const PhysicalLag& lag : fit.physical_lags) {
+    text += "  " + physical_lag_words(lag) + "\n";
+  }
   for (std::size_t run = 0; run < identified.run_offsets_dph.size(); ++run) {
     text += format("  recording %zu lies %+.4f deg/h from the first\n", run + 2,
                    identified.run_offsets_dph[run]);
@@ -130,6 +133,13 @@ void print_json(const Fit& fit, const std::string& output) {
   result.set("noise_slow_dph", identified.noise.wander_dph());
   result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
   result.set("delay_rms_dph", fit.delay_rms_dph);
+  result.set("physical_lags", json_array(fit.physical_lags, [](const PhysicalLag& lag) {
+               return Json::object()
+                   .set("effect", lag.effect)
+                   .set("parameter", lag.parameter)
+                   .set("value_s", lag.value_s)
+                   .set("sigma_s", lag.sigma_s);
+             }));
   result.set("steps", steps_json(fit)).set("masked_rows", identified.masked);
   result.set("effects", terms_json(fit.model));
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));

@@ -139,6 +139,7 @@ Fit fit_recordings(const Arguments& arguments, const std::vector<std::string>& f
   model = std::move(wanted_terms);
   fit.searched_steps = searches_steps(model.terms);
   TrainingRuns training = read_training_runs(files, reading, model.average_s);
+  print_notes(training.notes);
   model.noise_dph_rthz = training.noise_dph_rthz;
   SignalSeries series(model);
   for (const RunInBlocks& run : training.runs) series.add(run.blocks);
@@ -158,6 +159,7 @@ Fit fit_recordings(const Arguments& arguments, const std::vector<std::string>& f
   }
 
   fit.delay_rms_dph = delay_error_dph(model, training.runs);
+  fit.physical_lags = physical_lags(model, training.runs, settings.identify.run_offsets);
   for (const FoundStep& step : fit.result.identified.steps) {
     const RunInBlocks& run = training.runs[step.run];
     fit.step_places.push_back(run.file + ", " + segment_at(run, step.time_s));

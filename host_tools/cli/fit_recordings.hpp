@@ -6,6 +6,7 @@
 #include "cli/arguments.hpp"
 #include "evaluation/run_in_blocks.hpp"
 #include "refinement/fit_model.hpp"
+#include "refinement/physical_lags.hpp"
 
 namespace fogcomp::cli {
 
@@ -19,6 +20,7 @@ struct Fit {
   double delay_rms_dph = 0;              ///< of the error, what the board's delay makes
   std::vector<std::string> step_places;  ///< of each step found: recording and segment
   bool searched_steps = false;
+  std::vector<PhysicalLag> physical_lags;
 };
 
 /// What a Ctrl-C means while a network is trained.

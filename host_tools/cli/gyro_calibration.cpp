@@ -15,6 +15,7 @@
 #include "identification/effect_list.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
+#include "refinement/training_runs.hpp"
 #include "report/compare_report.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
@@ -92,8 +93,9 @@ ModelOnRuns on_holdouts(const batch::GyroFolder& gyro, const Fit& fit, const std
   ReadOptions reading = read_options(arguments);
   reading.model_scale_factor = fit.model.scale_factor;
   ModelOnRuns model{file, fit.model, {}};
-  for (const std::string& holdout : gyro.holdouts) {
-    const RunInBlocks run = run_in_blocks(read_recording(holdout, reading), fit.model.average_s);
+  const Holdouts holdouts = read_holdouts(gyro.holdouts, reading, fit.model.average_s, fit.runs);
+  print_notes(holdouts.notes);
+  for (const RunInBlocks& run : holdouts.runs) {
     Comparison comparison = compare_with(fit.model, run);
     ResidualAnalysis analysis = analyse_residual(comparison);
     model.runs.push_back({std::move(comparison), std::move(analysis)});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dataset/rate_resolution.hpp"
 #include "dataset/stream_reader.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
@@ -52,6 +53,10 @@ std::string overview(const Recording& recording, const RunSummary& summary, int 
   }
   const std::string disorder = recording.capture ? describe(*recording.capture) : "";
   if (!disorder.empty()) text += "\n  " + disorder;
+
+  if (recording.rows() > 1 && !rate_resolution(recording).moves()) {
+    text += "\n  note: the rate does not move; is the gyro on and connected?";
+  }
 
   text += "\n\nBias (rate less input rate), deg/h\n";
   const auto line = [&](const std::string& label, const std::optional<double>& value) {

@@ -1,6 +1,7 @@
 #include "cli/recording_options.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 #include "cli/arguments.hpp"
 #include "support/input_error.hpp"
@@ -54,6 +55,10 @@ ReadOptions read_options(const Arguments& arguments) {
   options.default_input_rate_dph = earth_rate_dph(arguments);
   if (arguments.has("rate")) options.stream_rate_hz = arguments.number("rate", 1e-3, 1e6);
   return options;
+}
+
+void print_notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) std::fprintf(stderr, "note: %s\n", note.c_str());
 }
 
 Option average_option() {

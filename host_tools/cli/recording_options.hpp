@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cli/command.hpp"
 #include "dataset/recording.hpp"
 
@@ -12,6 +15,9 @@ void add_recording_options(Command& command);
 
 /// Their values. Throws InputError for a value out of range, or --axis without --latitude.
 ReadOptions read_options(const Arguments& arguments);
+
+/// Prints notes on what was read, a line each, on stderr.
+void print_notes(const std::vector<std::string>& notes);
 
 /// --average, in seconds.
 Option average_option();

@@ -1,5 +1,7 @@
 #include "dataset/data_hash.hpp"
 
+#include <cstring>
+
 #include "core/protocol/crc.hpp"
 #include "dataset/input_columns.hpp"
 
@@ -23,6 +25,28 @@ std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
     add(column);
   }
   return crc;
+}
+
+std::uint64_t rows_hash(const Recording& recording) {
+  std::uint64_t hash = recording.rows();
+  // A multiplication and a rotation per number: a recording may have millions.
+  const auto mix = [&hash](double value) {
+    const double without_sign_of_zero = value + 0.0;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &without_sign_of_zero, sizeof bits);
+    constexpr std::uint64_t kOddMultiplier = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
+    hash = (hash ^ bits) * kOddMultiplier;
+    hash ^= hash >> 29U;
+  };
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    mix(recording.time_s[row]);
+    mix(recording.rate_dph[row]);
+  }
+  return hash;
+}
+
+std::string same_rows_words(const std::string& file, const std::string& other) {
+  return file + ": has the same rows as " + other + "; counted once";
 }
 
 }  // namespace fogcomp

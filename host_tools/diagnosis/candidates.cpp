@@ -16,6 +16,9 @@ namespace fogcomp {
 namespace {
 
 constexpr double kLeastVisible = 0.03;
+// Far from where an effect acts it is next to nothing (a glass transition 80 degC away: e^-40): its
+// coefficient would be beyond 5e5 deg/h, the largest that a board holds, to make 0.5 deg/h.
+constexpr double kLeastRegressor = 1e-6;
 constexpr double kAlike = 0.85;
 constexpr double kTheSame = 0.98;
 constexpr double kRank = 1e-8;
@@ -36,6 +39,8 @@ class ShapeMaker {
     const Eigen::Index added = all.cols() - owned_;
     if (added <= 0) return std::nullopt;
     if (!all.allFinite()) return std::nullopt;  // an expression at this shape
+    const double largest = all.rightCols(added).cwiseAbs().maxCoeff();
+    if (!term.expression && largest < kLeastRegressor) return std::nullopt;
     VisiblePart part = to_visible_(all.rightCols(added));
     if (!part.visible.allFinite()) return std::nullopt;
     if (part.visible.maxCoeff() < kLeastVisible) return std::nullopt;

@@ -48,8 +48,9 @@ using ToVisible = std::function<VisiblePart(const Eigen::MatrixXd& regressors)>;
 /// are laid out so that neighbours look alike on these recordings: an interval is halved as long as
 /// its ends explain less than 85 % of each other. A shape of which the model leaves less than 3 %
 /// counts as invisible: to be seen at all it would have to be thirty times what it shows, hidden by
-/// the model's own terms. The recordings have what the expressions need. Throws InputError for an
-/// expression that is not finite on them. `progress` is told how much is done, 0..1.
+/// the model's own terms. So does one at which the effect is next to nothing on these recordings.
+/// The recordings have what the expressions need. Throws InputError for an expression that is not
+/// finite on them. `progress` is told how much is done, 0..1.
 CandidateList find_candidates(const SignalSeries& series, const std::vector<EffectTerm>& terms,
                               const std::vector<EffectTerm>& offered, fog::InputMask inputs,
                               const ToVisible& to_visible,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dataset/rate_resolution.hpp"
 #include "evaluation/run_in_blocks.hpp"
 #include "identification/required_inputs.hpp"
 #include "support/input_error.hpp"
@@ -10,8 +11,11 @@
 
 namespace fogcomp {
 
-void DiagnosisData::add(const Recording& recording) {
+std::string DiagnosisData::add(const Recording& recording) {
   const RunInBlocks run = run_in_blocks(recording, average_s_);
+  std::string same = known_.file_with(run.rows_hash);
+  if (!same.empty()) return same;
+  known_.add(run.rows_hash, run.file);
   require_inputs(offered_, run.blocks);
   const std::size_t first_row = series_.rows().time_s.size();
   series_.add(run.blocks);
@@ -32,6 +36,7 @@ void DiagnosisData::add(const Recording& recording) {
     floor_square_rows_ += *run.noise_floor_dph * *run.noise_floor_dph * count;
     floor_rows_ += count;
   }
+  return "";
 }
 
 std::optional<double> DiagnosisData::noise_floor_dph() const {
@@ -42,6 +47,13 @@ std::optional<double> DiagnosisData::noise_floor_dph() const {
 NoiseModel noise_of_static(const Model& model, const Recording& recording,
                            const DiagnosisData& data) {
   constexpr Eigen::Index kLeastStaticRows = 128;
+  require_moving_rate(recording);
+  const std::string same = data.known().file_with(rows_hash(recording));
+  if (!same.empty()) {
+    throw InputError(recording.file, "has the same rows as " + same +
+                                         ", which is diagnosed; --static must be another "
+                                         "recording, at rest");
+  }
   const double row_s = data.series().rows().row_s;
   Model averaging = model;
   averaging.terms.clear();

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "dataset/data_hash.hpp"
 #include "dataset/recording.hpp"
 #include "identification/noise_model.hpp"
 #include "identification/signal_series.hpp"
@@ -23,7 +24,9 @@ class DiagnosisData {
       : average_s_(model.average_s), series_(model, Phase::zero), offered_(std::move(offered)) {}
 
   /// Throws InputError where a recording lacks what the model or an expression offered needs.
-  void add(const Recording& recording);
+  /// Returns the file with the same rows that was added before and counts alone, or "".
+  std::string add(const Recording& recording);
+  const KnownRows& known() const { return known_; }
 
   struct Segment {
     std::string name;
@@ -46,10 +49,11 @@ class DiagnosisData {
   fog::InputMask inputs_ = ~fog::InputMask{0};
   double floor_square_rows_ = 0;
   double floor_rows_ = 0;
+  KnownRows known_;
 };
 
 /// The noise of a recording at rest, for `data`'s row length. Throws InputError where that differs
-/// or the recording is too short.
+/// or the recording is too short, or is one of `data`'s own.
 NoiseModel noise_of_static(const Model& model, const Recording& recording,
                            const DiagnosisData& data);
 

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "identification/shape_limits.hpp"
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
@@ -220,6 +221,11 @@ DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
   const std::string network = network_words(diagnosis);
   if (!network.empty()) words.limits.push_back(network);
   for (const std::string& note : diagnosis.notes) words.limits.push_back("note: " + note);
+  if (const CandidateFinding* finding = diagnosis.find(effect_to_add(diagnosis))) {
+    for (const ShapeDoubt& doubt : shape_doubts(finding->term())) {
+      words.limits.push_back("note: " + doubt.sentence);
+    }
+  }
   return words;
 }
 

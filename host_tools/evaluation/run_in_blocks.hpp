@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,13 +23,15 @@ struct RunInBlocks {
   };
   std::string file;
   std::size_t refused_rows = 0;  ///< left out of it because the board would refuse them
+  std::uint64_t rows_hash = 0;   ///< of the recording (dataset/data_hash.hpp)
   BlockSeries blocks;
   std::vector<TimedSegment> segments;     ///< in order of time, all of the run
   double average_s = 0;                   ///< wanted length of a row
   std::optional<double> noise_floor_dph;  ///< of such a row, from the recording alone
 };
 
-/// `average_s` in seconds, > 0: the length of the rows that a model will be judged in.
+/// `average_s` in seconds, > 0: the length of the rows that a model will be judged in. Throws
+/// InputError for a rate that does not move (dataset/rate_resolution.hpp).
 RunInBlocks run_in_blocks(const Recording& recording, double average_s);
 
 }  // namespace fogcomp

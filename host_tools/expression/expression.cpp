@@ -237,6 +237,14 @@ class Parser {
     if (!(parameter.least < parameter.most)) {
       fail_at(place, "the bounds of '" + parameter.name + "' must rise");
     }
+    // Squares and ratios of bounds stay finite, and no signal in its unit has such numbers.
+    constexpr double kSmallest = 1e-30;
+    constexpr double kLargest = 1e30;
+    for (const double bound : {std::abs(parameter.least), std::abs(parameter.most)}) {
+      if (bound == 0 || (kSmallest <= bound && bound <= kLargest)) continue;
+      fail_at(place, format("bounds of '%s' must be 0 or from %g to %g in size",
+                            parameter.name.c_str(), kSmallest, kLargest));
+    }
     known.push_back(parameter);
     return add(node, place);
   }

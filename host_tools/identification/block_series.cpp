@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dataset/input_columns.hpp"
+#include "dataset/rate_resolution.hpp"
 
 namespace fogcomp {
 namespace {
@@ -63,6 +64,7 @@ BlockSeries make_blocks(const Recording& recording) {
   series.samples_per_block = samples_per_block(recording.period_s);
   series.block_s = recording.period_s > 0 ? recording.period_s * series.samples_per_block : 1;
   series.inputs = inputs_of(recording);
+  series.rounding_dph = rate_resolution(recording).rounding_dph();
   // Blocks that had passed since power-on when the recording began.
   const double earlier = recording.time_s[0] / series.block_s;
   series.first = means_of_row(recording, 0);

@@ -26,6 +26,9 @@ struct BlockSeries {
   std::vector<Block> blocks;
   fog::BlockMeans<RealNumbers> first;  ///< the first sample: what the board starts from
   fog::InputMask inputs = 0;           ///< that the recording has
+  /// Standard deviation of the error that rounding makes in a sample's rate: of its digits, of the
+  /// numbers that the computer holds it in.
+  double rounding_dph = 0;
 };
 
 /// The number of the sample in a stream without gaps, from its time.

@@ -6,6 +6,8 @@
 #include "identification/coefficient_covariance.hpp"
 #include "identification/expression_survey.hpp"
 #include "identification/noise_weighted_fit.hpp"
+#include "identification/shape_limits.hpp"
+#include "identification/soak_uncertainty.hpp"
 #include "identification/step_search.hpp"
 #include "identification/term_columns.hpp"
 #include "model/catalogue.hpp"
@@ -97,6 +99,24 @@ void add_step(Model& model, Identification& result, const Rows& rows, const Chan
              change.time_s));
 }
 
+// Where the soak that is known worst is less certain than the drift is large, no compensation would
+// do better.
+void judge_uncertainty(Model& model, const NoiseWeightedFit& fit,
+                       const Eigen::MatrixXd& covariance, const Rows& rows,
+                       std::vector<std::string>& warnings) {
+  const SoakUncertainty worst = soak_uncertainty(model, fit, covariance, rows);
+  const double drift_dph =
+      std::sqrt(rows.drift_dph.cwiseAbs2().dot(rows.weights) / rows.weights.sum());
+  model.uncertain.reset();
+  if (worst.sigma_dph <= drift_dph) return;
+  model.uncertain = Model::Uncertain{worst.sigma_dph, drift_dph};
+  warnings.push_back(
+      format("in a soak at %.4g degC the drift is known to +- %.2g deg/h, worse than "
+             "the %.2g deg/h that are to be compensated: record more temperatures "
+             "or rows, or leave effects out",
+             worst.at_degc, worst.sigma_dph, drift_dph));
+}
+
 }  // namespace
 
 bool searches_steps(const std::vector<EffectTerm>& terms) {
@@ -157,8 +177,12 @@ Identification identify(Model& model, const SignalSeries& series,
     const Eigen::Index column = coefficients + offsets.cols() + static_cast<Eigen::Index>(i);
     add_step(model, result, rows, found.steps[i], fit.coefficients[column], sigma[column]);
   }
-  for (EffectTerm& term : model.terms) set_expression_scale(term, series);
   set_ranges(model, rows);
+  for (const EffectTerm& term : model.terms) {
+    for (const ShapeDoubt& doubt : shape_doubts(term)) result.warnings.push_back(doubt.sentence);
+  }
+  judge_uncertainty(model, fit, all_covariance, rows, result.warnings);
+  for (EffectTerm& term : model.terms) set_expression_scale(term, series);
   const Eigen::VectorXd counted = rows.weights.cwiseProduct(
       fit.robust.unaryExpr([](double weight) { return weight > 0 ? 1.0 : 0.0; }));
   model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kLadderStep = 4;  // between neighbouring time constants
 constexpr int kUpdates = 300;
-constexpr double kNegligible = 1e-5;  // of the white variance: such a component is dropped
+constexpr double kLeastVariance = 1e-30;  // rows without any noise can still be weighted
+constexpr double kNegligible = 1e-5;      // of the white variance: such a component is dropped
 constexpr double kLateStart =
     1e-3;  // of the mean power: single components grow where flicker fails
 
@@ -37,6 +38,7 @@ void remove_line(Eigen::VectorXd& values) {
 void clip_outliers(Eigen::VectorXd& values) {
   constexpr double kMostSigma = 4;
   const double most = kMostSigma * sigma_by_median({values.begin(), values.end()});
+  if (most == 0) return;  // most rows are rounded to one value: what is not is no outlier
   values = values.cwiseMax(-most).cwiseMin(most);
 }
 
@@ -165,6 +167,12 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
   }
   const Eigen::ArrayXXd basis = basis_of(spectrum.angle, row_s, taus_s, own);
   const Eigen::Map<const Eigen::ArrayXd> power(spectrum.power.data(), basis.rows());
+  NoiseModel noise;
+  noise.row_s = row_s;
+  noise.from_quiet_parts = true;
+  noise.freedom = 1;
+  noise.white_variance = kLeastVariance;
+  if (!(power.mean() > 0)) return noise;  // the same value in every row
   Eigen::ArrayXd variance = Eigen::ArrayXd::Constant(basis.cols(), kLateStart * power.mean());
   variance[0] = power.mean() / 2;
   variance[1] = power.mean() / (2 * basis.col(1).mean());
@@ -176,9 +184,6 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
     variance *= (up / down).sqrt();
   }
 
-  NoiseModel noise;
-  noise.row_s = row_s;
-  noise.from_quiet_parts = true;
   noise.white_variance = variance[0];
   noise.walks = possible_walks(noise.white_dph(), std::max(run_s, longest_s));
   Eigen::ArrayXd slow = variance;
@@ -208,7 +213,6 @@ NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s, double 
   }
   const double variance =
       bends.empty() ? residual.squaredNorm() : std::pow(sigma_by_median(std::move(bends)), 2) / 6;
-  constexpr double kLeastVariance = 1e-30;  // rows without any noise can still be weighted
   noise.white_variance = std::max(variance, kLeastVariance);
   noise.walks = possible_walks(noise.white_dph(), run_s);
   return noise;

@@ -5,6 +5,7 @@
 
 #include "identification/quiet_rows.hpp"
 #include "identification/row_noise.hpp"
+#include "identification/undetermined.hpp"
 #include "identification/whitening.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
@@ -92,6 +93,7 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
   for (int round = 0; round < kRounds; ++round) {
     const RowNoise single = row_noise(rows, fit.residual_dph, kept);
     fit.noise = settings.noise ? *settings.noise : noise_of(rows, fit.residual_dph, single);
+    fit.noise.white_variance = std::max(std::pow(rows.rounding_dph, 2), fit.noise.white_variance);
     fit.noise_scale = relative_scale(rows, single.scale);
     fit.robust = fit.robust.cwiseProduct(single.counted);
     const Eigen::VectorXd full_weights = rows.weights.cwiseQuotient(fit.noise_scale.cwiseAbs2());
@@ -103,7 +105,6 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
     });
     fit.terms = problem.terms();
     const LinearFit solved = problem.solve();
-    fit.rank = solved.rank;
     fit.coefficients = solved.coefficients;
     fit.whitened = problem.jacobian(fit.shapes);
     fit.whitened_measured = problem.measured();
@@ -129,11 +130,7 @@ NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<Ef
                                    "recording, fewer effects or a shorter --average",
                                    rows.size(), rows.row_s, unknowns));
   }
-  if (fit.rank != fit.linear()) {
-    throw InputError("fit", format("these recordings determine only %td of %td coefficients; leave "
-                                   "out an effect or lower an order",
-                                   fit.rank, fit.linear()));
-  }
+  if (!is_determined(fit)) refuse_undetermined(fit, rows);
   return fit;
 }
 

@@ -17,7 +17,7 @@ namespace fogcomp {
 struct NoiseWeightedFit {
   std::vector<EffectTerm> terms;       ///< as given, shape parameters where the cost is least
   std::vector<ShapeParameter> shapes;  ///< those that were moved
-  NoiseModel noise;                    ///< what the rows were weighted with
+  NoiseModel noise;  ///< what the rows were weighted with; at least what rounding makes
   /// 1, less for rows far out, 0 for those that stand out of their neighbours (row_noise.hpp) and
   /// those that are left out.
   Eigen::VectorXd robust;
@@ -33,7 +33,6 @@ struct NoiseWeightedFit {
   Eigen::VectorXd whitened_measured;  ///< rows of noise variance 1
   Eigen::VectorXd whitened_residual;
   Eigen::MatrixXd covariance;  ///< of coefficients and shapes (0..1); empty where rank is lacking
-  Eigen::Index rank = 0;       ///< of the linear columns
 
   Eigen::Index linear() const { return columns.cols(); }
   /// rms of the whitened residual: 1 where only that noise is left.
@@ -50,12 +49,12 @@ struct RowSettings {
 /// Solves for the coefficients of `terms` and of the nuisance columns (rows x any), and for those
 /// shape parameters that the terms mark. Three rounds of: noise from the quiet parts of what is
 /// left, weights of outliers, shapes by variable projection. Columns that depend on each other are
-/// no error here: see `rank`.
+/// no error here: see `covariance`.
 NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTerm>& terms,
                           const Eigen::MatrixXd& nuisance, const RowSettings& settings = {});
 
-/// The same for a fit whose coefficients are wanted: throws InputError for too few rows, and for
-/// columns that the rows cannot tell apart.
+/// The same for a fit whose coefficients are wanted: throws InputError for too few rows, and where
+/// the rows do not determine a coefficient or a shape (undetermined.hpp).
 NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<EffectTerm>& terms,
                                 const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
                                 const std::function<void(double)>& progress = {});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/catalogue.hpp"
 #include "numerics/least_squares.hpp"
@@ -21,6 +22,11 @@ constexpr double kRoughly = 1e-5;
 constexpr double kConverged = 1e-9;
 constexpr double kDifferenceStep = 1e-4;  // of a parameter's range, for derivatives
 constexpr double kDependent = 1e-8;
+
+// Of a shape at which an expression overflows: worse than any other.
+double finite_or_worst(double cost) {
+  return std::isfinite(cost) ? cost : std::numeric_limits<double>::infinity();
+}
 
 int grid_points(const ShapeParameter& parameter) {
   return parameter.scale == ShapeParameter::Scale::frequency ? kPeriodGridPoints : kGridPoints;
@@ -58,6 +64,7 @@ double gauss_newton_step(WhitenedProblem& problem, const std::vector<ShapeParame
                          double cost) {
   const Eigen::MatrixXd jacobian = problem.jacobian(parameters);
   const LinearFit fit = solve_linear(jacobian, problem.measured());
+  if (!fit.coefficients.allFinite()) return cost;
   std::vector<double> start;
   for (const ShapeParameter& parameter : parameters) start.push_back(problem.value(parameter));
   const Eigen::Index first = jacobian.cols() - static_cast<Eigen::Index>(parameters.size());
@@ -232,7 +239,7 @@ LinearFit WhitenedProblem::solve(const std::vector<ShapeParameter>& parameters) 
 }
 
 double WhitenedProblem::cost() const {
-  return solve_linear(matrix(), measured_).residual.squaredNorm();
+  return finite_or_worst(solve_linear(matrix(), measured_).residual.squaredNorm());
 }
 
 Eigen::Index WhitenedProblem::first_column(std::size_t term) const {
@@ -258,7 +265,8 @@ std::vector<double> WhitenedProblem::costs(const ShapeParameter& parameter,
   std::vector<double> costs;
   for (const double value : values) {
     moved.parameters[parameter.index] = value;
-    costs.push_back(solve_linear(without(whitened(moved)), left).residual.squaredNorm());
+    costs.push_back(
+        finite_or_worst(solve_linear(without(whitened(moved)), left).residual.squaredNorm()));
   }
   return costs;
 }

@@ -110,6 +110,8 @@ void SignalSeries::add(const BlockSeries& series) {
     add_without_delay(series, rows);
   }
   rows_.row_s = std::max(rows_.row_s, static_cast<double>(per_row) * series.block_s);
+  const double samples = static_cast<double>(per_row) * series.samples_per_block;
+  rows_.rounding_dph = std::max(rows_.rounding_dph, series.rounding_dph / std::sqrt(samples));
   append_rows(rows.sums(), series.block_s / series.samples_per_block);
 }
 

@@ -16,6 +16,7 @@ struct Rows {
   Eigen::VectorXd drift_dph;  ///< measured rate - input rate
   Eigen::VectorXd weights;    ///< time behind a row, relative to a full one
   double row_s = 0;           ///< of a full row; the longest where recordings differ
+  double rounding_dph = 0;    ///< standard deviation that the rate's rounding makes in a full row
   std::vector<double> time_s;
   std::vector<fog::Signals<RealNumbers>> signals;  ///< means
   std::vector<std::size_t> run_starts;             ///< first row of each recording

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "identification/row_noise.hpp"
+#include "identification/undetermined.hpp"
 
 namespace fogcomp {
 namespace {
@@ -64,16 +65,18 @@ FitWithSteps fit_with_steps(const SignalSeries& series, const std::vector<Effect
   while (result.steps.size() < kMostSteps) {
     const auto seen = locate(rows, result.fit, result.fit.linear(), kept);
     if (!seen || !earns(*seen, kWorthALook)) break;
-    const NoiseWeightedFit tried = fit_determined(
+    const NoiseWeightedFit tried = fit_rows(
         series, terms, with_column(columns, step_column(rows, static_cast<std::size_t>(seen->row))),
-        kept);
+        {kept, std::nullopt, {}});
+    if (!is_determined(tried)) break;
     const auto found = locate(rows, tried, tried.linear() - 1, kept);
     if (!found || !earns(*found, kEarned)) break;
     const Eigen::MatrixXd more =
         with_column(columns, step_column(rows, static_cast<std::size_t>(found->row)));
     Eigen::VectorXd fewer = kept;
     fewer.segment(found->first, found->last - found->first + 1).setZero();
-    NoiseWeightedFit fit = fit_determined(series, terms, more, fewer);
+    NoiseWeightedFit fit = fit_rows(series, terms, more, {fewer, std::nullopt, {}});
+    if (!is_determined(fit)) break;
     if (least_chi_square(fit, result.steps.size() + 1) < kEarned) break;
     result.steps.push_back(*found);
     result.fit = std::move(fit);

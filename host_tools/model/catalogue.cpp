@@ -84,13 +84,19 @@ TermInfo info_of(const EffectTerm& term) {
   info.equation = entry.description.equation;
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
     const std::string unit = entry.parameters[i].unit;
-    info.parameters.push_back(
-        {entry.parameters[i].name, unit == "1" ? "" : unit, catalogue_bounds(entry, i)});
+    info.parameters.push_back({entry.parameters[i].name, unit == "1" ? "" : unit,
+                               catalogue_bounds(entry, i), entry.parameters[i].at_least,
+                               entry.parameters[i].at_most});
   }
   info.coefficients = entry.coefficients;
   info.needs = entry.description.needs;
   info.host_only = entry.description.host_only;
   return info;
+}
+
+bool is_lag_of_rate(const std::string& unit,
+                    const std::vector<fog::CoefficientDescription>& coefficients) {
+  return unit == "s" && std::any_of(coefficients.begin(), coefficients.end(), of_temperature_rate);
 }
 
 std::unique_ptr<RealEffect> make_effect(const EffectTerm& term, double block_s) {

@@ -34,6 +34,8 @@ struct TermInfo {
     std::string name;
     std::string unit;    ///< "" where it has none
     ShapeBounds bounds;  ///< of the search; a 0 below them leaves its part of the effect out
+    const char* at_least = nullptr;  ///< as fog::ParameterDescription has them
+    const char* at_most = nullptr;
   };
   std::string title;
   std::string equation;
@@ -48,6 +50,11 @@ TermInfo info_of(const EffectTerm& term);
 inline bool of_temperature_rate(const fog::CoefficientDescription& coefficient) {
   return std::string_view(coefficient.unit).find("/min") != std::string_view::npos;
 }
+
+/// Whether a shape parameter in `unit` of an effect with these coefficients is a lag of the
+/// temperature rate: in the model it stands behind the lags of the board's derivative.
+bool is_lag_of_rate(const std::string& unit,
+                    const std::vector<fog::CoefficientDescription>& coefficients);
 
 /// A term with its shape, over blocks of `block_s`.
 std::unique_ptr<RealEffect> make_effect(const EffectTerm& term, double block_s);

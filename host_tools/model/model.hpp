@@ -90,6 +90,12 @@ struct Model {
   double residual_rms_dph = 0;  ///< on the training data, rows of average_s
   double average_s = 10;
   std::vector<HistoryEntry> history;
+  /// A fit whose compensation may be further from the truth than none.
+  struct Uncertain {
+    double sigma_dph = 0;  ///< of the drift, in the soak where it is known worst
+    double drift_dph = 0;  ///< rms of what was to be taken out of the training data
+  };
+  std::optional<Uncertain> uncertain{};
 
   const EffectTerm* find(const std::string& name) const;
 };

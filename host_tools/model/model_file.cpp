@@ -202,6 +202,9 @@ void read_line(ModelReader& in, Model& model) {
     model.noise_dph_rthz = in.number();
   } else if (key == "residual_rms_dph") {
     model.residual_rms_dph = in.number();
+  } else if (key == "uncertain_dph") {
+    const double sigma_dph = in.number();
+    model.uncertain = Model::Uncertain{sigma_dph, in.number()};
   } else if (key == "average_s") {
     model.average_s = in.positive();
   } else if (key == "denoise") {
@@ -246,6 +249,9 @@ std::string model_text(const Model& model) {
   }
   out.word("noise_dph_rthz").number(model.noise_dph_rthz).end_line();
   out.word("residual_rms_dph").number(model.residual_rms_dph).end_line();
+  if (const auto& uncertain = model.uncertain) {
+    out.word("uncertain_dph").number(uncertain->sigma_dph).number(uncertain->drift_dph).end_line();
+  }
   out.word("average_s").number(model.average_s).end_line();
   out.word("denoise").word(model.denoise.wavelet).number(model.denoise.levels);
   out.word(kBoardRules[static_cast<std::size_t>(model.denoise.rule)]);

@@ -16,7 +16,7 @@ struct LinearFit {
   Eigen::Index rank = 0;  ///< below the number of columns: some depend on each other
 };
 
-/// rows x columns matrix, a value per row.
+/// rows x columns matrix, a value per row; not a number throughout where one of these is none.
 LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values);
 
 /// The same for a matrix with noise of its own, which `instruments` (of the same size) share little
@@ -24,6 +24,16 @@ LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& val
 /// instruments depend on each other, solve_linear().
 LinearFit solve_with_instruments(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& instruments,
                                  const Eigen::VectorXd& values);
+
+/// A column that adds nothing to those before it.
+struct DependentColumn {
+  Eigen::Index column = 0;
+  std::vector<Eigen::Index> on;  ///< columns that make it up; none where it is 0 or not finite
+};
+
+/// Which columns make the rank of a matrix lacking, from left to right. Of a matrix of full rank
+/// the column of which those before it leave the smallest share.
+std::vector<DependentColumn> dependent_columns(const Eigen::MatrixXd& matrix);
 
 /// An orthonormal basis of what the columns span, each of them first made one long; directions
 /// below `rank_threshold` of the largest pivot, and columns of zeros, add nothing.

@@ -8,6 +8,7 @@
 #include "dataset/input_columns.hpp"
 #include "identification/block_series.hpp"
 #include "identification/block_walk.hpp"
+#include "identification/shape_limits.hpp"
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
 #include "model/model_file.hpp"
@@ -60,8 +61,16 @@ void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
            "the derivative's decay");
   out.note("the same times blocks per minute: from the lags' distance to degC/min");
   out.real(thermal.derivative.rate_gain, 24, "the derivative's gain");
-  const double least = std::max(model.least_degc, -70.0);
-  const double most = std::min(model.most_degc, 130.0);
+  constexpr double kColdest_degc = -70;
+  constexpr double kWarmest_degc = 130;
+  const double least = std::max(model.least_degc, kColdest_degc);
+  const double most = std::min(model.most_degc, kWarmest_degc);
+  if (least > most) {
+    throw InputError("export",
+                     format("the trained range %.4g to %.4g degC lies outside %g to %g "
+                            "degC, what a board has; is temperature_degc in degC?",
+                            model.least_degc, model.most_degc, kColdest_degc, kWarmest_degc));
+  }
   out.note(format("trained range (%.4g to %.4g degC)", least, most));
   out.real<fog::Temperature>(least, "the coldest trained temperature");
   out.real<fog::Temperature>(most, "the warmest trained temperature");
@@ -80,6 +89,19 @@ double largest_coefficient(const Model& model) {
     }
   }
   return largest;
+}
+
+// Throws where a coefficient is larger than the board's numbers, in the unit that people read.
+void require_held(const EffectTerm& term, std::size_t coefficient, int fraction) {
+  const double most = std::ldexp(1, 31 - fraction);
+  if (std::abs(term.coefficients_dph[coefficient]) < most) return;
+  const fog::CoefficientDescription description = info_of(term).coefficients[coefficient];
+  std::string text = format("%s = %.5g %s is more than the board's numbers hold, %.5g %s",
+                            description.symbol, natural_coefficient(term, coefficient),
+                            description.unit, in_natural_unit(most, description), description.unit);
+  for (const ShapeDoubt& doubt : shape_doubts(term)) text += "; " + doubt.sentence;
+  throw InputError("effect '" + term.name + "'",
+                   text + "; fit again without it or with its shape given");
 }
 
 void write_effects(TableWriter& out, const Model& model, const Timing& timing, int fraction) {
@@ -104,6 +126,7 @@ void write_effects(TableWriter& out, const Model& model, const Timing& timing, i
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
       out.note(format("%s = %.9g %s", entry.coefficients[i].symbol, natural_coefficient(term, i),
                       entry.coefficients[i].unit));
+      require_held(term, i, fraction);
       out.real(term.coefficients_dph[i], fraction, term.name.c_str());
     }
   }
@@ -119,6 +142,7 @@ void write_expressions(TableWriter& out, const Model& model, const Timing& timin
   out.integer(static_cast<std::int64_t>(terms.size()), "expressions");
   for (const EffectTerm* term : terms) {
     out.note(format("%s = %.9g deg/h per unit", term->name.c_str(), natural_coefficient(*term, 0)));
+    require_held(*term, 0, fraction);
     out.real(term->coefficients_dph[0], fraction, term->name.c_str());
   }
   std::vector<ExpressionCode> codes;

@@ -38,8 +38,10 @@ class TableWriter {
   void real(double value, int fraction, const char* what) {
     const double scaled = std::round(std::ldexp(value, fraction));
     if (!(std::abs(scaled) <= 2147483647.0)) {
-      throw InputError("export", format("%s = %g does not fit the board's format (at most %g)",
-                                        what, value, std::ldexp(1, 31 - fraction)));
+      throw InputError("export",
+                       format("%s = %g does not fit the board's format (at most %g); is a "
+                              "unit wrong?",
+                              what, value, std::ldexp(1, 31 - fraction)));
     }
     integer(static_cast<std::int64_t>(scaled), what);
   }

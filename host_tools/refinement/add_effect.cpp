@@ -1,10 +1,12 @@
 #include "refinement/add_effect.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "evaluation/autocorrelation.hpp"
 #include "identification/noise_weighted_fit.hpp"
+#include "identification/shape_limits.hpp"
 #include "identification/walk_rival.hpp"
 #include "support/text.hpp"
 
@@ -80,12 +82,27 @@ double chance_of_walk_instead(const Model& before, const Addition& after,
                         series.regressors(after.model.terms[after.changed]), rows.drift_dph);
 }
 
+// Steps that are searched for anew stand behind all other terms after a fit.
+std::size_t place_of(const std::string& name, const std::vector<EffectTerm>& terms) {
+  const auto found = std::find_if(terms.begin(), terms.end(),
+                                  [&](const EffectTerm& term) { return term.name == name; });
+  return static_cast<std::size_t>(found - terms.begin());
+}
+
+// Why what is new in a term is not believed although it helps; "" where nothing speaks against it.
+std::string doubt_of(const EffectTerm& term, const Model& before) {
+  const EffectTerm* own = before.find(term.name);
+  for (const ShapeDoubt& doubt : shape_doubts(term)) {
+    if (own == nullptr || !own->identified[doubt.parameter]) return doubt.sentence;
+  }
+  return own == nullptr ? coefficient_doubt(term) : "";
+}
+
 }  // namespace
 
 Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
                     const std::vector<RunInBlocks>& holdouts, const AddSettings& settings) {
   Addition result;
-  result.changed = change.changed;
   Model before = model;
   before.noise_dph_rthz = training.noise_dph_rthz;
   result.model = before;
@@ -103,6 +120,7 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
   fit_model(before, series, fitting);
   half = 1;
   result.fit = fit_model(result.model, series, fitting);
+  result.changed = place_of(change.terms[change.changed].name, result.model.terms);
   result.out_of_sample = judge(before, result, series, holdouts, settings.run_offsets);
 
   result.halves = judge_halves(
@@ -139,11 +157,14 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
                            step.holdout->rms_before_dph, step.holdout->rms_after_dph);
   }
   if (judged.helps() && walk) {
-    result.reason = format(
-        "on these runs alone a random walk of the bias explains it as well (chance %.2g): let a "
-        "run "
-        "that was not fitted decide, with --holdout",
-        *result.chance_of_walk);
+    result.reason =
+        "on these runs alone a random walk of the bias explains it as well: let a run that was not "
+        "fitted decide, with --holdout";
+  }
+  const std::string doubt = doubt_of(result.model.terms[result.changed], model);
+  if (result.accepted && !doubt.empty()) {
+    result.accepted = false;
+    result.reason = doubt;
   }
   step.forced = !result.accepted;
   result.model.history.push_back(step);

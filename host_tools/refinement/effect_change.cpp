@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "identification/effect_list.hpp"
+#include "identification/shape_search.hpp"
 #include "model/catalogue.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -38,8 +39,9 @@ EffectTerm with_settings(const EffectTerm& old, const std::string& effect) {
     given += (given.empty() ? ":" : ",") + effect.substr(colon + 1);
   }
   EffectTerm term = parse_one(old.name + given);
-  for (std::size_t i = 0; i < term.parameters.size(); ++i) {
-    if (term.identified[i]) term.parameters[i] = old.parameters[i];
+  for (const ShapeParameter& shape : shape_parameters({term})) {
+    const double value = old.parameters[shape.index];
+    if (shape.least <= value && value <= shape.most) term.parameters[shape.index] = value;
   }
   return term;
 }
@@ -67,9 +69,13 @@ EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::stri
     return change;
   }
   const EffectTerm changed = with_settings(*old, effect);
-  if (changed.parameters == old->parameters && changed.identified == old->identified) {
+  const bool has_bounds = effect.find('[') != std::string::npos;
+  if (!has_bounds && changed.parameters == old->parameters &&
+      changed.identified == old->identified) {
     throw InputError("effect '" + effect + "'",
-                     "is in the model already; name a parameter to change, or another effect");
+                     effect.find(':') == std::string::npos
+                         ? "is in the model already; name a parameter to change, or another effect"
+                         : "is in the model just so already; give another value or ?[min,max]");
   }
   change.terms[change.changed] = changed;
   return change;

@@ -81,7 +81,7 @@ double stretches_of(const Rows& rows, const std::vector<double>& residual,
 std::vector<Part> parts_of(const Rows& rows, double count) {
   constexpr std::size_t kParts = 5;
   const auto size = static_cast<std::size_t>(rows.size());
-  const auto stretches = static_cast<std::size_t>(count);
+  const std::size_t stretches = std::min(static_cast<std::size_t>(count), size);
   std::vector<Part> parts(kParts);
   for (std::size_t i = 0; i < stretches; ++i) {
     parts[i % kParts].push_back({i * size / stretches, (i + 1) * size / stretches});

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "support/input_error.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -92,6 +94,11 @@ TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& set
   problem.rows = &batch;
   problem.held_out = held_out ? &*held_out : nullptr;
   network.result = find_trainer(settings.trainer).train(problem, settings.training);
+  if (network.result.weights.size() == 0) {
+    throw InputError("--network",
+                     "there are too few rows for it to learn anything; use a longer "
+                     "recording or leave it out");
+  }
   network.hidden = problem.shape.hidden_layer(network.result.weights);
   network.output = problem.shape.output_layer(network.result.weights);
   network.rms_before_dph = weighted_rms(task.target_dph, task.weights);

@@ -53,7 +53,7 @@ struct TrainedNetwork {
 
 /// Normalises, trains, and puts the scales into the result. With several runs, the last one is held
 /// out where its rows count: training stops where the error on it is least (never on rows of the
-/// same run, whose noise and history they share).
+/// same run, whose noise and history they share). Throws InputError where no row counts.
 TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& settings);
 
 }  // namespace fogcomp

@@ -7,7 +7,7 @@ source cmake/bootstrap/packages.sh
 require_packages "${build_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}" || exit 2
 
 cmake --preset host -DFOG_BENCH=ON >/dev/null
-cmake --build build/host --target wavelet_speed streaming_worth training_speed solver_speed >/dev/null
+cmake --build build/host --target wavelet_speed streaming_worth training_speed solver_speed fit_sweep >/dev/null
 cmake --preset stm32f405 >/dev/null
 cmake --build build/stm32f405 --target denoiser_speed >/dev/null
 
@@ -19,6 +19,9 @@ build/host/tests/bench/training_speed 2>/dev/null
 echo
 echo "== this computer, a thermal step of 200 cells and whitening 6000 rows"
 build/host/tests/bench/solver_speed 2>/dev/null
+echo
+echo "== 2,000 random fits: what they ended with"
+build/host/tests/fit_sweep --count 2000 --rows 400 | grep -v ^case
 echo
 echo "== board, sym8 x 5, instructions per sample"
 tests/target/denoiser_speed.sh netduinoplus2 build/stm32f405/denoiser_speed.elf

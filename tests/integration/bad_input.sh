@@ -191,6 +191,32 @@ refuses '^cut\.h:' replay cut.h good.csv -o kept
 "$fogcomp" export good.model -o fast.h --sample-rate 200 >/dev/null
 refuses '^good\.csv: is sampled at 0\.1 Hz but the header is for 200 Hz' replay fast.h good.csv -o kept
 
+# Recordings that say nothing, or nothing new.
+awk -F, -v OFS=, 'NR > 1 { $3 = 0.5 } 1' good.csv >still.csv
+awk -F, -v OFS=, 'NR > 1 { $3 = $3 "e0" } 1' good.csv >copy.csv
+awk -F, -v OFS=, 'NR > 1 { $1 += 1709625600 } 1' good.csv >since_1970.csv
+"$fogcomp" simulate -o rest.csv --profile static --seed 13 >/dev/null
+"$fogcomp" fit good.csv copy.csv -o twice.model --effects bias,temperature_rate >/dev/null 2>twice
+cmp twice.model good.model || fail "a copy of a recording counts in a fit"
+grep -q '^note: copy\.csv: has the same rows as good\.csv; counted once' twice || fail "a copy is not named: $(cat twice)"
+for command in 'fit still.csv -o kept --effects bias' 'add good.model warm_up still.csv -o kept' \
+  'compare good.model still.csv' 'diagnose good.model still.csv' \
+  'diagnose good.model good.csv --static still.csv' 'add good.model warm_up good.csv -o kept --holdout still.csv'; do
+  # shellcheck disable=SC2086
+  refuses '^still\.csv: the rate does not move: 0\.5 deg/h in all .* is the gyro on' $command
+done
+refuses '^copy\.csv: has the same rows as good\.csv, which is fitted to' \
+  add good.model warm_up good.csv -o kept --holdout copy.csv
+refuses '^good\.csv: has the same rows as good\.csv, which is fitted to' \
+  add good.model warm_up good.csv -o kept --holdout good.csv
+refuses '^copy\.csv: has the same rows as good\.csv, .*--static must be another' \
+  diagnose good.model good.csv --static copy.csv
+refuses '^glass_transition: these recordings do not determine tg' fit rest.csv -o kept --effects bias,glass_transition
+refuses '^aging: these recordings do not determine t0 .*is it since power-on' \
+  fit since_1970.csv -o kept --effects bias,bias_temperature,aging
+refuses '^aging: these recordings do not determine t0' add good.model aging since_1970.csv -o kept
+refuses "bounds of 'w' must be 0 or from 1e-30 to 1e.30" fit good.csv -o kept --effects bias --effect-expr 'x = sin(T*?w[1e-300,1e300])'
+
 # Arguments.
 refuses "no command 'fti' \(did you mean 'fit'\?\)" fti
 refuses 'unknown option --efects \(did you mean .effects.\?\)' fit good.csv -o kept --efects bias

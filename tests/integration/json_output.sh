@@ -19,6 +19,7 @@ has_keys() {
 }
 
 "$fogcomp" simulate -o run.csv --json >simulate.json
+"$fogcomp" simulate -o other.csv --seed 2 --json >simulate_other.json
 has_keys simulate.json file rows
 "$fogcomp" info run.csv --json >info.json
 has_keys info.json rows refused_rows period_s mean_dph std_dph noise_floor_dph "segments 0 name" \
@@ -32,14 +33,14 @@ has_keys denoise.json output rows outliers "levels 4 noise_dph" "levels 4 thresh
 "$fogcomp" fit run.csv -o gyro.model --effects bias,bias_temperature,temperature_rate --network 4 \
   --json >fit.json
 has_keys fit.json residual_rms_dph "effects 2 effect"
-"$fogcomp" compare gyro.model run.csv run.csv --json >compare.json
+"$fogcomp" compare gyro.model run.csv other.csv --json >compare.json
 has_keys compare.json "runs 1 file" "runs 1 rows" "runs 1 raw_std_dph" "runs 1 residual_rms_dph" \
   "runs 1 residual_std_dph" "runs 1 noise_floor_dph" "runs 1 segments 0 name" \
   "runs 1 segments 0 mean_dph" "runs 1 segments 0 std_dph" extrapolated_fraction \
   "runs 1 effects 3 share" "runs 1 structure temperature_rate share_of_excess" \
   "runs 1 structure history loop_width_dph" "runs 1 autocorrelation correlation 0" \
   "runs 1 allan residual_dph 0" "runs 1 outside_training temperature_rate" "models 0 runs 1 file"
-"$fogcomp" add gyro.model bias_temperature:order=3 run.csv --holdout run.csv -o next.model --force --json >add.json
+"$fogcomp" add gyro.model bias_temperature:order=3 run.csv --holdout other.csv -o next.model --force --json >add.json
 has_keys add.json effect accepted reason "runs 0 file" "runs 0 rms_before_dph" "runs 0 rms_after_dph" \
   "runs 0 noise_floor_dph" "runs 1 holdout" "parameters order" "coefficients b3" \
   out_of_sample_rms_before_dph out_of_sample_rms_after_dph

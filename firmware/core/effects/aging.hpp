@@ -29,7 +29,7 @@ class Aging {
       "Moisture induced mechanical strain in gyroscope optical fiber coil",
       bit_of(Input::elapsed)};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"t0", "s", 60000, 2000000000, 3600000, false}}};
+      {{"t0", "s", 60000, 2000000000, 3600000, false, nullptr, "a line in time"}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{{{"a", "deg/h", 2}}};
 
   static constexpr std::array<int, 1> constant_fractions{kOnsetFraction};

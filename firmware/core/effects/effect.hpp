@@ -52,6 +52,9 @@ struct ParameterDescription {
   std::int32_t most_milli;
   std::int32_t default_milli;
   bool whole;  ///< only whole numbers make sense
+  /// What does as well as the effect where a search ends at that bound; nullptr: nothing simpler.
+  const char* at_least = nullptr;
+  const char* at_most = nullptr;
 };
 
 /// The coefficient in front of one regressor. regressor = signal in `unit`'s denominator /

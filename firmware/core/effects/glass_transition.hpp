@@ -21,7 +21,9 @@ class GlassTransition {
       "step of the bias at one temperature in both directions; another ratio of bias to rate below",
       "US5546482 Cordova & Surabian (1996); Acta Armamentarii 42(6) 1223 (2021)"};
   static constexpr std::array<ParameterDescription, 2> parameters{
-      {{"tg", "degC", -60000, 80000, -20000, false}, {"width", "degC", 500, 8000, 4000, false}}};
+      {{"tg", "degC", -60000, 80000, -20000, false, "a polynomial in temperature",
+        "a polynomial in temperature"},
+       {"width", "degC", 500, 8000, 4000, false}}};
   static constexpr std::array<CoefficientDescription, 2> coefficients{
       {{"A", "deg/h", 0}, {"G", "deg/h per (degC/min)", 2}}};
 

@@ -29,8 +29,8 @@ class PolarizationRipple {
       "periodic in temperature, not in time, with one phase heating and cooling; stops in soaks",
       "Malykin & Pozdnyakova, Opt. Spectrosc. 97, 945 (2004)"};
   static constexpr std::array<ParameterDescription, 3> parameters{
-      {{"period", "degC", 2000, 60000, 13000, false},
-       {"period2", "degC", 0, 60000, 0, false},
+      {{"period", "degC", 2000, 60000, 13000, false, nullptr, "a polynomial in temperature"},
+       {"period2", "degC", 0, 60000, 0, false, nullptr, "a polynomial in temperature"},
        {"chirp", "%/degC", -200, 200, 0, false}}};
   static constexpr std::array<CoefficientDescription, 4> coefficients{
       {{"Ac", "deg/h", 0}, {"As", "deg/h", 0}, {"Ac2", "deg/h", 0}, {"As2", "deg/h", 0}}};

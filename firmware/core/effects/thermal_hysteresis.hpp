@@ -47,7 +47,8 @@ class ThermalHysteresis {
       " last turning point",
       "play operators: Prandtl-Ishlinskii; loops measured in FOG scale factors (GSA-LSTM, 2024)"};
   static constexpr std::array<ParameterDescription, 2> parameters{
-      {{"radius", "degC", 500, 40000, 5000, false}, {"radius2", "degC", 0, 40000, 0, false}}};
+      {{"radius", "degC", 500, 40000, 5000, false, nullptr, "a line in temperature"},
+       {"radius2", "degC", 0, 40000, 0, false, nullptr, "a line in temperature"}}};
   static constexpr std::array<CoefficientDescription, 2> coefficients{
       {{"h1", "deg/h", 0}, {"h2", "deg/h", 0}}};
 

@@ -25,7 +25,7 @@ class ThermalLag {
       "exponential tail of the rate term after a ramp ends, slow growth after it starts",
       "time constants computed with a finite-volume model of coil, spool and housing"};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"tau", "s", 5000, 20000000, 300000, false}}};
+      {{"tau", "s", 5000, 20000000, 300000, false, "temperature_rate", "a line in temperature"}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{
       {{"K", "deg/h per (degC/min)", 2}}};
 

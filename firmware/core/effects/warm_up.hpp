@@ -28,7 +28,7 @@ class WarmUp {
       "IEEE Std 952, warm-up time; sizes are general knowledge of the field",
       bit_of(Input::elapsed)};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"tau", "s", 10000, 18000000, 1200000, false}}};
+      {{"tau", "s", 10000, 18000000, 1200000, false, nullptr, "a line in time"}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{{{"A", "deg/h", 0}}};
 
   static constexpr std::array<int, 1> constant_fractions{31};

@@ -27,4 +27,24 @@ TEST(DataHash, ChangesWithEveryColumnThatAFitCanDependOn) {
   EXPECT_TRUE(hashes.insert(hash(plain)).second);
 }
 
+TEST(RowsHash, IsOfTheNumbersAndNotOfTheFile) {
+  fogcomp::Recording run;
+  run.file = "run.csv";
+  run.time_s = {0, 1, 2};
+  run.temperature_degc = {20, 21, 22};
+  run.rate_dph = {0.1, 0, 0.3};
+  fogcomp::Recording copy = run;
+  copy.file = "copy.csv";
+  copy.magnetic_ut = {1, 2, 3};  // a column more
+  copy.rate_dph[1] = -0.0;       // another way to write it
+  EXPECT_EQ(fogcomp::rows_hash(run), fogcomp::rows_hash(copy));
+  fogcomp::KnownRows known;
+  known.add(fogcomp::rows_hash(run), run.file);
+  EXPECT_EQ(known.file_with(fogcomp::rows_hash(copy)), "run.csv");
+  copy.rate_dph[2] = 0.4;
+  EXPECT_EQ(known.file_with(fogcomp::rows_hash(copy)), "");
+  std::swap(copy.rate_dph, copy.time_s);
+  EXPECT_NE(fogcomp::rows_hash(run), fogcomp::rows_hash(copy));
+}
+
 }  // namespace

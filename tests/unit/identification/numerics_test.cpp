@@ -49,6 +49,32 @@ TEST(Decompositions, SolveASingularSystemThatHasASolution) {
             1e-14);
 }
 
+TEST(LeastSquares, TakesNoColumnsAndSaysWhereANumberIsNone) {
+  EXPECT_EQ(orthonormal(MatrixXd(50, 0)).cols(), 0);
+  MatrixXd columns = MatrixXd::Random(50, 2);
+  columns(7, 1) = HUGE_VAL;
+  const LinearFit fit = solve_linear(columns, VectorXd::Ones(50));
+  EXPECT_EQ(fit.rank, 0);
+  EXPECT_EQ(fit.covariance.size(), 0);
+  EXPECT_TRUE(fit.coefficients.array().isNaN().all());
+}
+
+TEST(LeastSquares, SaysWhichColumnsDependOnWhich) {
+  MatrixXd columns = MatrixXd::Random(50, 6);
+  columns.col(2) = 1e6 * (columns.col(0) - columns.col(1));
+  columns.col(4).setZero();
+  columns(7, 5) = std::nan("");
+  const std::vector<DependentColumn> dependent = dependent_columns(columns);
+  ASSERT_EQ(dependent.size(), 3U);
+  EXPECT_EQ(dependent[0].column, 2);
+  EXPECT_EQ(dependent[0].on, (std::vector<Eigen::Index>{0, 1}));
+  EXPECT_EQ(dependent[1].column, 4);
+  EXPECT_TRUE(dependent[1].on.empty());
+  EXPECT_EQ(dependent[2].column, 5);
+  const std::vector<DependentColumn> nearest = dependent_columns(MatrixXd::Random(50, 3));
+  EXPECT_EQ(nearest.size(), 1U);
+}
+
 TEST(LeastSquares, LeavesOutAColumnThatIsASumOfOthers) {
   MatrixXd columns = MatrixXd::Random(50, 3);
   columns.col(2) = 1e6 * (columns.col(0) + columns.col(1));

@@ -30,6 +30,34 @@ TEST(AddEffect, RefusesAUselessEffect) {
   EXPECT_TRUE(result.model.history.back().forced);
 }
 
+// What helps is a line in time, which the effect can only be at the bound of its shape.
+TEST(AddEffect, RefusesAnEffectAtTheBoundOfItsShape) {
+  Model drifting = truth();
+  drifting.terms.push_back(fog::test::natural_term("aging", {2e6}, {30}));
+  const Addition result = add(kComplete, "aging", drifting, {1});
+  EXPECT_TRUE(result.out_of_sample.helps());
+  EXPECT_FALSE(result.accepted);
+  EXPECT_NE(result.reason.find("t0 is"), std::string::npos) << result.reason;
+}
+
+TEST(AddEffect, KnowsItsEffectBehindAStepThatIsFoundAnew) {
+  Model given = incomplete("bias,bias_step,bias_temperature:order=3");
+  const Addition result =
+      fogcomp::add_effect(given, fogcomp::change_effect(given.terms, "temperature_rate"),
+                          runs_of(truth(), {1}), {}, {});
+  EXPECT_EQ(result.model.terms.at(result.changed).name, "temperature_rate");
+  EXPECT_TRUE(result.accepted) << result.reason;
+}
+
+TEST(EffectChange, TakesOtherBoundsOfAParameterThatIsIdentified) {
+  const std::vector<fogcomp::EffectTerm> terms = fogcomp::parse_effects("bias,polarization_ripple");
+  const auto change = fogcomp::change_effect(terms, "polarization_ripple:period=?[2,10]");
+  const fogcomp::EffectTerm& changed = change.terms[change.changed];
+  EXPECT_EQ(changed.bounds[0].most, 10);
+  EXPECT_LE(changed.parameters[0], 10);  // 13 was outside
+  EXPECT_THROW(fogcomp::change_effect(terms, "polarization_ripple:period=?"), fogcomp::InputError);
+}
+
 TEST(OutOfSample, HelpsWhereItGainsAndTheErrorDoesNotRise) {
   EXPECT_TRUE((fogcomp::OutOfSample{1, 0.9, 20, ""}.helps()));
   EXPECT_FALSE((fogcomp::OutOfSample{1, 0.9, 5, ""}.helps()));
