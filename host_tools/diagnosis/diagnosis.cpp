@@ -85,7 +85,7 @@ class Diagnoser {
       }
     }
     structure_ = space.add(structure.all);
-    walk_ = space.add(remover(random_walk_modes(rows_)).columns);
+    walk_ = add_walk(space, remover(random_walk_modes(rows_)).columns);
     space.finish();
 
     describe_where(structure, remover.residual());
@@ -431,7 +431,7 @@ class Diagnoser {
   std::vector<Candidate> candidates_;
   Library library_;
   ColumnRange structure_;
-  ColumnRange walk_;
+  WalkModes walk_;
   Diagnosis result_;
 };
 

@@ -27,21 +27,19 @@ void ExplainedSpace::finish() {
   along_ = all.transpose() * residual_;
 }
 
-// Woodbury: with noise of covariance I + v R R', a'b becomes a'b - a'R (R'R + I/v)^-1 R'b.
+// Woodbury: with noise of covariance I + R V R', a'b becomes a'b - a'R (R'R + 1/V)^-1 R'b.
 ExplainedSpace::WithNoise ExplainedSpace::with_noise(const ColumnRange& random,
-                                                     double variance) const {
-  const Eigen::MatrixXd between = gram_.middleRows(random.first, random.count);
-  const Eigen::VectorXd with_residual = along_.segment(random.first, random.count);
+                                                     const Eigen::VectorXd& variances) const {
   Eigen::MatrixXd inner = gram_.block(random.first, random.first, random.count, random.count);
-  inner.diagonal().array() += 1 / variance;
+  inner.diagonal() += variances.cwiseInverse();
   const Eigen::MatrixXd root = cholesky_factor(inner);
   const auto half = root.triangularView<Eigen::Lower>();
-  const Eigen::MatrixXd columns = half.solve(between);
-  const Eigen::VectorXd residual = half.solve(with_residual);
+  const Eigen::MatrixXd columns = half.solve(gram_.middleRows(random.first, random.count));
+  const Eigen::VectorXd residual = half.solve(along_.segment(random.first, random.count));
   WithNoise with{*this, 0};
   with.space.gram_ -= columns.transpose() * columns;
   with.space.along_ -= columns.transpose() * residual;
-  const double log_determinant = (root.diagonal().array().square() * variance).log().sum();
+  const double log_determinant = (root.diagonal().array().square() * variances.array()).log().sum();
   with.log_likelihood = (residual.squaredNorm() - log_determinant) / 2;
   return with;
 }

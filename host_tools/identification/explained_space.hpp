@@ -27,11 +27,10 @@ class ExplainedSpace {
   const Eigen::VectorXd& along() const { return along_; }
 
   /// The space where some of its columns are part of the noise, each with a coefficient of mean 0
-  /// and this variance: the other columns and the residual as such noise weights them.
-  /// `log_likelihood` of the residual is that with this noise less that without. For columns that
-  /// were added with their own size.
+  /// and a variance of its own, above 0: the other columns and the residual as such noise weights
+  /// them. `log_likelihood` of the residual is that with this noise less that without.
   struct WithNoise;
-  WithNoise with_noise(const ColumnRange& random, double variance) const;
+  WithNoise with_noise(const ColumnRange& random, const Eigen::VectorXd& variances) const;
 
   /// Fall of the residual's sum of squares that these columns bring together.
   double gain(const std::vector<ColumnRange>& parts) const { return gain(parts, along_); }

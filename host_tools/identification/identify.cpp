@@ -101,9 +101,8 @@ void add_step(Model& model, Identification& result, const Rows& rows, const Chan
 
 // Where the soak that is known worst is less certain than the drift is large, no compensation would
 // do better.
-void judge_uncertainty(Model& model, const NoiseWeightedFit& fit,
-                       const Eigen::MatrixXd& covariance, const Rows& rows,
-                       std::vector<std::string>& warnings) {
+void judge_uncertainty(Model& model, const NoiseWeightedFit& fit, const Eigen::MatrixXd& covariance,
+                       const Rows& rows, std::vector<std::string>& warnings) {
   const SoakUncertainty worst = soak_uncertainty(model, fit, covariance, rows);
   const double drift_dph =
       std::sqrt(rows.drift_dph.cwiseAbs2().dot(rows.weights) / rows.weights.sum());

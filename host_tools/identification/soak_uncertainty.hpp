@@ -12,8 +12,8 @@ struct SoakUncertainty {
 };
 
 /// `model`: with the terms and coefficients of `fit` and its trained range. Inputs beside the
-/// temperature are at their means over `rows`. `covariance`: of coefficients and shapes in the order
-/// of fit.covariance; what they share is counted.
+/// temperature are at their means over `rows`. `covariance`: of coefficients and shapes in the
+/// order of fit.covariance; what they share is counted.
 SoakUncertainty soak_uncertainty(const Model& model, const NoiseWeightedFit& fit,
                                  const Eigen::MatrixXd& covariance, const Rows& rows);
 

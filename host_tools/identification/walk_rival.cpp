@@ -9,13 +9,30 @@
 
 namespace fogcomp {
 
-WalkRival find_walk(const ExplainedSpace& space, const ColumnRange& modes,
+WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
+  constexpr double kLeastShare = 1e-9;
+  const Eigen::VectorXd square = modes.colwise().squaredNorm();
+  const double most = square.size() > 0 ? square.maxCoeff() : 0;
+  Eigen::MatrixXd kept(modes.rows(), modes.cols());
+  WalkModes walk{{}, Eigen::VectorXd(modes.cols())};
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < modes.cols(); ++i) {
+    if (square[i] <= kLeastShare * most) continue;
+    kept.col(count) = modes.col(i) / std::sqrt(square[i]);
+    walk.square[count++] = square[i];
+  }
+  walk.square.conservativeResize(count);
+  walk.columns = space.add(kept.leftCols(count));
+  return walk;
+}
+
+WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
                     const std::vector<NoiseModel::Walk>& walks) {
   WalkRival best{0, 0, space};
   const double each = -std::log(std::max<double>(1, static_cast<double>(walks.size())));
   for (const NoiseModel::Walk& walk : walks) {
     const ExplainedSpace::WithNoise with =
-        space.with_noise(modes, walk.coefficient * walk.coefficient);
+        space.with_noise(modes.columns, std::pow(walk.coefficient, 2) * modes.square);
     const double log_odds = each + walk.log_odds + with.log_likelihood;
     if (log_odds > best.log_odds) best = {walk.coefficient, log_odds, with.space};
   }
@@ -66,7 +83,7 @@ double chance_of_walk(const Rows& rows, const NoiseModel& noise, const Eigen::Ve
   };
   ExplainedSpace space(without_model(measured));
   const ColumnRange effect = space.add(what_is_new(added, basis, whitening));
-  const ColumnRange modes = space.add(without_model(random_walk_modes(rows)));
+  const WalkModes modes = add_walk(space, without_model(random_walk_modes(rows)));
   space.finish();
   const WalkRival rival = find_walk(space, modes, noise.walks);
   const auto columns = static_cast<double>(effect.count);

@@ -14,10 +14,18 @@ struct WalkRival {
   ExplainedSpace space;    ///< with the likeliest walk as part of the noise
 };
 
-/// The walk that is likeliest by the quiet parts (`walks`) and by what `space` holds, in which
-/// `modes` are those of random_walk_modes(), of their own size. Beforehand a walk is as likely as
-/// none, and each of `walks` as the others.
-WalkRival find_walk(const ExplainedSpace& space, const ColumnRange& modes,
+/// Where the modes of a random walk lie in a space, made one long there.
+struct WalkModes {
+  ColumnRange columns;
+  Eigen::VectorXd square;  ///< of their own lengths
+};
+/// `modes`: random_walk_modes(), whitened and without the model. Modes that the model can do itself
+/// are left out.
+WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes);
+
+/// The walk that is likeliest by the quiet parts (`walks`) and by what `space` holds. Beforehand a
+/// walk is as likely as none, and each of `walks` as the others.
+WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
                     const std::vector<NoiseModel::Walk>& walks);
 
 /// Effects that explain something of what is left.
