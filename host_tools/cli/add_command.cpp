@@ -185,6 +185,7 @@ Command add_command() {
   };
   add_recording_options(command);
   command.words = effect_names();
+  command.may_replace_first = true;
   command.run = run_add;
   return command;
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "support/input_error.hpp"
+#include "support/output_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -17,6 +19,12 @@ const Option* find_option(const Command& command, const std::string& name) {
 
 InputError usage_error(const Command& command, const std::string& what) {
   return InputError("fogcomp " + command.name, what + "; see fogcomp " + command.name + " --help");
+}
+
+// A word that names no file cannot be lost.
+bool is_overwritten_by(const std::string& output, const std::string& input) {
+  std::error_code error;
+  return std::filesystem::exists(input, error) && same_file(output, input);
 }
 
 const Option& require_option(const Command& command, const std::string& name) {
@@ -68,6 +76,58 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
   if (positionals_.size() > command.most_positionals) {
     throw usage_error(command,
                       "unexpected argument '" + positionals_[command.most_positionals] + "'");
+  }
+  check_outputs();
+}
+
+// Every positional counts as an input: a word that is no file, such as an effect's name, does no
+// harm there.
+std::vector<Arguments::NamedFile> Arguments::files(ValueUse use) const {
+  std::vector<NamedFile> files;
+  for (const std::string& word : positionals_) {
+    if (use == ValueUse::input) files.push_back({word, ""});
+  }
+  for (const auto& [name, values] : given_) {
+    const Option& option = require_option(command_, name);
+    if (value_use(option) != use) continue;
+    for (const std::string& value : values) {
+      const bool ready_made =
+          std::find(option.words.begin(), option.words.end(), value) != option.words.end();
+      if (!ready_made) files.push_back({value, dashed(name)});
+    }
+  }
+  return files;
+}
+
+void Arguments::check_outputs() const {
+  const std::vector<NamedFile> inputs = files(ValueUse::input);
+  const std::vector<NamedFile> outputs = files(ValueUse::output);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto& [path, option] = outputs[i];
+    for (const NamedFile& input : inputs) {
+      const bool grows =
+          command_.may_replace_first && option == "-o" && input.path == positionals_.front();
+      if (grows || !is_overwritten_by(path, input.path)) continue;
+      throw InputError(path,
+                       option + " would overwrite the input " + input.path + "; name another file");
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!same_file(path, outputs[j].path)) continue;
+      throw InputError(
+          path, outputs[j].option + " and " + option + " name the same file; give each its own");
+    }
+  }
+}
+
+void Arguments::check_output(const std::string& path) const {
+  for (const NamedFile& input : files(ValueUse::input)) {
+    if (!is_overwritten_by(path, input.path)) continue;
+    throw InputError(path, "would overwrite the input " + input.path + "; name another folder");
+  }
+  for (const NamedFile& output : files(ValueUse::output)) {
+    if (!same_file(path, output.path)) continue;
+    throw InputError(path, "is a file of its own, and " + output.option +
+                               " names it too; give that another name");
   }
 }
 

@@ -29,6 +29,8 @@ using batch::GyroFolder;
 using batch::GyroResult;
 using batch::Outcome;
 
+constexpr const char* kTables[] = {"/gyros.csv", "/index.html"};  // in the folder of results
+
 struct Batch {
   const Arguments& arguments;
   std::string input;
@@ -188,10 +190,10 @@ batch::Summary write_tables(const Batch& batch, const Work& work,
   std::vector<GyroResult> results;
   for (const GyroFolder& gyro : batch.gyros) results.push_back(result_of(batch, gyro, work));
   batch::Summary summary = summarise(std::move(results), limits);
-  write_file(batch.output + "/gyros.csv", csv_text(summary));
-  write_file(batch.output + "/index.html", report::batch_report(summary, batch.input, batch.output,
-                                                                batch.arguments.has("reports"))
-                                               .html());
+  write_file(batch.output + kTables[0], csv_text(summary));
+  write_file(batch.output + kTables[1], report::batch_report(summary, batch.input, batch.output,
+                                                             batch.arguments.has("reports"))
+                                            .html());
   return summary;
 }
 
@@ -229,6 +231,7 @@ int run_batch(const Arguments& arguments) {
   const std::string& input = arguments.positionals()[0];
   Batch batch{arguments, input, arguments.required("o"), {}};
   require_apart(input, batch.output);
+  for (const char* name : kTables) arguments.check_output(batch.output + name);
   batch::PoolSettings settings;
   const auto processors = std::max(1U, std::thread::hardware_concurrency());
   settings.processes = arguments.has("jobs")

@@ -60,7 +60,39 @@ void forget_unfinished(const std::string& path) {
   }
 }
 
+// A path that neither links nor spellings change.
+std::filesystem::path canonical_place(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path place =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(resolve_links(path)), error);
+  return error ? std::filesystem::path(path) : place;
+}
+
 }  // namespace
+
+std::string resolve_links(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr int kMaxLinks = 40;  // as Linux follows
+  fs::path target = path;
+  for (int links = 0; links <= kMaxLinks; ++links) {
+    std::error_code no_link;
+    const fs::path next = fs::read_symlink(target, no_link);
+    if (no_link) return target.string();
+    target = target.parent_path() / next;  // `next` alone where it is absolute
+  }
+  throw InputError(path, "is a link that leads to itself; name a file");
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  struct stat status_a {};
+  struct stat status_b {};
+  const bool exists_a = ::stat(a.c_str(), &status_a) == 0;
+  const bool exists_b = ::stat(b.c_str(), &status_b) == 0;
+  if (exists_a != exists_b) return false;
+  if (!exists_a) return canonical_place(a) == canonical_place(b);
+  return S_ISREG(status_a.st_mode) && status_a.st_dev == status_b.st_dev &&
+         status_a.st_ino == status_b.st_ino;
+}
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   struct stat status {};

@@ -7,6 +7,15 @@
 
 namespace fogcomp {
 
+/// Where writing to `path` ends up: the target of a symbolic link, whether it exists or not, else
+/// `path` itself. Throws InputError for links in a circle.
+std::string resolve_links(const std::string& path);
+
+/// Whether two paths name the same regular file, by whatever links and spellings, or the same place
+/// for a file that neither names yet. Pipes and devices, which are not replaced, are never the
+/// same.
+bool same_file(const std::string& a, const std::string& b);
+
 /// A file that appears whole or not at all: written under a temporary name beside its own and
 /// renamed by commit(). Without commit() (an error, an interrupt) the temporary file is removed and
 /// whatever had the name before is untouched. What is no regular file, a pipe or a device, is

@@ -191,6 +191,70 @@ refuses '^cut\.h:' replay cut.h good.csv -o kept
 "$fogcomp" export good.model -o fast.h --sample-rate 200 >/dev/null
 refuses '^good\.csv: is sampled at 0\.1 Hz but the header is for 200 Hz' replay fast.h good.csv -o kept
 
+# An output is never one of the inputs, by whatever name, and never another output; every option that takes a
+# file to write is tried. Only a model may be replaced by the one that grew from it.
+cp good.csv in.csv
+cp good.model in.model
+cp good.h in.h
+printf 'start 20 degC\nsoak 1 h\n' >in.profile
+echo 'fit_rms_dph <= 1' >in.limits
+# own_input FILE COMMAND...: @ is where an output's name goes.
+own_input() {
+  local file=$1 name
+  shift
+  ln -s "$file" soft_link
+  ln "$file" hard_link
+  for name in "$file" "./$file" "folder/../$file" soft_link hard_link; do
+    refuses "^$name: -.* would overwrite the input " "${@/@/$name}"
+  done
+  rm soft_link hard_link
+}
+own_input in.csv fit in.csv -o @ --effects bias
+own_input in.csv fit good.csv in.csv -o @ --effects bias
+own_input in.csv fit in.csv -o kept --effects bias --report @
+own_input in.csv denoise in.csv -o @
+own_input in.csv info in.csv --report @
+own_input in.csv compare good.model in.csv --report @
+own_input in.model compare in.model good.csv --report @
+own_input in.model compare good.model good.csv --model in.model --report @
+own_input in.csv diagnose good.model in.csv --report @
+own_input in.csv diagnose good.model good.csv --static in.csv --report @
+own_input in.csv add good.model thermal_lag in.csv -o @
+own_input in.csv add good.model thermal_lag good.csv --holdout in.csv -o @
+own_input in.csv add good.model thermal_lag in.csv -o kept --report @
+own_input in.model add in.model thermal_lag good.csv -o kept --report @
+own_input in.model export in.model -o @
+own_input in.h replay in.h good.csv -o @
+own_input in.csv replay good.h in.csv -o @
+own_input in.csv stream good.h in.csv -o @
+own_input in.profile simulate --profile in.profile -o @
+own_input in.profile simulate --profile in.profile -o kept --hide @
+own_input good.model compare good.model good.csv --report=@
+mkdir lot_out
+cp in.limits lot_out/gyros.csv
+mkdir -p lot/G1
+refuses '^lot_out/gyros\.csv: would overwrite the input lot_out/gyros\.csv' batch lot -o lot_out --effects bias \
+  --limits lot_out/gyros.csv
+rm -r lot lot_out
+ln -s same dangling
+for both in "same same" "./same same" "same dangling" "kept folder/../kept"; do
+  read -r one two <<<"$both"
+  refuses '-o and --report name the same file; give each its own' fit good.csv --effects bias -o "$one" --report "$two"
+  refuses '--hide and -o name the same file; give each its own' simulate -o "$one" --hide "$two"
+done
+rm dangling
+mkdir figures
+refuses 'figures/figure_1\.csv: is a file of its own, and --report names it too' \
+  paper --figures figures --report figures/figure_1.csv
+rmdir figures
+cp good.model grown.model
+"$fogcomp" add grown.model bias_temperature good.csv -o grown.model --force >/dev/null || fail "a model does not replace its parent"
+"$fogcomp" history grown.model | grep -q bias_temperature || fail "the grown model is not the new one"
+"$fogcomp" simulate -o paper --profile paper >/dev/null
+"$fogcomp" simulate -o paper --profile paper >/dev/null || fail "a ready-made profile is taken for a file of its name"
+"$fogcomp" simulate -o /dev/null --hide /dev/null >/dev/null || fail "/dev/null is not taken twice"
+rm paper
+
 # Arguments.
 refuses "no command 'fti' \(did you mean 'fit'\?\)" fti
 refuses 'unknown option --efects \(did you mean .effects.\?\)' fit good.csv -o kept --efects bias
