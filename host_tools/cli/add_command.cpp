@@ -15,6 +15,7 @@
 #include "report/add_report.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
+#include "support/output_file.hpp"
 #include "support/progress.hpp"
 #include "support/text.hpp"
 
@@ -128,6 +129,7 @@ Wanted wanted(const Arguments& arguments, const Model& model) {
 int run_add(const Arguments& arguments) {
   if (!arguments.has(kExpression)) arguments.require_positionals(3);
   const std::string output = arguments.required("o");
+  OutputFile model_file(output);
   ReportFile page(arguments);
   AddSettings settings;
   settings.run_offsets = arguments.has("run-offsets");
@@ -150,8 +152,10 @@ int run_add(const Arguments& arguments) {
     addition = add_effect(model, change, training, holdouts, settings);
   }
   const bool written = addition.accepted || arguments.has("force");
-  if (written) save_model(addition.model, output);
-  if (page.wanted()) page.write(report::add_report(addition, words[0], written ? output : ""));
+  if (written) model_file.write(model_text(addition.model));
+  if (page.wanted()) page.fill(report::add_report(addition, words[0], written ? output : ""));
+  if (written) model_file.commit();
+  page.commit();
   if (arguments.has("json")) {
     print_json(addition, written, output);
   } else {

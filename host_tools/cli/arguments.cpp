@@ -77,7 +77,7 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
     throw usage_error(command,
                       "unexpected argument '" + positionals_[command.most_positionals] + "'");
   }
-  check_outputs();
+  check_files();
 }
 
 // Every positional counts as an input: a word that is no file, such as an effect's name, does no
@@ -99,9 +99,11 @@ std::vector<Arguments::NamedFile> Arguments::files(ValueUse use) const {
   return files;
 }
 
-void Arguments::check_outputs() const {
+void Arguments::check_files() const {
   const std::vector<NamedFile> inputs = files(ValueUse::input);
   const std::vector<NamedFile> outputs = files(ValueUse::output);
+  for (const NamedFile& file : inputs) require_printable_name(file.path);
+  for (const NamedFile& file : outputs) require_printable_name(file.path);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const auto& [path, option] = outputs[i];
     for (const NamedFile& input : inputs) {

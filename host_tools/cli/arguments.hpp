@@ -13,7 +13,8 @@ namespace fogcomp::cli {
 class Arguments {
  public:
   /// Throws InputError for an unknown option (naming the nearest), a missing value, the wrong
-  /// number of positionals, an output that is one of the inputs, or two outputs that are one file.
+  /// number of positionals, an output that is one of the inputs, two outputs that are one file, or
+  /// a file with a control character in its name.
   /// Options may stand anywhere; `--name=value` and `--name value` both work.
   Arguments(const Command& command, const std::vector<std::string>& words);
 
@@ -45,7 +46,7 @@ class Arguments {
     std::string option;  ///< dashed; "" for a positional
   };
   std::vector<NamedFile> files(ValueUse use) const;
-  void check_outputs() const;
+  void check_files() const;
 
   const Command& command_;
   std::vector<std::string> positionals_;

@@ -11,6 +11,7 @@
 #include "model/model_file.hpp"
 #include "report/fit_report.hpp"
 #include "support/json.hpp"
+#include "support/output_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -153,13 +154,16 @@ void print_text(const Fit& fit, const std::string& output) {
 
 int run_fit(const Arguments& arguments) {
   const std::string output = arguments.required("o");
+  OutputFile model_file(output);
   ReportFile page(arguments);
   const Fit result = fit_recordings(arguments, arguments.positionals(), OnInterrupt::keep_best);
-  save_model(result.model, output);
+  model_file.write(model_text(result.model));
   if (page.wanted()) {
-    page.write(report::fit_report(on_its_runs(result, output), result.result,
-                                  identification_text(result)));
+    page.fill(report::fit_report(on_its_runs(result, output), result.result,
+                                 identification_text(result)));
   }
+  model_file.commit();
+  page.commit();
   if (arguments.has("json")) {
     print_json(result, output);
   } else {

@@ -171,6 +171,7 @@ int run_simulate(const Arguments& arguments) {
                                      "raise --rate or make it longer",
                                      programme.duration_s(), options.rate_hz));
   }
+  recording.flush();
   if (truth) truth->commit();
   recording.commit();
 

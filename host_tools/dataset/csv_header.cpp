@@ -72,10 +72,11 @@ void refuse_what_is_no_header(const std::vector<std::string>& names, std::string
 void refuse_duplicates(const std::vector<std::string>& names, const std::string& where) {
   const std::vector<std::string> known = known_names();
   for (std::size_t i = 0; i < names.size(); ++i) {
+    // First: with a header of many columns the search below is long.
+    if (std::find(known.begin(), known.end(), names[i]) == known.end()) continue;
     const auto twin =
         std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]);
     if (twin == names.begin() + static_cast<std::ptrdiff_t>(i)) continue;
-    if (std::find(known.begin(), known.end(), names[i]) == known.end()) continue;
     throw InputError(where, "column '" + names[i] + "' stands twice, in fields " +
                                 std::to_string(twin - names.begin() + 1) + " and " +
                                 std::to_string(i + 1) + "; rename or remove one");
@@ -128,12 +129,7 @@ void name_ignored_columns(const CsvHeader& header, const std::string& file) {
 
 std::string printable(std::string_view field) {
   constexpr std::size_t kLongest = 40;
-  std::string text(field.substr(0, kLongest));
-  for (char& character : text) {
-    const auto code = static_cast<unsigned char>(character);
-    if (code < 0x20U || code == 0x7FU) character = '?';
-  }
-  return field.size() > kLongest ? text + "..." : text;
+  return displayable(field.substr(0, kLongest)) + (field.size() > kLongest ? "..." : "");
 }
 
 bool CsvHeader::has(std::size_t slot) const {

@@ -172,8 +172,9 @@ class RowCollector {
   }
 
   void add_label(std::string_view label) {
-    if (!recording_.labels.empty() && recording_.labels.back().text == label) return;
-    recording_.labels.push_back({recording_.rows(), std::string(label)});
+    if (label == last_label_ && !recording_.labels.empty()) return;
+    last_label_ = label;
+    recording_.labels.push_back({recording_.rows(), displayable(label)});
   }
 
   const CsvHeader& header_;
@@ -183,6 +184,7 @@ class RowCollector {
   std::vector<Target> columns_;
   double previous_s_ = -std::numeric_limits<double>::infinity();
   std::string first_fault_;
+  std::string last_label_;
 };
 
 }  // namespace

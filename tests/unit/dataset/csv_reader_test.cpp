@@ -95,6 +95,23 @@ TEST(CsvReader, KeepsTheLabelsOfASegmentColumn) {
   EXPECT_EQ(recording.labels[2].text, "");
 }
 
+TEST(CsvReader, KeepsLabelsThatCanBeShown) {
+  const Recording recording =
+      read_text("time_s,temperature_degc,rate_dph,segment\n0,20,1,Rampe 60\xB0\x1B[31m\n");
+  ASSERT_EQ(recording.labels.size(), 1U);
+  EXPECT_EQ(recording.labels[0].text, "Rampe 60\xEF\xBF\xBD?[31m");
+}
+
+TEST(CsvReader, TakesAHundredThousandColumns) {
+  std::string header = "time_s,temperature_degc,rate_dph";
+  std::string row = "0,20,1";
+  for (int i = 0; i < 100'000; ++i) {
+    header += ",c" + std::to_string(i);
+    row += ",1";
+  }
+  EXPECT_EQ(read_text(header + "\n" + row + "\n").rows(), 1U);
+}
+
 struct BadRow {
   const char* name;
   const char* line;

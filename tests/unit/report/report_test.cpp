@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "support/text.hpp"
+
 namespace fogcomp::report {
 namespace {
 
@@ -35,6 +37,13 @@ TEST(Report, NamesOfFilesCannotBecomeMarkup) {
     EXPECT_EQ(count(hostile.html(), tag), count(plain.html(), tag)) << tag;
   }
   EXPECT_EQ(count(hostile.html(), "alert(1)</"), 0U);
+}
+
+TEST(Report, NamesInAnotherEncodingLeaveThePageUtf8) {
+  Report report("Z\xFCrich.csv", "60\xB0");
+  report.table({{"60\xB0"}, {{"60\xB0"}}});
+  report.plot({"60\xB0", "", "", {{"60\xB0", "model", {1, 2}}}, {0, 1}, {}, ""});
+  EXPECT_EQ(valid_utf8(report.html()), report.html());
 }
 
 TEST(Report, NothingInThePageNamesAPlaceToLoadFrom) {
