@@ -63,7 +63,8 @@ std::vector<GyroFolder> shard(const Arguments& arguments, const std::vector<Gyro
   return shard_of(gyros, static_cast<std::size_t>(*index), static_cast<std::size_t>(*count));
 }
 
-// A result that belongs to these recordings and options, if there is one. An error is tried again:
+// Whether there is a result that belongs to these recordings and options, with its files as it
+// left them. An error is tried again:
 // a full disk or a killed process says nothing about the gyro.
 bool is_done(const Batch& batch, const GyroFolder& gyro) {
   const std::string folder = batch.folder_of(gyro);
@@ -71,7 +72,7 @@ bool is_done(const Batch& batch, const GyroFolder& gyro) {
                           !fs::exists(folder + "/report.html");
   if (lacks_page) return false;
   const auto result = batch::load_result(gyro.name, folder);
-  return result && result->error.empty() &&
+  return result && result->error.empty() && batch::outputs_are_whole(*result, folder) &&
          result->fingerprint == fingerprint_of(gyro, batch.arguments);
 }
 
