@@ -28,8 +28,7 @@ int run_export(const Arguments& arguments) {
   const std::string& model_path = arguments.positionals()[0];
   const std::string output = arguments.required("o");
   const Model model = load_model(model_path);
-  const BoardHeader header =
-      board_header(model, model_path, arguments, arguments.has("allow-error"));
+  const BoardHeader header = board_header(model, model_path, arguments, arguments.has(kAllowError));
   const QuantizationError& error = header.error;
   const NetworkError& network = header.network;
   write_file(output, header.text);
@@ -75,7 +74,7 @@ Command export_command() {
   command.summary = "the C header of weights for the firmware";
   command.example = "fogcomp export gyro.model -o fog_model.h --sample-rate 200";
   command.options = {{"o", "HEADER", "header to write", ""},
-                     {"allow-error", "", "write it even if the integers are too far off", ""},
+                     {kAllowError, "", "write it even if the integers are too far off", ""},
                      {"json", "", "one JSON object on stdout", ""}};
   for (Option& option : board_options()) command.options.push_back(std::move(option));
   command.run = run_export;

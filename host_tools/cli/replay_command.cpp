@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/arguments.hpp"
+#include "cli/board_header.hpp"
 #include "cli/board_options.hpp"
 #include "cli/recording_options.hpp"
 #include "replay/board_source.hpp"
@@ -52,7 +53,12 @@ int run_replay(const Arguments& arguments) {
     settings.sample_rate_hz = 1 / source.period_s();
   }
   const BoardTable& table = session.board.table(settings);
-  const fog::ModelParameters parameters = read_board_table(table, arguments.positionals()[0]);
+  const std::string& weights = arguments.positionals()[0];
+  const fog::ModelParameters parameters = read_board_table(table, weights);
+  // What export would refuse: no board will ever send it.
+  if (const Model* model = session.board.model()) {
+    verify_board(*model, parameters, weights, arguments.has(kAllowError));
+  }
   if (!source.is_capture()) check_rate(parameters, source.period_s(), session.run);
 
   OutputFile output(output_path);
@@ -110,6 +116,13 @@ Command replay_command() {
                      {"json", "", "one JSON object on stdout", ""}};
   for (Option& option : board_options()) command.options.push_back(std::move(option));
   add_recording_options(command);
+  command.options.push_back({kAllowError,
+                             "",
+                             "replay a model even if its integers are too far off",
+                             "",
+                             false,
+                             {},
+                             true});
   command.run = run_replay;
   return command;
 }

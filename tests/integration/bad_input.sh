@@ -178,6 +178,13 @@ refuses '^fogcomp add: expects MODEL' add good.model -o kept --effect-expr 'x = 
 "$fogcomp" fit good.csv -o divided.model --effects bias --effect-expr 'x = 1/(dTdt+5)' >/dev/null
 refuses "^expression 'x': cannot go to the board: a divisor goes from" export divided.model -o kept
 
+# What export refuses, replay refuses: drift so large that its integers are too coarse.
+awk -F, -v OFS=, 'NR > 1 { $3 *= 1e5 } 1' good.csv >large.csv
+"$fogcomp" fit large.csv -o large.model --effects bias --network 6 --levels 0 --force-network --average 60 --epochs 20 >/dev/null
+refuses "^large\.model: the .*integers would be .* give --allow-error" export large.model -o kept --sample-rate 0.1
+refuses "^large\.model: the .*integers would be .* give --allow-error" replay large.model large.csv -o kept
+"$fogcomp" replay large.model large.csv -o large.bin --allow-error >/dev/null || fail "--allow-error does not help"
+
 # Noise beyond the board's denoiser.
 "$fogcomp" simulate -o noisy.csv --noise white=1 >/dev/null
 "$fogcomp" fit noisy.csv -o noisy.model --effects bias >/dev/null
