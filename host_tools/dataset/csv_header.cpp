@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
+#include "dataset/column_units.hpp"
 #include "dataset/columns.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
@@ -83,10 +85,21 @@ void refuse_duplicates(const std::vector<std::string>& names, const std::string&
   }
 }
 
+// What a wrong name alone can be the matter with: not a column in its own right, nor another unit.
+std::vector<std::string> renamable(const std::vector<std::string>& names) {
+  std::vector<std::string> chosen;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(chosen), [](const auto& name) {
+    return slot_of(name) == CsvHeader::kIgnored && !has_foreign_unit(name);
+  });
+  return chosen;
+}
+
 void require(const CsvHeader& header, Column column, const std::string& where) {
   if (header.has(static_cast<std::size_t>(column))) return;
   const std::string name(column_info(column).name);
-  throw InputError(where, "no column '" + name + "'" + did_you_mean(name, header.names) +
+  const std::string conversion = how_to_convert(column, header.names);
+  if (!conversion.empty()) throw InputError(where, "no column '" + name + "': " + conversion);
+  throw InputError(where, "no column '" + name + "'" + did_you_mean(name, renamable(header.names)) +
                               "; the header has " + joined(header.names) + "; rename or add it");
 }
 
@@ -120,7 +133,15 @@ void name_ignored_columns(const CsvHeader& header, const std::string& file) {
     if (header.slots[i] == CsvHeader::kIgnored) ignored.push_back(header.names[i]);
   }
   if (ignored.empty()) return;
-  const std::string hint = ignored.size() == 1 ? did_you_mean(ignored[0], known_names()) : "";
+  std::string hint;
+  for (const ColumnInfo& info : kColumns) {
+    if (!hint.empty() || header.has(static_cast<std::size_t>(info.column))) continue;
+    hint = how_to_convert(info.column, ignored);
+    if (!hint.empty()) hint = " (" + hint + ")";
+  }
+  if (ignored.size() == 1 && !has_foreign_unit(ignored[0])) {
+    hint = did_you_mean(ignored[0], known_names());
+  }
   std::fprintf(stderr, "%s: column%s ignored: %s%s\n", file.c_str(), ignored.size() == 1 ? "" : "s",
                joined(ignored).c_str(), hint.c_str());
 }

@@ -165,6 +165,56 @@ TEST(CsvReader, SaysWhatIsWrongWithTheHeader) {
             ":1: columns separated by ';' or tabs; save the file with ','");
 }
 
+// A rename across units is an error of 3600, 1000 or 273: no message may propose it.
+TEST(CsvReader, SaysHowToConvertAnotherUnit) {
+  struct Case {
+    const char* header;
+    const char* said;
+  };
+  const Case cases[] = {
+      {"time_s,temperature_degc,rate_dps",
+       "no column 'rate_dph': 'rate_dps' is in deg/s: multiply by 3600, then name it rate_dph; or "
+       "name it counts and give --scale-factor 1"},
+      {"time_s,temperature_degc,Gyro_X [deg/s]",
+       "no column 'rate_dph': 'Gyro_X [deg/s]' is in deg/s: multiply by 3600, then name it "
+       "rate_dph; or name it counts and give --scale-factor 1"},
+      {"time_s,temperature_degc,rate_dpm",
+       "no column 'rate_dph': 'rate_dpm' is in deg/min: multiply by 60, then name it rate_dph; or "
+       "name it counts and give --scale-factor 60"},
+      {"time_s,temperature_degc,rate (rad/s)",
+       "no column 'rate_dph': 'rate (rad/s)' is in rad/s: multiply by 206264.8062, then name it "
+       "rate_dph; or name it counts and give --scale-factor 0.01745329252"},
+      {"time_ms,temperature_degc,rate_dph",
+       "no column 'time_s': 'time_ms' is in milliseconds: divide by 1000, then name it time_s"},
+      {"time_h,temperature_degc,rate_dph",
+       "no column 'time_s': 'time_h' is in hours: multiply by 3600, then name it time_s"},
+      {"time_s,temperature_k,rate_dph",
+       "no column 'temperature_degc': 'temperature_k' is in kelvin: subtract 273.15, then name it "
+       "temperature_degc"},
+      {"time_s,Temp [F],rate_dph",
+       "no column 'temperature_degc': 'Temp [F]' is in Fahrenheit: subtract 32, divide by 1.8, "
+       "then name it temperature_degc"},
+      {"time_s,temperature_degc,rate_x_dph,rate_y_dph,rate_z_dph",
+       "no column 'rate_dph': it could be any of rate_x_dph, rate_y_dph, rate_z_dph; name the "
+       "right "
+       "one rate_dph"},
+      {"time_s,temperature2_degc,rate_dph",
+       "no column 'temperature_degc'; the header has time_s, temperature2_degc, rate_dph; rename "
+       "or "
+       "add it"},
+  };
+  for (const Case& one : cases) {
+    EXPECT_EQ(fault(std::string(one.header) + "\n0,20,1\n"), ":1: " + std::string(one.said));
+  }
+  ::testing::internal::CaptureStderr();
+  read_text("time_s,temperature_degc,rate_dph,note,input_rate_dps\n0,20,1,2,3\n");
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("columns ignored: note, input_rate_dps ('input_rate_dps' is in deg/s: "
+                      "multiply by 3600, then name it input_rate_dph)"),
+            std::string::npos)
+      << said;
+}
+
 TEST(CsvReader, SaysWhatIsWrongWithTheFile) {
   EXPECT_EQ(fault(""), ": is empty; is it the right file?");
   EXPECT_EQ(fault("# only a comment\n"), ": has no header line and no rows; is it the right file?");
