@@ -57,9 +57,9 @@ Summary summarise(std::vector<GyroResult> results, std::vector<Limit> limits) {
 }
 
 std::string headline(const Summary& summary) {
-  return format("%zu gyros: %zu pass, %zu fail, %zu without a result", summary.gyros.size(),
-                summary.count(Outcome::pass), summary.count(Outcome::fail),
-                summary.count(Outcome::error));
+  return format("%s: %zu pass, %zu fail, %zu without a result",
+                counted(summary.gyros.size(), "gyro").c_str(), summary.count(Outcome::pass),
+                summary.count(Outcome::fail), summary.count(Outcome::error));
 }
 
 std::string csv_text(const Summary& summary) {

@@ -127,7 +127,6 @@ Wanted wanted(const Arguments& arguments, const Model& model) {
 }
 
 int run_add(const Arguments& arguments) {
-  if (!arguments.has(kExpression)) arguments.require_positionals(3);
   const std::string output = arguments.required("o");
   OutputFile model_file(output);
   ReportFile page(arguments);
@@ -170,7 +169,8 @@ Command add_command() {
   Command command;
   command.name = "add";
   command.positionals = "MODEL {EFFECT[:k=v] | --effect-expr ...} RUN...";
-  command.least_positionals = 2;
+  command.least_positionals = 3;
+  command.stands_for_positional = kExpression;
   command.most_positionals = kAnyNumber;
   command.summary = "adds an effect, refits all, keeps it if it helps out of sample";
   command.example = "fogcomp add gyro.model thermal_lag run.csv -o better.model";
@@ -190,6 +190,7 @@ Command add_command() {
   add_recording_options(command);
   command.words = effect_names();
   command.may_replace_first = true;
+  command.needs = {{"o"}};
   command.run = run_add;
   return command;
 }

@@ -19,8 +19,6 @@ class Arguments {
   Arguments(const Command& command, const std::vector<std::string>& words);
 
   const std::vector<std::string>& positionals() const { return positionals_; }
-  /// For a command whose options decide how many there must be; throws InputError for fewer.
-  void require_positionals(std::size_t least) const;
 
   /// Whether the option was given (not its default).
   bool has(const std::string& name) const { return given_.count(name) > 0; }
@@ -46,6 +44,8 @@ class Arguments {
     std::string option;  ///< dashed; "" for a positional
   };
   std::vector<NamedFile> files(ValueUse use) const;
+  void require_all() const;
+  void check_order() const;
   void check_files() const;
 
   const Command& command_;

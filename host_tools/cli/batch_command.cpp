@@ -14,6 +14,7 @@
 #include "batch/summary.hpp"
 #include "cli/arguments.hpp"
 #include "cli/gyro_calibration.hpp"
+#include "identification/effect_list.hpp"
 #include "report/batch_report.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
@@ -162,9 +163,8 @@ Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
   const int signal_number = batch::run_in_processes(
       to_do.size(), settings, [&](std::size_t job) { calibrate_alone(batch, to_do[job]); }, events);
   if (signal_number != 0) {
-    std::fprintf(stderr,
-                 "\ninterrupted: %zu of %zu gyros are done; the same command goes on there\n",
-                 work.already + work.done, batch.gyros.size());
+    std::fprintf(stderr, "\ninterrupted: %zu of %s done; the same command goes on there\n",
+                 work.already + work.done, counted(batch.gyros.size(), "gyro").c_str());
     std::signal(signal_number, SIG_DFL);
     std::raise(signal_number);
   }
@@ -254,8 +254,9 @@ int run_batch(const Arguments& arguments) {
   Work work;
   if (!arguments.has("merge")) work = calibrate_all(batch, settings);
   if (arguments.has("shard")) {
-    std::printf("part %s: %zu gyros calibrated, %zu before, %zu without a result\n",
-                arguments.text("shard").c_str(), work.done, work.already, work.errors);
+    std::printf("part %s: %s calibrated, %zu before, %zu without a result\n",
+                arguments.text("shard").c_str(), counted(work.done, "gyro").c_str(), work.already,
+                work.errors);
     return work.errors == 0 ? 0 : 1;
   }
   const batch::Summary summary = write_tables(batch, work, limits);
@@ -292,6 +293,7 @@ Command batch_command() {
     option.rare = option.name != "effects" && option.name != "network";
     command.options.push_back(std::move(option));
   }
+  command.needs = {{"o"}, {"effects", "model", kFirstEffects}};
   command.run = run_batch;
   return command;
 }

@@ -42,9 +42,17 @@ struct Command {
   std::string positionals;  ///< as shown in the usage line, e.g. "MODEL RUN..."
   std::size_t least_positionals = 0;
   std::size_t most_positionals = 0;
-  std::string summary;  ///< one line
-  std::string example;  ///< one command line that works
+  std::string stands_for_positional{};  ///< an option that takes the place of one, or ""
+  std::string summary;                  ///< one line
+  std::string example;                  ///< one command line that works
   std::vector<Option> options;
+  /// Options that must be given; what is missing is said together.
+  struct Need {
+    std::string option;
+    std::string unless{};    ///< another option, which makes it needless
+    std::string proposal{};  ///< a value to try
+  };
+  std::vector<Need> needs{};
   std::vector<std::string> words{};  ///< positionals that are no files
   /// -o may name the first positional: a model replaces the one that it grew from. Any other output
   /// that is an input is refused.

@@ -18,10 +18,8 @@ std::string without_value(const CatalogueEntry& entry, const fog::ParameterDescr
 }
 
 std::string range(const CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
-  const std::string unit =
-      std::string(parameter.unit) == "1" ? "" : std::string(" ") + parameter.unit;
   return format("%g to %g%s; not given: %s", parameter.least_milli / 1000.0,
-                parameter.most_milli / 1000.0, unit.c_str(),
+                parameter.most_milli / 1000.0, unit_behind_number(parameter).c_str(),
                 without_value(entry, parameter).c_str());
 }
 

@@ -8,6 +8,7 @@
 #include "cli/report_option.hpp"
 #include "cli/training_options.hpp"
 #include "evaluation/model_on_runs.hpp"
+#include "identification/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "report/fit_report.hpp"
 #include "support/json.hpp"
@@ -37,7 +38,7 @@ std::string steps_text(const Fit& fit) {
                    step.size_sigma_dph, step.time_s, step.time_sigma_s, fit.step_places[i].c_str());
   }
   if (identified.masked > 0) {
-    text += format("  %zu rows in which a step lies were left out\n", identified.masked);
+    text += "  " + counted(identified.masked, "row") + " left out, in which a step lies\n";
   }
   if (fit.searched_steps && identified.steps.empty()) {
     text += "  no bias step stands out of the noise (chi^2 above 60)\n";
@@ -55,7 +56,7 @@ std::string identification_text(const Fit& fit) {
                  noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak",
                  identified.misfit);
   if (identified.outliers > 0) {
-    text += format("; %zu outliers weighted down", identified.outliers);
+    text += "; " + counted(identified.outliers, "outlier") + " weighted down";
   }
   text += format(
       "\n  of the error, the board's delay (block means, derivative filter) makes %.2g deg/h rms\n",
@@ -135,7 +136,8 @@ void print_json(const Fit& fit, const std::string& output) {
 }
 
 void print_text(const Fit& fit, const std::string& output) {
-  std::printf("%td rows of %g s, raw std %.4f deg/h\n\n%s\n", fit.rows, fit.row_s,
+  std::printf("%s of %g s, raw std %.4f deg/h\n\n%s\n",
+              counted(static_cast<std::size_t>(fit.rows), "row").c_str(), fit.row_s,
               fit.result.raw_std_dph, describe(fit.model).c_str());
   std::puts(identification_text(fit).c_str());
   for (const HistoryEntry& step : fit.model.history) {
@@ -187,6 +189,7 @@ Command fit_command() {
   command.options.push_back(report_option());
   command.options.push_back({"json", "", "one JSON object on stdout", ""});
   for (Option& option : rarely(recording_options())) command.options.push_back(std::move(option));
+  command.needs = {{"o"}, {"effects", "model", kFirstEffects}};
   command.run = run_fit;
   return command;
 }

@@ -32,16 +32,15 @@ std::string significant(const std::optional<double>& value) {
 }
 
 std::string overview(const Recording& recording, const RunSummary& summary, int decimals) {
-  std::string text = format("%s\n  %zu row%s", recording.file.c_str(), recording.rows(),
-                            recording.rows() == 1 ? "" : "s");
+  std::string text = recording.file + "\n  " + counted(recording.rows(), "row");
   if (recording.period_s > 0) {
     const double length_s = recording.time_s.back() - recording.time_s.front();
     text += format(" at %.6g Hz, %s", 1 / recording.period_s,
                    duration(length_s + recording.period_s).c_str());
   }
   const std::size_t gaps = recording.stretch_starts.size() - 1;
-  if (gaps > 0) text += format(", %zu gap%s", gaps, gaps == 1 ? "" : "s");
-  if (recording.bad_rows > 0) text += format(", %zu bad rows left out", recording.bad_rows);
+  if (gaps > 0) text += ", " + counted(gaps, "gap");
+  if (recording.bad_rows > 0) text += ", " + counted(recording.bad_rows, "bad row") + " left out";
 
   text += "\n\nBias (rate less input rate), deg/h\n";
   const auto line = [&](const std::string& label, const std::optional<double>& value) {

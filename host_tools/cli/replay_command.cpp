@@ -81,12 +81,11 @@ int run_replay(const Arguments& arguments) {
     std::puts(result.text().c_str());
     return 0;
   }
-  std::printf(
-      "%s: %llu samples, %llu bytes; %llu rates not valid, %llu outside the trained range\n",
-      output_path.c_str(), static_cast<unsigned long long>(summary.frames),
-      static_cast<unsigned long long>(summary.output_bytes),
-      static_cast<unsigned long long>(summary.invalid_rates),
-      static_cast<unsigned long long>(summary.clamped_samples));
+  std::printf("%s: %s, %s; %s not valid, %s outside the trained range\n", output_path.c_str(),
+              counted(summary.frames, "sample").c_str(),
+              counted(summary.output_bytes, "byte").c_str(),
+              counted(summary.invalid_rates, "rate").c_str(),
+              counted(summary.clamped_samples, "sample").c_str());
   return 0;
 }
 
@@ -98,7 +97,7 @@ int run_stream(const Arguments& arguments) {
       [&](fog::Span<const std::uint8_t> bytes) { output.write(bytes.data, bytes.size); });
   output.commit();
   if (!session.source->is_capture()) {
-    std::printf("%s: %zu samples\n", output_path.c_str(), session.source->rows());
+    std::printf("%s: %s\n", output_path.c_str(), counted(session.source->rows(), "sample").c_str());
   }
   return 0;
 }
@@ -123,6 +122,7 @@ Command replay_command() {
                              false,
                              {},
                              true});
+  command.needs = {{"o"}};
   command.run = run_replay;
   return command;
 }
@@ -136,6 +136,7 @@ Command stream_command() {
   command.example = "fogcomp stream fog_model.h run.csv -o in.bin";
   command.options = {{"o", "OUT", "sensor stream to write", ""}};
   add_recording_options(command);
+  command.needs = {{"o"}};
   command.run = run_stream;
   return command;
 }

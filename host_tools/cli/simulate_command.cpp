@@ -185,7 +185,7 @@ int run_simulate(const Arguments& arguments) {
     }
     std::puts(summary.text().c_str());
   } else {
-    std::printf("%s: %zu rows, %.2f h at %g Hz\n", output.c_str(), rows,
+    std::printf("%s: %s, %.2f h at %g Hz\n", output.c_str(), counted(rows, "row").c_str(),
                 programme.duration_s() / 3600, options.rate_hz);
   }
   return 0;
@@ -224,6 +224,7 @@ Command simulate_command() {
       {"list", "", "lists profiles, presets, effects and parameters", ""},
       {"json", "", "prints one JSON object", ""},
   };
+  command.needs = {{"o", "list"}};
   command.run = run_simulate;
   return command;
 }

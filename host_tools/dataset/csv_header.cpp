@@ -53,8 +53,7 @@ std::size_t slot_of(std::string_view name) {
 void refuse_what_is_no_header(const std::vector<std::string>& names, std::string_view text,
                               const std::string& where) {
   if (text.rfind(kModelTitle, 0) == 0) {
-    throw InputError(
-        where, "a model, where a recording should be; models beyond the first go behind --model");
+    throw InputError(where, "a model, where a recording should be; name a recording");
   }
   if (std::all_of(names.begin(), names.end(),
                   [](const std::string& name) { return parse_number(name).has_value(); })) {

@@ -64,8 +64,8 @@ bool parse_row(const CsvHeader& header, std::string_view line, Row& row) {
 std::string fault_of(const CsvHeader& header, std::string_view line) {
   const std::vector<std::string> fields = split(line, ',');
   if (fields.size() != header.slots.size()) {
-    return format("%zu field%s where the header has %zu", fields.size(),
-                  fields.size() == 1 ? "" : "s", header.slots.size());
+    return counted(fields.size(), "field") + " where the header has " +
+           std::to_string(header.slots.size());
   }
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (header.slots[i] >= kColumns.size()) continue;
@@ -147,8 +147,8 @@ class RowCollector {
                                          : "has no good row; the first bad one: " + first_fault_);
     }
     if (recording_.bad_rows > 0) {
-      std::fprintf(stderr, "%s: %zu bad row%s left out, the first: %s\n", file_.path().c_str(),
-                   recording_.bad_rows, recording_.bad_rows == 1 ? "" : "s", first_fault_.c_str());
+      std::fprintf(stderr, "%s: %s left out, the first: %s\n", file_.path().c_str(),
+                   counted(recording_.bad_rows, "bad row").c_str(), first_fault_.c_str());
     }
     return std::move(recording_);
   }

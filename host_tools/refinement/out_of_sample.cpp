@@ -239,7 +239,7 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
     const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
     if (tell_term(left.added, series, fixed_after, changed, with)) {
       OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
-      result.how = format("on %zu runs, each left out once", runs.size());
+      result.how = "on " + counted(runs.size(), "run") + ", each left out once";
       return result;
     }
   }
@@ -305,7 +305,8 @@ OutOfSample judge_on_holdouts(const Model& before, const Model& after,
   OutOfSample result =
       judge(rows, residual_of_effects(before, holdouts, run_offsets),
             residual_of_effects(after, holdouts, run_offsets), noise, rows.weights);
-  result.how = holdouts.size() == 1 ? "on the holdout" : format("on %zu holdouts", holdouts.size());
+  result.how =
+      holdouts.size() == 1 ? "on the holdout" : "on " + counted(holdouts.size(), "holdout");
   return result;
 }
 

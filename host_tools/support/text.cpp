@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <iterator>
 #include <numeric>
 
 namespace fogcomp {
@@ -27,6 +28,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     }
   }
   return row[b.size()];
+}
+
+// "temp_rate" of "temperature_rate_product": each part of the word begins a part, in order.
+bool abbreviates(std::string_view word, const std::string& candidate) {
+  const std::vector<std::string> beginnings = split(word, '_');
+  std::size_t next = 0;
+  for (const std::string& part : split(candidate, '_')) {
+    if (next < beginnings.size() && part.rfind(beginnings[next], 0) == 0) ++next;
+  }
+  return !beginnings.empty() && next == beginnings.size();
 }
 
 }  // namespace
@@ -151,8 +162,15 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
-  const std::string found = nearest(word, candidates);
-  return found.empty() ? "" : " (did you mean '" + found + "'?)";
+  std::vector<std::string> found{nearest(word, candidates)};
+  if (found[0].empty()) {
+    found.clear();
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(found),
+                 [&](const std::string& candidate) { return abbreviates(word, candidate); });
+  }
+  constexpr std::size_t kMaxShown = 4;
+  if (found.empty() || found.size() > kMaxShown) return "";
+  return " (did you mean '" + join(found, "' or '") + "'?)";
 }
 
 }  // namespace fogcomp

@@ -39,7 +39,8 @@ std::string displayable(std::string_view text);
 /// length, at least 1; else the only one that begins with it), or "" where none is near.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
-/// " (did you mean 'x'?)", or "" where no candidate is near.
+/// " (did you mean 'x'?)"; where nearest() finds none, those of whose parts (between '_') each of
+/// the word's begins one, in order; "" where there are none or more than four.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace fogcomp

@@ -76,8 +76,8 @@ refuses '^counts\.csv.*scale-factor' "${fit[@]}" counts.csv
 # Denoising.
 denoise=(denoise good.csv -o kept)
 refuses '^missing\.csv: ' denoise missing.csv -o kept
-refuses '^one\.csv: 1 rows without a gap allow 0 levels of sym8' denoise one.csv -o kept
-refuses 'allow 8 levels of sym8, not 12; use fewer --levels' "${denoise[@]}" --levels 12
+refuses '^one\.csv: 1 row without a gap: at most 0 levels of sym8' denoise one.csv -o kept
+refuses 'at most 8 levels of sym8, not 12; use fewer --levels' "${denoise[@]}" --levels 12
 refuses "--wavelet 'sym88' is not one of" "${denoise[@]}" --wavelet sym88
 refuses "--threshold 'sure' is not one of" "${denoise[@]}" --threshold sure
 refuses "--mode 'firm' is not one of" "${denoise[@]}" --mode firm
@@ -102,7 +102,7 @@ refuses '^cut\.model: is damaged' replay cut.model good.csv -o kept
 # Comparing, adding, history.
 refuses '^missing\.model: ' compare good.model good.csv --model missing.model
 refuses '^good\.csv: is not a fogcomp model' compare good.model good.csv --model good.csv
-refuses '^good\.model:1: a model, where a recording should be; .* --model' compare good.model good.model good.csv
+refuses '^good\.model: is a model, where compare expects a recording; give further models as --model good\.model' compare good.model good.model good.csv
 "$fogcomp" fit good.csv -o scale.model --effects bias --scale-factor 1000 >/dev/null
 refuses '^scale\.model: has another scale factor than good\.model; give --scale-factor' \
   compare good.model good.csv --model scale.model
@@ -115,8 +115,8 @@ add "^effect 'bias_step': is an event of one recording" bias_step
 add "^effect: is not named" ''
 add "no parameter 'tua' \(did you mean 'tau'" thermal_lag:tua=3
 add '^good\.csv: magnetic needs the column magnetic_ut' magnetic
-refuses '^fogcomp add: -o is missing' add good.model thermal_lag good.csv
-refuses '^fogcomp add: expects MODEL' add good.model thermal_lag
+refuses '^fogcomp add: -o MODEL is missing' add good.model thermal_lag good.csv
+refuses '^fogcomp add: expects MODEL .*; -o MODEL is missing' add good.model thermal_lag
 refuses '^missing\.csv: ' add good.model thermal_lag good.csv --holdout missing.csv -o kept
 refuses '^missing\.model: ' history missing.model
 refuses '^good\.csv: is not a fogcomp model' history good.csv
@@ -146,7 +146,8 @@ fit_expression() { refuses "$1" fit good.csv -o kept --effects bias --effect-exp
 fit_expression "^expression 'x = T \* ': column 9: it ends too early" 'x = T * '
 fit_expression "column 9: there is no function 'sqrt'; there are sin" 'x = T + sqrt(T)'
 fit_expression "column 5: there is no signal 'Q'; there are T" 'x = Q'
-fit_expression "column 15: '\[' is missing" 'x = lag(T,?tau)'
+fit_expression "column 15: give the bounds of 'tau', such as \?tau\[60,900\]" 'x = lag(T,?tau)'
+fit_expression "column 1: a name and '=' come first: NAME = T\*T" 'T*T'
 fit_expression 'column 5: it depends on no signal' 'x = 3*4'
 fit_expression 'column 6: an exponent must not depend on a signal' 'x = T^T'
 fit_expression 'has the name of an effect of the catalogue' 'bias = T'
@@ -266,12 +267,17 @@ rm paper
 refuses "no command 'fti' \(did you mean 'fit'\?\)" fti
 refuses 'unknown option --efects \(did you mean .effects.\?\)' fit good.csv -o kept --efects bias
 refuses '--effects needs a value' fit good.csv -o kept --effects
-refuses '-o is missing' fit good.csv --effects bias
-refuses '--effects is missing' fit good.csv -o kept
+refuses '-o MODEL is missing' fit good.csv --effects bias
+proposal='--effects LIST is missing \(try --effects bias,bias_temperature:order=2,temperature_rate\)'
+refuses "^fogcomp fit: $proposal" fit good.csv -o kept
+refuses "^fogcomp fit: -o MODEL is missing; $proposal" fit good.csv
+refuses "^fogcomp fit: expects RUN\.\.\.; -o MODEL is missing; $proposal" fit
+refuses "^fogcomp batch: expects DIR; -o OUT is missing; $proposal" batch
+refuses '^fogcomp replay: expects MODEL.*; -o OUT is missing' replay
 refuses "effect 'biass': .*did you mean 'bias'" fit good.csv -o kept --effects biass
 refuses "effect 'bias': is listed twice" fit good.csv -o kept --effects bias,bias
 refuses "no parameter 'ordr' \(did you mean 'order'" fit good.csv -o kept --effects bias_temperature:ordr=2
-refuses 'order must be a whole number from 1 to 9' fit good.csv -o kept --effects bias_temperature:order=12
+refuses 'order must be a whole number from 1 to 9$' fit good.csv -o kept --effects bias_temperature:order=12
 refuses "--network '33' is not a number from 0 to 32" fit good.csv -o kept --effects bias --network 33
 refuses "--average 'ten' is not a number" fit good.csv -o kept --effects bias --average ten
 refuses "--threshold 'minimaxi' is not one of" fit good.csv -o kept --effects bias --threshold minimaxi
@@ -293,13 +299,40 @@ refuses 'is a directory' info good.csv --report folder
 refuses 'cannot be written' fit good.csv -o kept --effects bias --report nowhere/x.html
 refuses '^missing\.csv: .*' compare good.model missing.csv --report kept
 
+# Near misses of an effect's name; blanks in a list; a mean longer than the run.
+refuses "did you mean 'temperature_rate' or 'temperature_rate_product'" fit good.csv -o kept --effects temp_rate
+refuses "did you mean 'glass_transition'" fit good.csv -o kept --effects bias,transition
+"$fogcomp" fit good.csv -o blanks.model --effects ' bias, temperature_rate ' >/dev/null || fail "a blank behind a comma"
+refuses '^good\.csv: lasts 59550 s, too short for means of 100000 s' info good.csv --average 100000
+"$fogcomp" fit good.csv -o both_signs.model --effects bias --effect-expr 'x = sin(T*?w[-1,1])' >/dev/null ||
+  fail "a search between bounds on both sides of 0 begins at 0"
+
+# Swapped arguments: the line to type.
+refuses '^fogcomp compare: the arguments look swapped: fogcomp compare good\.model good\.csv$' compare good.csv good.model
+refuses 'swapped: fogcomp diagnose good\.model good\.csv in\.csv$' diagnose good.csv good.model in.csv
+refuses 'swapped: fogcomp add good\.model thermal_lag good\.csv$' add good.model good.csv thermal_lag -o kept
+refuses 'swapped: fogcomp add good\.model thermal_lag:tau=60 good\.csv$' add good.csv thermal_lag:tau=60 good.model -o kept
+refuses 'swapped: fogcomp replay good\.h good\.csv$' replay good.csv good.h -o kept
+refuses '^good\.model: is a model, where fit expects RUN\.\.\.$' fit good.model -o kept --effects bias
+refuses '^good\.model: is a model, where info expects RUN$' info good.model
+refuses '^good\.model: is a model, where diagnose expects MODEL RUN' diagnose in.model good.model good.csv
+refuses '^good\.model:1: a model, where a recording should be' add good.model thermal_lag good.csv --holdout good.model -o kept
+
+# Files of other programs.
+other_format() { printf "$1" | cat - good.csv >foreign; refuses "^foreign: is .*$2" info foreign; }
+other_format '\xff\xfe' 'UTF-16'
+other_format '\x1f\x8b' 'gunzip'
+other_format 'PK\x03\x04' 'Excel'
+other_format 'MATLAB 5.0 MAT-file' 'MATLAB'
+rm foreign
+
 # Batches.
 mkdir -p lot/G1 empty_lot
 cp good.csv lot/G1
 lot() { refuses "$1" batch "${@:2}" --effects bias,temperature_rate; }
 lot '^missing: cannot be read' missing -o results
 lot '^empty_lot: has no folder in it' empty_lot -o results
-lot '^fogcomp batch: -o is missing' lot
+lot '^fogcomp batch: -o OUT is missing' lot
 lot '^lot/results: lies in lot; name a folder beside it' lot -o lot/results
 lot "^--shard: '3/2' is no part of a whole; write I/N" lot -o results --shard 3/2
 lot "^--shard: 'half' is no part" lot -o results --shard half
