@@ -120,7 +120,7 @@ END
 chmod +x bin/sbatch
 PATH=$PWD/bin:$PATH FOGCOMP=$fogcomp SBATCH_OPTIONS="--cpus-per-task=2 --partition=lab" \
   "$submit" 2 gyros array "${options[@]:0:2}" >said.txt 2>tasks.txt || fail "$(cat tasks.txt)"
-grep -q '^part 2/2: 1 gyros calibrated' tasks.txt || fail "$(cat tasks.txt)"
+grep -q '^part 2/2: 1 gyro calibrated' tasks.txt || fail "$(cat tasks.txt)"
 cmp whole/gyros.csv array/gyros.csv
 rm parts/A2/result.txt
 batch 1 gyros -o parts --merge
@@ -157,7 +157,7 @@ status=0
 wait "$pool" || status=$?
 ((status == 130)) || fail "exit code $status after SIGINT"
 ! kill -0 "$child" 2>/dev/null || fail "a process is left"
-grep -q '^interrupted: 3 of 4 gyros are done; the same command goes on there' errors.txt || fail "$(cat errors.txt)"
+grep -q '^interrupted: 3 of 4 gyros done; the same command goes on there' errors.txt || fail "$(cat errors.txt)"
 [[ -z $(find stopped -name '*.part-*') && ! -e stopped/gyros.csv ]] || fail "half files: $(find stopped)"
 rm -r gyros/C1
 batch 0 gyros -o stopped
