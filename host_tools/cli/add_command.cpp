@@ -74,12 +74,13 @@ void print_json(const Addition& addition, bool written, const std::string& outpu
 }
 
 void print_run(const Addition::RunError& run) {
-  std::printf("  %-32s %10.4f -> %10.4f", (run.file + (run.holdout ? " (holdout)" : "")).c_str(),
-              run.rms_before_dph, run.rms_after_dph);
+  std::printf("  %-32s %10s -> %10s", (run.file + (run.holdout ? " (holdout)" : "")).c_str(),
+              rounded(run.rms_before_dph).c_str(), rounded(run.rms_after_dph).c_str());
   if (run.noise_floor_dph) {
     const double floor = *run.noise_floor_dph;
-    std::printf("   floor %.4f, drift %.4f -> %.4f", floor,
-                floor_removed(run.rms_before_dph, floor), floor_removed(run.rms_after_dph, floor));
+    std::printf("   floor %s, drift %s -> %s", rounded(floor).c_str(),
+                rounded(floor_removed(run.rms_before_dph, floor)).c_str(),
+                rounded(floor_removed(run.rms_after_dph, floor)).c_str());
   }
   if (run.outside_temperature > 0) {
     std::printf("; %.0f %% outside the trained temperatures", 100 * run.outside_temperature);

@@ -34,8 +34,9 @@ std::string steps_text(const Fit& fit) {
   std::string text;
   for (std::size_t i = 0; i < identified.steps.size(); ++i) {
     const FoundStep& step = identified.steps[i];
-    text += format("  bias step of %+.4f +- %.2g deg/h at %.6g +- %.2g s (%s)\n", step.size_dph,
-                   step.size_sigma_dph, step.time_s, step.time_sigma_s, fit.step_places[i].c_str());
+    text += format("  bias step of %s +- %.2g deg/h at %.6g +- %.2g s (%s)\n",
+                   signed_rounded(step.size_dph).c_str(), step.size_sigma_dph, step.time_s,
+                   step.time_sigma_s, fit.step_places[i].c_str());
   }
   if (identified.masked > 0) {
     text += "  " + counted(identified.masked, "row") + " left out, in which a step lies\n";
@@ -50,8 +51,8 @@ std::string identification_text(const Fit& fit) {
   const Model& model = fit.model;
   const Identification& identified = fit.result.identified;
   const NoiseModel& noise = identified.noise;
-  std::string text = format("  noise of a row %.4f white", noise.white_dph());
-  if (!noise.components.empty()) text += format(", %.4f slow", noise.wander_dph());
+  std::string text = format("  noise of a row %s white", rounded(noise.white_dph()).c_str());
+  if (!noise.components.empty()) text += format(", %s slow", rounded(noise.wander_dph()).c_str());
   text += format(" deg/h (%s); misfit %.2f",
                  noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak",
                  identified.misfit);
@@ -67,8 +68,8 @@ std::string identification_text(const Fit& fit) {
                    identified.visible_dph[i]);
   }
   for (std::size_t run = 0; run < identified.run_offsets_dph.size(); ++run) {
-    text += format("  recording %zu lies %+.4f deg/h from the first\n", run + 2,
-                   identified.run_offsets_dph[run]);
+    text += format("  recording %zu lies %s deg/h from the first\n", run + 2,
+                   signed_rounded(identified.run_offsets_dph[run]).c_str());
   }
   for (const std::string& warning : identified.warnings) {
     text += format("  note: %s\n", warning.c_str());
@@ -136,13 +137,13 @@ void print_json(const Fit& fit, const std::string& output) {
 }
 
 void print_text(const Fit& fit, const std::string& output) {
-  std::printf("%s of %g s, raw std %.4f deg/h\n\n%s\n",
+  std::printf("%s of %g s, raw std %s deg/h\n\n%s\n",
               counted(static_cast<std::size_t>(fit.rows), "row").c_str(), fit.row_s,
-              fit.result.raw_std_dph, describe(fit.model).c_str());
+              rounded(fit.result.raw_std_dph).c_str(), describe(fit.model).c_str());
   std::puts(identification_text(fit).c_str());
   for (const HistoryEntry& step : fit.model.history) {
-    std::printf("  %-44s %.4f -> %.4f deg/h rms\n", step.action.c_str(), step.rms_before_dph,
-                step.rms_after_dph);
+    std::printf("  %-44s %s -> %s deg/h rms\n", step.action.c_str(),
+                rounded(step.rms_before_dph).c_str(), rounded(step.rms_after_dph).c_str());
   }
   if (const std::optional<double> determined = determined_weights(fit)) {
     std::printf("  (of the network's weights the data determine %.1f)\n", *determined);

@@ -1,15 +1,11 @@
 #include "report/figures.hpp"
 
-#include <cmath>
-
 #include "support/text.hpp"
 
 namespace fogcomp::report {
 
 std::string dph(const std::optional<double>& value) {
-  constexpr double kLeast = 0.00005;
-  if (!value) return "-";
-  return format("%.4f", std::fabs(*value) < kLeast ? 0.0 : *value);  // no "-0.0000"
+  return value ? rounded(*value) : "-";
 }
 
 std::string percent(double share) {

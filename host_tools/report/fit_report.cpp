@@ -10,10 +10,11 @@ namespace fogcomp::report {
 namespace {
 
 std::string found(const ModelOnRuns& model, const FitResult& result) {
-  std::string text = format("The model leaves %.4f deg/h rms of a raw std of %.4f",
-                            model.model.residual_rms_dph, result.raw_std_dph);
+  std::string text =
+      format("The model leaves %s deg/h rms of a raw std of %s",
+             rounded(model.model.residual_rms_dph).c_str(), rounded(result.raw_std_dph).c_str());
   if (const auto floor = model.model.history.back().noise_floor_dph) {
-    text += format("; noise alone would leave %.4f", *floor);
+    text += format("; noise alone would leave %s", rounded(*floor).c_str());
   }
   return text + ".";
 }

@@ -28,8 +28,8 @@ Finding find(const Recording& recording, const RunSummary& summary) {
   const double floor = *summary.noise_floor_dph;
   const double drift = floor_removed(deviation, floor);
   const std::string error =
-      format("means of %.4g s scatter by %.4f deg/h (std), noise alone would make %.4f",
-             summary.average_s, deviation, floor);
+      format("means of %.4g s scatter by %s deg/h (std), noise alone would make %s",
+             summary.average_s, rounded(deviation).c_str(), rounded(floor).c_str());
   bool ramps = false;
   for (const SegmentSummary& segment : summary.segments) {
     ramps = ramps || segment.kind != SegmentKind::soak;
@@ -39,7 +39,7 @@ Finding find(const Recording& recording, const RunSummary& summary) {
             "this run shows noise and warm-up only; record one in which the temperature moves.",
             ""};
   }
-  return {format("%.4f deg/h of drift: ", drift) + error + ".",
+  return {format("%s deg/h of drift: ", rounded(drift).c_str()) + error + ".",
           "fit physical effects to it, then look at what they leave.",
           "fogcomp fit " + recording.file + " -o gyro.model --effects " + kFirstEffects};
 }

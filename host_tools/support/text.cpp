@@ -93,6 +93,19 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+std::string rounded(double value) {
+  constexpr double kShown = 0.00005;
+  const double size = std::fabs(value);
+  if (size < kShown) return "0.0000";  // and never "-0.0000"
+  const int order = std::isfinite(value) ? static_cast<int>(std::floor(std::log10(size))) : 0;
+  return format("%.*f", std::clamp(3 - order, 0, 4), value);
+}
+
+std::string signed_rounded(double value) {
+  const std::string text = rounded(value);
+  return text[0] == '-' ? text : "+" + text;
+}
+
 std::string counted(std::size_t count, const std::string& noun) {
   return format("%zu %s%s", count, noun.c_str(), count == 1 ? "" : "s");
 }

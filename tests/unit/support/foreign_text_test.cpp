@@ -49,6 +49,19 @@ TEST(ForeignText, IsNoNameOfAFile) {
   EXPECT_THROW(fogcomp::require_printable_name("a\nb.csv"), fogcomp::InputError);
 }
 
+TEST(Rounded, HasTheDigitsThatDeserveIt) {
+  EXPECT_EQ(fogcomp::rounded(1919.2848), "1919");
+  EXPECT_EQ(fogcomp::rounded(-13565.5863), "-13566");
+  EXPECT_EQ(fogcomp::rounded(15.04107), "15.04");
+  EXPECT_EQ(fogcomp::rounded(1.89321), "1.893");
+  EXPECT_EQ(fogcomp::rounded(0.054321), "0.0543");
+  EXPECT_EQ(fogcomp::rounded(0.0012345), "0.0012");
+  EXPECT_EQ(fogcomp::signed_rounded(0.186), "+0.1860");
+  EXPECT_EQ(fogcomp::signed_rounded(-2.5), "-2.500");
+  EXPECT_EQ(fogcomp::rounded(2e-16), "0.0000");
+  EXPECT_EQ(fogcomp::rounded(-0.0), "0.0000");
+}
+
 TEST(Counted, HasASingularAndAPlural) {
   EXPECT_EQ(fogcomp::counted(0, "bad row"), "0 bad rows");
   EXPECT_EQ(fogcomp::counted(1, "bad row"), "1 bad row");
