@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "support/input_error.hpp"
+#include "support/output_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::batch {
@@ -35,7 +36,7 @@ void Fingerprint::add(std::string_view word) {
 void Fingerprint::add_file(const std::string& path) {
   add(std::filesystem::path(path).filename().string());
   // Piece by piece: a recording may be larger than the memory.
-  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+  const std::unique_ptr<std::FILE, CloseFile> file(::fdopen(open_input(path), "rb"));
   std::array<char, 65536> piece;
   std::size_t size = 0;
   while (file && (size = std::fread(piece.data(), 1, piece.size(), file.get())) > 0) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "support/input_error.hpp"
+#include "support/output_file.hpp"
 
 namespace fogcomp::batch {
 namespace {
@@ -22,6 +23,7 @@ GyroFolder read_folder(const fs::path& folder, const FilePatterns& patterns) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, unreadable)) {
     const std::string name = entry.path().filename().string();
     if (entry.is_directory() || !matches(patterns.runs, name)) continue;
+    require_printable_name(entry.path().string());
     (matches(patterns.holdouts, name) ? gyro.holdouts : gyro.recordings)
         .push_back(entry.path().string());
   }
@@ -42,7 +44,9 @@ std::vector<GyroFolder> find_gyros(const std::string& parent, const FilePatterns
   std::vector<GyroFolder> gyros;
   for (const fs::directory_entry& entry : entries) {
     const bool hidden = entry.path().filename().string().front() == '.';
-    if (entry.is_directory() && !hidden) gyros.push_back(read_folder(entry.path(), patterns));
+    if (!entry.is_directory() || hidden) continue;
+    require_printable_name(entry.path().string());
+    gyros.push_back(read_folder(entry.path(), patterns));
   }
   if (gyros.empty()) {
     throw InputError(parent,

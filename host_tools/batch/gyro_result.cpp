@@ -4,13 +4,14 @@
 #include <charconv>
 #include <filesystem>
 
+#include "batch/fingerprint.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::batch {
 namespace {
 
-constexpr const char* kTitle = "fogcomp-batch 1";
+constexpr const char* kTitle = "fogcomp-batch 2";
 constexpr const char* kEnd = "end";
 
 // In the shortest form that reads back to the same bits.
@@ -19,10 +20,10 @@ std::string digits_of(double value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-// A line break would be a fact more.
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+std::string fingerprint_of_file(const std::string& path) {
+  Fingerprint fingerprint;
+  fingerprint.add_file(path);
+  return fingerprint.text();
 }
 
 }  // namespace
@@ -38,11 +39,25 @@ std::string result_path(const std::string& folder) {
   return folder + "/result.txt";
 }
 
+void add_output(GyroResult& result, const std::string& folder, const std::string& name) {
+  result.outputs.emplace_back(name, fingerprint_of_file(folder + "/" + name));
+}
+
+bool outputs_are_whole(const GyroResult& result, const std::string& folder) {
+  return std::all_of(result.outputs.begin(), result.outputs.end(), [&](const auto& output) {
+    const std::string path = folder + "/" + output.first;
+    return std::filesystem::is_regular_file(path) && fingerprint_of_file(path) == output.second;
+  });
+}
+
 void save_result(const GyroResult& result, const std::string& folder) {
   std::string text = std::string(kTitle) + "\ninputs " + result.fingerprint + "\n";
-  if (!result.error.empty()) text += "error " + one_line(result.error) + "\n";
+  if (!result.error.empty()) text += "error " + displayable(result.error) + "\n";
   for (const auto& [name, value] : result.figures) {
     text += "figure " + name + " " + digits_of(value) + "\n";
+  }
+  for (const auto& [name, fingerprint] : result.outputs) {
+    text += "output " + fingerprint + " " + name + "\n";
   }
   write_file(result_path(folder), text + kEnd + "\n");
 }
@@ -61,6 +76,9 @@ std::optional<GyroResult> load_result(const std::string& gyro, const std::string
       result.fingerprint = rest;
     } else if (key == "error") {
       result.error = rest;
+    } else if (key == "output") {
+      const std::size_t end = std::min(rest.find(' '), rest.size() - 1);
+      result.outputs.emplace_back(rest.substr(end + 1), rest.substr(0, end));
     } else {
       const std::vector<std::string> words = split(rest, ' ');
       const auto value = words.size() == 2 ? parse_number(words[1]) : std::nullopt;

@@ -14,12 +14,20 @@ struct GyroResult {
   std::string fingerprint;  ///< of recordings and options
   std::string error;        ///< one line; "" where there are figures
   std::vector<std::pair<std::string, double>> figures;
+  /// What was written beside it: name and fingerprint of each file.
+  std::vector<std::pair<std::string, std::string>> outputs{};
 
   std::optional<double> figure(const std::string& name) const;
 };
 
 /// The file of a gyro's result in `folder`.
 std::string result_path(const std::string& folder);
+
+/// Adds the file `name` of `folder` to the outputs, as it is now.
+void add_output(GyroResult& result, const std::string& folder, const std::string& name);
+
+/// Whether every output is in `folder` as it was written.
+bool outputs_are_whole(const GyroResult& result, const std::string& folder);
 
 /// Writes result_path() whole or not at all. Throws InputError where the folder cannot be written.
 void save_result(const GyroResult& result, const std::string& folder);

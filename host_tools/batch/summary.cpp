@@ -7,7 +7,10 @@
 namespace fogcomp::batch {
 namespace {
 
-std::string quoted(const std::string& text) {
+// A cell as RFC 4180 has it. A spreadsheet takes what begins with one of "=+-@" for a formula and
+// runs it: a serial number that begins so gets an apostrophe before it.
+std::string quoted(std::string text) {
+  if (text.find_first_of("=+-@") == 0) text.insert(0, "'");
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string cell = "\"";
   for (const char character : text) cell += character == '"' ? "\"\"" : std::string(1, character);
@@ -54,9 +57,9 @@ Summary summarise(std::vector<GyroResult> results, std::vector<Limit> limits) {
 }
 
 std::string headline(const Summary& summary) {
-  return format("%zu gyros: %zu pass, %zu fail, %zu without a result", summary.gyros.size(),
-                summary.count(Outcome::pass), summary.count(Outcome::fail),
-                summary.count(Outcome::error));
+  return format("%s: %zu pass, %zu fail, %zu without a result",
+                counted(summary.gyros.size(), "gyro").c_str(), summary.count(Outcome::pass),
+                summary.count(Outcome::fail), summary.count(Outcome::error));
 }
 
 std::string csv_text(const Summary& summary) {

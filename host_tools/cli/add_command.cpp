@@ -15,6 +15,7 @@
 #include "report/add_report.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
+#include "support/output_file.hpp"
 #include "support/progress.hpp"
 #include "support/text.hpp"
 
@@ -74,12 +75,13 @@ void print_json(const Addition& addition, bool written, const std::string& outpu
 }
 
 void print_run(const Addition::RunError& run) {
-  std::printf("  %-32s %10.4f -> %10.4f", (run.file + (run.holdout ? " (holdout)" : "")).c_str(),
-              run.rms_before_dph, run.rms_after_dph);
+  std::printf("  %-32s %10s -> %10s", (run.file + (run.holdout ? " (holdout)" : "")).c_str(),
+              rounded(run.rms_before_dph).c_str(), rounded(run.rms_after_dph).c_str());
   if (run.noise_floor_dph) {
     const double floor = *run.noise_floor_dph;
-    std::printf("   floor %.4f, drift %.4f -> %.4f", floor,
-                floor_removed(run.rms_before_dph, floor), floor_removed(run.rms_after_dph, floor));
+    std::printf("   floor %s, drift %s -> %s", rounded(floor).c_str(),
+                rounded(floor_removed(run.rms_before_dph, floor)).c_str(),
+                rounded(floor_removed(run.rms_after_dph, floor)).c_str());
   }
   if (run.outside_temperature > 0) {
     std::printf("; %.0f %% outside the trained temperatures", 100 * run.outside_temperature);
@@ -127,8 +129,8 @@ Wanted wanted(const Arguments& arguments, const Model& model) {
 }
 
 int run_add(const Arguments& arguments) {
-  if (!arguments.has(kExpression)) arguments.require_positionals(3);
   const std::string output = arguments.required("o");
+  OutputFile model_file(output);
   ReportFile page(arguments);
   AddSettings settings;
   settings.run_offsets = arguments.has("run-offsets");
@@ -151,8 +153,10 @@ int run_add(const Arguments& arguments) {
     addition = add_effect(model, change, training, holdouts.runs, settings);
   }
   const bool written = addition.accepted || arguments.has("force");
-  if (written) save_model(addition.model, output);
-  if (page.wanted()) page.write(report::add_report(addition, words[0], written ? output : ""));
+  if (written) model_file.write(model_text(addition.model));
+  if (page.wanted()) page.fill(report::add_report(addition, words[0], written ? output : ""));
+  if (written) model_file.commit();
+  page.commit();
   if (arguments.has("json")) {
     print_json(addition, written, output);
   } else {
@@ -167,7 +171,8 @@ Command add_command() {
   Command command;
   command.name = "add";
   command.positionals = "MODEL {EFFECT[:k=v] | --effect-expr ...} RUN...";
-  command.least_positionals = 2;
+  command.least_positionals = 3;
+  command.stands_for_positional = kExpression;
   command.most_positionals = kAnyNumber;
   command.summary = "adds an effect, refits all, keeps it if it helps out of sample";
   command.example = "fogcomp add gyro.model thermal_lag run.csv -o better.model";
@@ -186,6 +191,8 @@ Command add_command() {
   };
   add_recording_options(command);
   command.words = effect_names();
+  command.may_replace_first = true;
+  command.needs = {{"o"}};
   command.run = run_add;
   return command;
 }

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "support/input_error.hpp"
+#include "support/model_title.hpp"
+#include "support/output_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -17,6 +21,22 @@ const Option* find_option(const Command& command, const std::string& name) {
 
 InputError usage_error(const Command& command, const std::string& what) {
   return InputError("fogcomp " + command.name, what + "; see fogcomp " + command.name + " --help");
+}
+
+// By its first bytes; a pipe, which can be read only once, is not looked into.
+bool is_model_or_header(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string head(kHeaderTitle.size(), '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head.rfind(kModelTitle, 0) == 0 || head == kHeaderTitle;
+}
+
+// A word that names no file cannot be lost.
+bool is_overwritten_by(const std::string& output, const std::string& input) {
+  std::error_code error;
+  return std::filesystem::exists(input, error) && same_file(output, input);
 }
 
 const Option& require_option(const Command& command, const std::string& name) {
@@ -64,17 +84,107 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
     }
     values.push_back(value);
   }
-  require_positionals(command.least_positionals);
+  require_all();
   if (positionals_.size() > command.most_positionals) {
     throw usage_error(command,
                       "unexpected argument '" + positionals_[command.most_positionals] + "'");
   }
+  check_order();
+  check_files();
 }
 
-void Arguments::require_positionals(std::size_t least) const {
-  if (positionals_.size() < least) {
-    throw usage_error(command_, "expects " + command_.positionals);
+// Every positional counts as an input: a word that is no file, such as an effect's name, does no
+// harm there.
+std::vector<Arguments::NamedFile> Arguments::files(ValueUse use) const {
+  std::vector<NamedFile> files;
+  for (const std::string& word : positionals_) {
+    if (use == ValueUse::input) files.push_back({word, ""});
   }
+  for (const auto& [name, values] : given_) {
+    const Option& option = require_option(command_, name);
+    if (value_use(option) != use) continue;
+    for (const std::string& value : values) {
+      const bool ready_made =
+          std::find(option.words.begin(), option.words.end(), value) != option.words.end();
+      if (!ready_made) files.push_back({value, dashed(name)});
+    }
+  }
+  return files;
+}
+
+// "MODEL [EFFECT] RUN...": whoever swaps them is shown the line to type.
+void Arguments::check_order() const {
+  const bool model_first = command_.positionals.rfind("MODEL", 0) == 0;
+  const auto rank = [&](const std::string& word) {
+    if (is_model_or_header(word)) return 0;
+    const std::string effect = word.substr(0, word.find(':'));
+    const auto& words = command_.words;
+    return std::find(words.begin(), words.end(), effect) != words.end() ? 1 : 2;
+  };
+  std::vector<std::string> sorted = positionals_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const auto& left, const auto& right) { return rank(left) < rank(right); });
+  const std::size_t models = static_cast<std::size_t>(std::count_if(
+      sorted.begin(), sorted.end(), [&](const auto& word) { return rank(word) == 0; }));
+  if (models > (model_first ? 1U : 0U)) {
+    const std::string& surplus = sorted[model_first ? 1 : 0];
+    const Option* more = model_first ? find_option(command_, "model") : nullptr;
+    throw InputError(surplus, "is a model, where " + command_.name + " expects " +
+                                  (more ? "a recording; give further models as --model " + surplus
+                                        : command_.positionals));
+  }
+  if (!model_first || models == 0 || sorted == positionals_) return;
+  throw InputError("fogcomp " + command_.name, "the arguments look swapped: fogcomp " +
+                                                   command_.name + " " + join(sorted, " "));
+}
+
+void Arguments::check_files() const {
+  const std::vector<NamedFile> inputs = files(ValueUse::input);
+  const std::vector<NamedFile> outputs = files(ValueUse::output);
+  for (const NamedFile& file : inputs) require_printable_name(file.path);
+  for (const NamedFile& file : outputs) require_printable_name(file.path);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto& [path, option] = outputs[i];
+    for (const NamedFile& input : inputs) {
+      const bool grows =
+          command_.may_replace_first && option == "-o" && input.path == positionals_.front();
+      if (grows || !is_overwritten_by(path, input.path)) continue;
+      throw InputError(path,
+                       option + " would overwrite the input " + input.path + "; name another file");
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!same_file(path, outputs[j].path)) continue;
+      throw InputError(
+          path, outputs[j].option + " and " + option + " name the same file; give each its own");
+    }
+  }
+}
+
+void Arguments::check_output(const std::string& path) const {
+  for (const NamedFile& input : files(ValueUse::input)) {
+    if (!is_overwritten_by(path, input.path)) continue;
+    throw InputError(path, "would overwrite the input " + input.path + "; name another folder");
+  }
+  for (const NamedFile& output : files(ValueUse::output)) {
+    if (!same_file(path, output.path)) continue;
+    throw InputError(path, "is a file of its own, and " + output.option +
+                               " names it too; give that another name");
+  }
+}
+
+void Arguments::require_all() const {
+  std::vector<std::string> missing;
+  const std::size_t replaced = has(command_.stands_for_positional) ? 1 : 0;
+  if (positionals_.size() + replaced < command_.least_positionals) {
+    missing.push_back("expects " + command_.positionals);
+  }
+  for (const auto& [name, unless, proposal] : command_.needs) {
+    if (!text(name).empty() || has(unless)) continue;
+    missing.push_back(dashed(name) + " " + require_option(command_, name).value_name +
+                      " is missing");
+    if (!proposal.empty()) missing.back() += " (try " + dashed(name) + " " + proposal + ")";
+  }
+  if (!missing.empty()) throw usage_error(command_, join(missing, "; "));
 }
 
 std::string Arguments::text(const std::string& name) const {

@@ -12,14 +12,13 @@ namespace fogcomp::cli {
 /// The words after `fogcomp COMMAND`, checked against the command's description.
 class Arguments {
  public:
-  /// Throws InputError for an unknown option (naming the nearest), a missing value, or the wrong
-  /// number of positionals. Options may stand anywhere; `--name=value` and `--name value` both
-  /// work.
+  /// Throws InputError for an unknown option (naming the nearest), a missing value, the wrong
+  /// number of positionals, an output that is one of the inputs, two outputs that are one file, or
+  /// a file with a control character in its name.
+  /// Options may stand anywhere; `--name=value` and `--name value` both work.
   Arguments(const Command& command, const std::vector<std::string>& words);
 
   const std::vector<std::string>& positionals() const { return positionals_; }
-  /// For a command whose options decide how many there must be; throws InputError for fewer.
-  void require_positionals(std::size_t least) const;
 
   /// Whether the option was given (not its default).
   bool has(const std::string& name) const { return given_.count(name) > 0; }
@@ -35,7 +34,20 @@ class Arguments {
   /// A value that must be there; throws InputError naming the option.
   std::string required(const std::string& name) const;
 
+  /// For a file that the command writes without an option that names it: throws InputError where
+  /// `path` is one of the inputs or of the outputs.
+  void check_output(const std::string& path) const;
+
  private:
+  struct NamedFile {
+    std::string path;
+    std::string option;  ///< dashed; "" for a positional
+  };
+  std::vector<NamedFile> files(ValueUse use) const;
+  void require_all() const;
+  void check_order() const;
+  void check_files() const;
+
   const Command& command_;
   std::vector<std::string> positionals_;
   std::map<std::string, std::vector<std::string>> given_;

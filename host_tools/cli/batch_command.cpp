@@ -14,6 +14,7 @@
 #include "batch/summary.hpp"
 #include "cli/arguments.hpp"
 #include "cli/gyro_calibration.hpp"
+#include "identification/effect_list.hpp"
 #include "report/batch_report.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
@@ -28,6 +29,8 @@ namespace fs = std::filesystem;
 using batch::GyroFolder;
 using batch::GyroResult;
 using batch::Outcome;
+
+constexpr const char* kTables[] = {"/gyros.csv", "/index.html"};  // in the folder of results
 
 struct Batch {
   const Arguments& arguments;
@@ -61,7 +64,8 @@ std::vector<GyroFolder> shard(const Arguments& arguments, const std::vector<Gyro
   return shard_of(gyros, static_cast<std::size_t>(*index), static_cast<std::size_t>(*count));
 }
 
-// A result that belongs to these recordings and options, if there is one. An error is tried again:
+// Whether there is a result that belongs to these recordings and options, with its files as it
+// left them. An error is tried again:
 // a full disk or a killed process says nothing about the gyro.
 bool is_done(const Batch& batch, const GyroFolder& gyro) {
   const std::string folder = batch.folder_of(gyro);
@@ -69,7 +73,7 @@ bool is_done(const Batch& batch, const GyroFolder& gyro) {
                           !fs::exists(folder + "/report.html");
   if (lacks_page) return false;
   const auto result = batch::load_result(gyro.name, folder);
-  return result && result->error.empty() &&
+  return result && result->error.empty() && batch::outputs_are_whole(*result, folder) &&
          result->fingerprint == fingerprint_of(gyro, batch.arguments);
 }
 
@@ -159,9 +163,8 @@ Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
   const int signal_number = batch::run_in_processes(
       to_do.size(), settings, [&](std::size_t job) { calibrate_alone(batch, to_do[job]); }, events);
   if (signal_number != 0) {
-    std::fprintf(stderr,
-                 "\ninterrupted: %zu of %zu gyros are done; the same command goes on there\n",
-                 work.already + work.done, batch.gyros.size());
+    std::fprintf(stderr, "\ninterrupted: %zu of %s done; the same command goes on there\n",
+                 work.already + work.done, counted(batch.gyros.size(), "gyro").c_str());
     std::signal(signal_number, SIG_DFL);
     std::raise(signal_number);
   }
@@ -188,10 +191,10 @@ batch::Summary write_tables(const Batch& batch, const Work& work,
   std::vector<GyroResult> results;
   for (const GyroFolder& gyro : batch.gyros) results.push_back(result_of(batch, gyro, work));
   batch::Summary summary = summarise(std::move(results), limits);
-  write_file(batch.output + "/gyros.csv", csv_text(summary));
-  write_file(batch.output + "/index.html", report::batch_report(summary, batch.input, batch.output,
-                                                                batch.arguments.has("reports"))
-                                               .html());
+  write_file(batch.output + kTables[0], csv_text(summary));
+  write_file(batch.output + kTables[1], report::batch_report(summary, batch.input, batch.output,
+                                                             batch.arguments.has("reports"))
+                                            .html());
   return summary;
 }
 
@@ -229,6 +232,7 @@ int run_batch(const Arguments& arguments) {
   const std::string& input = arguments.positionals()[0];
   Batch batch{arguments, input, arguments.required("o"), {}};
   require_apart(input, batch.output);
+  for (const char* name : kTables) arguments.check_output(batch.output + name);
   batch::PoolSettings settings;
   const auto processors = std::max(1U, std::thread::hardware_concurrency());
   settings.processes = arguments.has("jobs")
@@ -250,8 +254,9 @@ int run_batch(const Arguments& arguments) {
   Work work;
   if (!arguments.has("merge")) work = calibrate_all(batch, settings);
   if (arguments.has("shard")) {
-    std::printf("part %s: %zu gyros calibrated, %zu before, %zu without a result\n",
-                arguments.text("shard").c_str(), work.done, work.already, work.errors);
+    std::printf("part %s: %s calibrated, %zu before, %zu without a result\n",
+                arguments.text("shard").c_str(), counted(work.done, "gyro").c_str(), work.already,
+                work.errors);
     return work.errors == 0 ? 0 : 1;
   }
   const batch::Summary summary = write_tables(batch, work, limits);
@@ -288,6 +293,7 @@ Command batch_command() {
     option.rare = option.name != "effects" && option.name != "network";
     command.options.push_back(std::move(option));
   }
+  command.needs = {{"o"}, {"effects", "model", kFirstEffects}};
   command.run = run_batch;
   return command;
 }

@@ -19,8 +19,8 @@ std::uint32_t data_hash(const Model& model) {
 
 }  // namespace
 
-BoardHeader board_header(const Model& model, const std::string& file, const Arguments& arguments,
-                         bool allow_error) {
+BoardErrors verify_board(const Model& model, const fog::ModelParameters& parameters,
+                         const std::string& file, bool allow_error) {
   if (model.uncertain && !allow_error) {
     throw InputError(
         file, format("these recordings did not determine it: somewhere in its trained range the "
@@ -28,10 +28,9 @@ BoardHeader board_header(const Model& model, const std::string& file, const Argu
                      "compensate; fit fewer effects or more data, or give --allow-error",
                      model.uncertain->sigma_dph, model.uncertain->drift_dph));
   }
-  const BoardTable table = make_board_table(model, board_settings(arguments));
-  const fog::ModelParameters parameters = read_board_table(table, file);
-  const QuantizationError error = verify_quantization(model, parameters);
-  const NetworkError network = verify_network(model, parameters);
+  const BoardErrors errors{verify_quantization(model, parameters),
+                           verify_network(model, parameters)};
+  const auto& [error, network] = errors;
   if (network.worst_dph > kQuantizationLimitDph && !allow_error) {
     throw InputError(
         file,
@@ -46,8 +45,15 @@ BoardHeader board_header(const Model& model, const std::string& file, const Argu
                      error.worst_dph, error.at_temperature_degc, error.at_temperature_rate,
                      kQuantizationLimitDph));
   }
-  return {header_text(table, file_name(file), data_hash(model)), table.words.size(), error,
-          network};
+  return errors;
+}
+
+BoardHeader board_header(const Model& model, const std::string& file, const Arguments& arguments,
+                         bool allow_error) {
+  const BoardTable table = make_board_table(model, board_settings(arguments));
+  const BoardErrors errors = verify_board(model, read_board_table(table, file), file, allow_error);
+  return {header_text(table, file_name(file), data_hash(model)), table.words.size(), errors.error,
+          errors.network};
 }
 
 }  // namespace fogcomp::cli

@@ -16,6 +16,15 @@ struct BoardHeader {
   NetworkError network;
 };
 
+/// How far the integers of `parameters` are from `model`. Throws InputError where that is more than
+/// a board may be off, unless `allow_error`; `file` is the model's.
+struct BoardErrors {
+  QuantizationError error;
+  NetworkError network;
+};
+BoardErrors verify_board(const Model& model, const fog::ModelParameters& parameters,
+                         const std::string& file, bool allow_error);
+
 /// By board_options(); `file` is the model's, for the header and for errors. Throws InputError for
 /// a model that no board can have, and, unless `allow_error`, for integers too far off and for a
 /// drift that its data did not determine (Model::uncertain).

@@ -11,6 +11,9 @@ namespace fogcomp::cli {
 /// --extension.
 std::vector<Option> board_options();
 
+/// Takes a model whose integers are too far off all the same.
+inline constexpr const char* kAllowError = "allow-error";
+
 /// Their values.
 BoardSettings board_settings(const Arguments& arguments);
 

@@ -65,6 +65,13 @@ const Command& find_command(const std::string& name) {
                                   "; fogcomp --help lists them");
 }
 
+ValueUse value_use(const Option& option) {
+  static const std::vector<std::string> read{"DIR", "FILE", "HEADER", "MODEL", "NAME|FILE", "RUN"};
+  if (option.name == "o" || option.value_name.rfind("OUT", 0) == 0) return ValueUse::output;
+  const bool is_read = std::find(read.begin(), read.end(), option.value_name) != read.end();
+  return is_read ? ValueUse::input : ValueUse::word;
+}
+
 std::vector<Option> rarely(std::vector<Option> options) {
   for (Option& option : options) option.rare = true;
   return options;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,18 @@ struct Option {
   bool rare = false;  ///< in `fogcomp help COMMAND` and the manual, not in --help
 };
 
+/// What the value of an option is to the command.
+enum class ValueUse : std::uint8_t {
+  word,    ///< no file
+  input,   ///< a file or folder that is read
+  output,  ///< a file or folder that is written
+};
+
+/// By the name of the value, so that no command can forget to say it: "OUT...", and whatever -o
+/// takes, is written; RUN, MODEL, FILE, HEADER, DIR are read. Arguments guards files by it, and
+/// completion offers them.
+ValueUse value_use(const Option& option);
+
 /// The same options, left out of --help, which is to fit a screen.
 std::vector<Option> rarely(std::vector<Option> options);
 
@@ -29,10 +42,21 @@ struct Command {
   std::string positionals;  ///< as shown in the usage line, e.g. "MODEL RUN..."
   std::size_t least_positionals = 0;
   std::size_t most_positionals = 0;
-  std::string summary;  ///< one line
-  std::string example;  ///< one command line that works
+  std::string stands_for_positional{};  ///< an option that takes the place of one, or ""
+  std::string summary;                  ///< one line
+  std::string example;                  ///< one command line that works
   std::vector<Option> options;
-  std::vector<std::string> words{};  ///< positionals that are no files, for completion
+  /// Options that must be given; what is missing is said together.
+  struct Need {
+    std::string option;
+    std::string unless{};    ///< another option, which makes it needless
+    std::string proposal{};  ///< a value to try
+  };
+  std::vector<Need> needs{};
+  std::vector<std::string> words{};  ///< positionals that are no files
+  /// -o may name the first positional: a model replaces the one that it grew from. Any other output
+  /// that is an input is refused.
+  bool may_replace_first = false;
   /// Returns the exit code: 0 done, 1 the answer is no. Bad input throws InputError (exit code 2).
   int (*run)(const Arguments&) = nullptr;
 };

@@ -14,8 +14,9 @@ std::string effect_table(const Comparison& comparison) {
       " alone\nis left out; parts that go together share, so they need not add up to 100 %\n";
   text += format("  %-26s %10s %10s %10s\n", "part", "mean", "std", "share");
   for (const EffectShare& effect : comparison.effects) {
-    text += format("  %-26s %10.4f %10.4f %8.1f %%\n", effect.name.c_str(), effect.mean_dph,
-                   effect.std_dph, 100 * effect.share);
+    text += format("  %-26s %10s %10s %8.1f %%\n", effect.name.c_str(),
+                   rounded(effect.mean_dph).c_str(), rounded(effect.std_dph).c_str(),
+                   100 * effect.share);
   }
   return text;
 }
@@ -33,7 +34,8 @@ std::string dependence_table(const ResidualAnalysis& analysis, const Dependence&
       format("\nResidual over %s: %s\n", variable, verdict(analysis, dependence.test).c_str());
   text += format("  %12s %8s %10s %10s\n", "at", "rows", "mean", "+-");
   for (const ResidualBin& bin : dependence.bins) {
-    text += format("  %12.5g %8zu %10.4f %10.4f%s\n", bin.at, bin.rows, bin.mean_dph, bin.sigma_dph,
+    text += format("  %12.5g %8zu %10s %10s%s\n", bin.at, bin.rows, rounded(bin.mean_dph).c_str(),
+                   rounded(bin.sigma_dph).c_str(),
                    std::abs(bin.mean_dph) > 3 * bin.sigma_dph ? "  *" : "");
   }
   return text;
@@ -46,8 +48,9 @@ std::string loop_table(const ResidualAnalysis& analysis) {
   if (loop.bins.empty()) return text + "  no temperature was reached both by heating and cooling\n";
   text += format("  %12s %10s %10s %10s %10s\n", "degC", "heating", "cooling", "width", "+-");
   for (const LoopBin& bin : loop.bins) {
-    text += format("  %12.5g %10.4f %10.4f %10.4f %10.4f%s\n", bin.at_degc, bin.heating_dph,
-                   bin.cooling_dph, bin.width_dph(), bin.sigma_dph,
+    text += format("  %12.5g %10s %10s %10s %10s%s\n", bin.at_degc,
+                   rounded(bin.heating_dph).c_str(), rounded(bin.cooling_dph).c_str(),
+                   rounded(bin.width_dph()).c_str(), rounded(bin.sigma_dph).c_str(),
                    std::abs(bin.width_dph()) > 3 * bin.sigma_dph ? "  *" : "");
   }
   return text;
@@ -80,13 +83,14 @@ std::string allan_table(const ResidualAnalysis& analysis) {
 std::string drift_table(const Comparison& comparison) {
   if (!comparison.noise_floor_dph) return "";
   const double floor = *comparison.noise_floor_dph;
-  std::string text = format("\nDrift per segment: rms without the floor of %.4f, deg/h\n", floor);
+  std::string text =
+      format("\nDrift per segment: rms without the floor of %s, deg/h\n", rounded(floor).c_str());
   text += format("  %-26s %10s %10s\n", "segment", "before", "after");
   for (const Comparison::Segment& segment : comparison.segments) {
     if (segment.range.size() == 0) continue;
-    text +=
-        format("  %-26s %10.4f %10.4f\n", segment.name.c_str(),
-               floor_removed(segment.raw_rms_dph, floor), floor_removed(segment.rms_dph, floor));
+    text += format("  %-26s %10s %10s\n", segment.name.c_str(),
+                   rounded(floor_removed(segment.raw_rms_dph, floor)).c_str(),
+                   rounded(floor_removed(segment.rms_dph, floor)).c_str());
   }
   return text;
 }

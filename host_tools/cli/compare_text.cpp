@@ -22,9 +22,11 @@ std::string title(double row_s) {
 }
 
 std::string segment_row(const Comparison::Segment& segment) {
-  return format("  %-18s %6zu | %9.4f %8.4f %8.4f | %9.4f %8.4f %8.4f\n", segment.name.c_str(),
-                segment.range.size(), segment.raw_mean_dph, segment.raw_std_dph,
-                segment.raw_rms_dph, segment.mean_dph, segment.std_dph, segment.rms_dph);
+  return format("  %-18s %6zu | %9s %8s %8s | %9s %8s %8s\n", segment.name.c_str(),
+                segment.range.size(), rounded(segment.raw_mean_dph).c_str(),
+                rounded(segment.raw_std_dph).c_str(), rounded(segment.raw_rms_dph).c_str(),
+                rounded(segment.mean_dph).c_str(), rounded(segment.std_dph).c_str(),
+                rounded(segment.rms_dph).c_str());
 }
 
 std::string segment_table(const Comparison& comparison) {
@@ -60,8 +62,10 @@ template <class Value>
 std::string side_by_side(const std::string& name, double raw_dph,
                          const std::vector<ModelOnRuns>& models, Value value) {
   const int width = column_width(models);
-  std::string text = format("  %-24s %10.4f |", name.c_str(), raw_dph);
-  for (const ModelOnRuns& model : models) text += format(" %*.4f", width, value(model));
+  std::string text = format("  %-24s %10s |", name.c_str(), rounded(raw_dph).c_str());
+  for (const ModelOnRuns& model : models) {
+    text += format(" %*s", width, rounded(value(model)).c_str());
+  }
   return text + "\n";
 }
 
@@ -76,7 +80,7 @@ std::string run_side_by_side(const std::vector<ModelOnRuns>& models, std::size_t
   }
   text += "\n";
   if (const auto floor = first.noise_floor_dph) {
-    text += side_by_side(format("drift (floor %.4f off)", *floor),
+    text += side_by_side(format("drift (floor %s off)", rounded(*floor).c_str()),
                          floor_removed(first.whole.raw_std_dph, *floor), models,
                          [&](const ModelOnRuns& model) {
                            return floor_removed(comparison(model).whole.rms_dph, *floor);

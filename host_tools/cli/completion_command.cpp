@@ -48,9 +48,7 @@ std::string patterns(const std::vector<std::string>& names) {
 }
 
 bool is_file(const Option& option) {
-  static const std::vector<std::string> files{"DIR", "FILE",     "HEADER", "MODEL",
-                                              "OUT", "OUT.html", "RUN",    "NAME|FILE"};
-  return std::find(files.begin(), files.end(), option.value_name) != files.end();
+  return value_use(option) != ValueUse::word;
 }
 
 // The arm of one command: its options, and what the value of each of them may be.

@@ -45,8 +45,9 @@ DenoiseReport denoise_bias(const Recording& recording, const DenoiseMethod& meth
   }
   DenoiseReport report = denoise_parts(parts, method, recording.file);
   if (report.shortened_values > 0) {
-    std::fprintf(stderr, "%s: %zu rows between gaps too close for %d levels got fewer\n",
-                 recording.file.c_str(), report.shortened_values, method.levels);
+    std::fprintf(stderr, "%s: %s between gaps too close for %d levels got fewer\n",
+                 recording.file.c_str(), counted(report.shortened_values, "row").c_str(),
+                 method.levels);
   }
   return report;
 }
@@ -110,8 +111,8 @@ void print_text(const std::string& output, const Recording& recording, const Den
     std::printf("%-24zu %10.5f %10.5f deg/h\n", i + 1, report.levels[i].noise,
                 report.levels[i].threshold);
   }
-  std::printf("\n%s: %zu rows, %zu outliers replaced\n", output.c_str(), recording.rows(),
-              report.outliers);
+  std::printf("\n%s: %s, %s replaced\n", output.c_str(), counted(recording.rows(), "row").c_str(),
+              counted(report.outliers, "outlier").c_str());
 }
 
 int run_denoise(const Arguments& arguments) {
@@ -148,6 +149,7 @@ Command denoise_command() {
                      {"json", "", "one JSON object on stdout", ""}};
   for (Option& option : denoise_options()) command.options.push_back(std::move(option));
   add_recording_options(command);
+  command.needs = {{"o"}};
   command.run = run_denoise;
   return command;
 }

@@ -18,11 +18,9 @@ std::string without_value(const CatalogueEntry& entry, const fog::ParameterDescr
 }
 
 std::string range(const CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
-  const std::string unit =
-      std::string(parameter.unit) == "1" ? "" : std::string(" ") + parameter.unit;
   const bool lag = is_lag_of_rate(parameter.unit, entry.coefficients);
   return format("%g to %g%s; not given: %s%s", parameter.least_milli / 1000.0,
-                parameter.most_milli / 1000.0, unit.c_str(),
+                parameter.most_milli / 1000.0, unit_behind_number(parameter).c_str(),
                 without_value(entry, parameter).c_str(),
                 lag ? "; behind the lags of dT/dt: `fit` prints the gyro's own beside it" : "");
 }

@@ -28,8 +28,7 @@ int run_export(const Arguments& arguments) {
   const std::string& model_path = arguments.positionals()[0];
   const std::string output = arguments.required("o");
   const Model model = load_model(model_path);
-  const BoardHeader header =
-      board_header(model, model_path, arguments, arguments.has("allow-error"));
+  const BoardHeader header = board_header(model, model_path, arguments, arguments.has(kAllowError));
   const QuantizationError& error = header.error;
   const NetworkError& network = header.network;
   write_file(output, header.text);
@@ -50,9 +49,9 @@ int run_export(const Arguments& arguments) {
     std::puts(result.text().c_str());
     return 0;
   }
-  std::printf(
-      "%s: %zu words; integers against double: at most %.5f deg/h over %zu blocks (limit %.5f)\n",
-      output.c_str(), header.words, error.worst_dph, error.blocks, kQuantizationLimitDph);
+  std::printf("%s: %s; integers against double: at most %.5f deg/h over %s (limit %.5f)\n",
+              output.c_str(), counted(header.words, "word").c_str(), error.worst_dph,
+              counted(error.blocks, "block").c_str(), kQuantizationLimitDph);
   for (const auto& expression : error.expressions) {
     std::printf("  %s: at most %.2g deg/h from double there, %.2g by its bound\n",
                 expression.name.c_str(), expression.worst_dph, expression.bound_dph);
@@ -76,10 +75,11 @@ Command export_command() {
   command.example = "fogcomp export gyro.model -o fog_model.h --sample-rate 200";
   command.options = {
       {"o", "HEADER", "header to write", ""},
-      {"allow-error", "", "write it even if the integers are too far off, or the fit too uncertain",
+      {kAllowError, "", "write it even if the integers are too far off, or the fit too uncertain",
        ""},
       {"json", "", "one JSON object on stdout", ""}};
   for (Option& option : board_options()) command.options.push_back(std::move(option));
+  command.needs = {{"o"}};
   command.run = run_export;
   return command;
 }

@@ -8,9 +8,11 @@
 #include "cli/report_option.hpp"
 #include "cli/training_options.hpp"
 #include "evaluation/model_on_runs.hpp"
+#include "identification/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "report/fit_report.hpp"
 #include "support/json.hpp"
+#include "support/output_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -32,11 +34,12 @@ std::string steps_text(const Fit& fit) {
   std::string text;
   for (std::size_t i = 0; i < identified.steps.size(); ++i) {
     const FoundStep& step = identified.steps[i];
-    text += format("  bias step of %+.4f +- %.2g deg/h at %.6g +- %.2g s (%s)\n", step.size_dph,
-                   step.size_sigma_dph, step.time_s, step.time_sigma_s, fit.step_places[i].c_str());
+    text += format("  bias step of %s +- %.2g deg/h at %.6g +- %.2g s (%s)\n",
+                   signed_rounded(step.size_dph).c_str(), step.size_sigma_dph, step.time_s,
+                   step.time_sigma_s, fit.step_places[i].c_str());
   }
   if (identified.masked > 0) {
-    text += format("  %zu rows in which a step lies were left out\n", identified.masked);
+    text += "  " + counted(identified.masked, "row") + " left out, in which a step lies\n";
   }
   if (fit.searched_steps && identified.steps.empty()) {
     text += "  no bias step stands out of the noise (chi^2 above 60)\n";
@@ -48,13 +51,13 @@ std::string identification_text(const Fit& fit) {
   const Model& model = fit.model;
   const Identification& identified = fit.result.identified;
   const NoiseModel& noise = identified.noise;
-  std::string text = format("  noise of a row %.4f white", noise.white_dph());
-  if (!noise.components.empty()) text += format(", %.4f slow", noise.wander_dph());
+  std::string text = format("  noise of a row %s white", rounded(noise.white_dph()).c_str());
+  if (!noise.components.empty()) text += format(", %s slow", rounded(noise.wander_dph()).c_str());
   text += format(" deg/h (%s); misfit %.2f",
                  noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak",
                  identified.misfit);
   if (identified.outliers > 0) {
-    text += format("; %zu outliers weighted down", identified.outliers);
+    text += "; " + counted(identified.outliers, "outlier") + " weighted down";
   }
   text += format(
       "\n  of the error, the board's delay (block means, derivative filter) makes %.2g deg/h rms\n",
@@ -68,8 +71,8 @@ std::string identification_text(const Fit& fit) {
     text += "  " + physical_lag_words(lag) + "\n";
   }
   for (std::size_t run = 0; run < identified.run_offsets_dph.size(); ++run) {
-    text += format("  recording %zu lies %+.4f deg/h from the first\n", run + 2,
-                   identified.run_offsets_dph[run]);
+    text += format("  recording %zu lies %s deg/h from the first\n", run + 2,
+                   signed_rounded(identified.run_offsets_dph[run]).c_str());
   }
   for (const std::string& warning : identified.warnings) {
     text += format("  note: %s\n", warning.c_str());
@@ -151,17 +154,18 @@ void print_json(const Fit& fit, const std::string& output) {
 }
 
 void print_text(const Fit& fit, const std::string& output) {
-  std::printf("%td rows of %g s, raw std %.4f deg/h\n", fit.rows, fit.row_s,
-              fit.result.raw_std_dph);
+  std::printf("%s of %g s, raw std %s deg/h\n",
+              counted(static_cast<std::size_t>(fit.rows), "row").c_str(), fit.row_s,
+              rounded(fit.result.raw_std_dph).c_str());
   if (const std::size_t refused = refused_rows(fit)) {
-    std::printf("%zu row%s of the recordings left out by the board's rules\n", refused,
-                refused == 1 ? "" : "s");
+    std::printf("%s of the recordings left out by the board's rules\n",
+                counted(refused, "row").c_str());
   }
   std::printf("\n%s\n", describe(fit.model).c_str());
   std::puts(identification_text(fit).c_str());
   for (const HistoryEntry& step : fit.model.history) {
-    std::printf("  %-44s %.4f -> %.4f deg/h rms\n", step.action.c_str(), step.rms_before_dph,
-                step.rms_after_dph);
+    std::printf("  %-44s %s -> %s deg/h rms\n", step.action.c_str(),
+                rounded(step.rms_before_dph).c_str(), rounded(step.rms_after_dph).c_str());
   }
   if (const std::optional<double> determined = determined_weights(fit)) {
     std::printf("  (of the network's weights the data determine %.1f)\n", *determined);
@@ -175,13 +179,16 @@ void print_text(const Fit& fit, const std::string& output) {
 
 int run_fit(const Arguments& arguments) {
   const std::string output = arguments.required("o");
+  OutputFile model_file(output);
   ReportFile page(arguments);
   const Fit result = fit_recordings(arguments, arguments.positionals(), OnInterrupt::keep_best);
-  save_model(result.model, output);
+  model_file.write(model_text(result.model));
   if (page.wanted()) {
-    page.write(report::fit_report(on_its_runs(result, output), result.result,
-                                  identification_text(result)));
+    page.fill(report::fit_report(on_its_runs(result, output), result.result,
+                                 identification_text(result)));
   }
+  model_file.commit();
+  page.commit();
   if (arguments.has("json")) {
     print_json(result, output);
   } else {
@@ -205,6 +212,7 @@ Command fit_command() {
   command.options.push_back(report_option());
   command.options.push_back({"json", "", "one JSON object on stdout", ""});
   for (Option& option : rarely(recording_options())) command.options.push_back(std::move(option));
+  command.needs = {{"o"}, {"effects", "model", kFirstEffects}};
   command.run = run_fit;
   return command;
 }

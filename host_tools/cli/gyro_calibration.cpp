@@ -159,7 +159,8 @@ std::vector<std::string> figure_names(const Arguments& arguments) {
 
 batch::GyroResult calibrate(const batch::GyroFolder& gyro, const Arguments& arguments,
                             const std::string& folder) {
-  const std::string model_path = folder + "/" + gyro.name + ".model";
+  const std::string model_name = gyro.name + ".model";
+  const std::string model_path = folder + "/" + model_name;
   batch::GyroResult result{gyro.name, "", "", {}};
   const Fit fit = fit_recordings(arguments, gyro.recordings, OnInterrupt::stop);
   save_model(fit.model, model_path);
@@ -168,6 +169,7 @@ batch::GyroResult calibrate(const batch::GyroFolder& gyro, const Arguments& argu
   add_holdout_figures(result.figures, holdouts);
   if (arguments.has("reports") && !holdouts.runs.empty()) {
     write_file(folder + "/report.html", report::compare_report({holdouts}).html());
+    add_output(result, folder, "report.html");
   }
   const BoardHeader header = board_header(fit.model, model_path, arguments, false);
   result.figures.emplace_back("quantization_error_dph", header.error.worst_dph);
@@ -176,6 +178,8 @@ batch::GyroResult calibrate(const batch::GyroFolder& gyro, const Arguments& argu
   }
   add_coefficients(result.figures, fit.model);
   write_file(folder + "/fog_model.h", header.text);
+  add_output(result, folder, model_name);
+  add_output(result, folder, "fog_model.h");
   return result;
 }
 

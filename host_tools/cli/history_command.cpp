@@ -63,7 +63,8 @@ class Scale {
 void print_rung(const Scale& scale, const std::string& name, double rms_dph) {
   constexpr double kWidth = 48;
   const auto length = static_cast<std::size_t>(std::lround(kWidth * scale.share(rms_dph)));
-  std::printf("  %10.4f  %-48s  %s\n", rms_dph, std::string(length, '#').c_str(), name.c_str());
+  std::printf("  %10s  %-48s  %s\n", rounded(rms_dph).c_str(), std::string(length, '#').c_str(),
+              name.c_str());
 }
 
 void print_ladder(const std::vector<HistoryEntry>& steps) {
@@ -80,11 +81,13 @@ void print_ladder(const std::vector<HistoryEntry>& steps) {
 
 void print_step(std::size_t number, const HistoryEntry& step) {
   const auto removed = step.excess_removed();
-  std::printf("  %4zu %10.4f -> %10.4f %10s", number, step.rms_before_dph, step.rms_after_dph,
+  std::printf("  %4zu %10s -> %10s %10s", number, rounded(step.rms_before_dph).c_str(),
+              rounded(step.rms_after_dph).c_str(),
               removed ? format("%.1f %%", 100 * *removed).c_str() : "-");
-  const std::string holdout = step.holdout ? format("%.4f -> %.4f", step.holdout->rms_before_dph,
-                                                    step.holdout->rms_after_dph)
-                                           : "-";
+  const std::string holdout =
+      step.holdout ? format("%s -> %s", rounded(step.holdout->rms_before_dph).c_str(),
+                            rounded(step.holdout->rms_after_dph).c_str())
+                   : "-";
   std::printf("   %-24s %s%s\n", holdout.c_str(), hash_text(step.data_hash).c_str(),
               step.forced ? "  forced: did not help out of sample" : "");
 }

@@ -11,7 +11,9 @@
 #include "dataset/recording.hpp"
 #include "evaluation/run_summary.hpp"
 #include "report/info_report.hpp"
+#include "support/input_error.hpp"
 #include "support/json.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::cli {
 namespace {
@@ -115,6 +117,12 @@ int run_info(const Arguments& arguments) {
   ReportFile page(arguments);
   const Recording recording =
       read_recording(arguments.positionals().front(), read_options(arguments));
+  const double length_s = static_cast<double>(recording.rows()) * recording.period_s;
+  if (arguments.has("average") && 2 * block_s > length_s) {
+    throw InputError(recording.file,
+                     format("lasts %g s, too short for means of %g s; give a shorter --average",
+                            length_s, block_s));
+  }
   const RunSummary summary = summarize(recording, block_s);
   if (page.wanted()) page.write(report::info_report(recording, summary));
   if (arguments.has("json")) {

@@ -34,26 +34,20 @@ std::string significant(const std::optional<double>& value) {
 }
 
 std::string overview(const Recording& recording, const RunSummary& summary, int decimals) {
-  std::string text = format("%s\n  %zu row%s", recording.file.c_str(), recording.rows(),
-                            recording.rows() == 1 ? "" : "s");
+  std::string text = recording.file + "\n  " + counted(recording.rows(), "row");
   if (recording.period_s > 0) {
     const double length_s = recording.time_s.back() - recording.time_s.front();
     text += format(" at %.6g Hz, %s", 1 / recording.period_s,
                    duration(length_s + recording.period_s).c_str());
   }
   const std::size_t gaps = recording.stretch_starts.size() - 1;
-  if (gaps > 0) text += format(", %zu gap%s", gaps, gaps == 1 ? "" : "s");
-  if (recording.bad_rows > 0) {
-    text +=
-        format(", %zu bad row%s left out", recording.bad_rows, recording.bad_rows == 1 ? "" : "s");
-  }
+  if (gaps > 0) text += ", " + counted(gaps, "gap");
+  if (recording.bad_rows > 0) text += ", " + counted(recording.bad_rows, "bad row") + " left out";
   if (recording.refused_rows > 0) {
-    text += format("\n  %zu row%s left out by the board's rules", recording.refused_rows,
-                   recording.refused_rows == 1 ? "" : "s");
+    text += "\n  " + counted(recording.refused_rows, "row") + " left out by the board's rules";
   }
   const std::string disorder = recording.capture ? describe(*recording.capture) : "";
   if (!disorder.empty()) text += "\n  " + disorder;
-
   if (recording.rows() > 1 && !rate_resolution(recording).moves()) {
     text += "\n  note: the rate does not move; is the gyro on and connected?";
   }

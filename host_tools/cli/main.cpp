@@ -2,6 +2,7 @@
 // code 2.
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -58,12 +59,18 @@ int run(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Beyond a limit on the size of files (ulimit -f) a write fails, as on a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const int code = run(std::vector<std::string>(argv + 1, argv + argc));
-    if (std::fflush(stdout) != 0) throw fogcomp::InputError("standard output", "write failed");
+    // An earlier failure leaves nothing to flush, but its mark.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      throw fogcomp::InputError(
+          "standard output", "cannot be written; what is there is not complete; is the disk full?");
+    }
     return code;
   } catch (const fogcomp::InputError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", fogcomp::displayable(error.what()).c_str());
   } catch (const std::bad_alloc&) {
     std::fputs("fogcomp: out of memory; use a shorter recording or a machine with more\n", stderr);
   } catch (const std::exception& error) {

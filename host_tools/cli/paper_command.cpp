@@ -40,14 +40,18 @@ std::vector<std::string> chosen_models(const Arguments& arguments) {
 }
 
 int run_paper(const Arguments& arguments) {
-  ReportFile page(arguments);
   StudySettings settings;
   settings.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, 1LL << 52));
   settings.epochs = static_cast<int>(arguments.integer("epochs", 1, 1'000'000));
   settings.iterations = static_cast<int>(arguments.integer("iterations", 0, 100'000));
   settings.models = chosen_models(arguments);
   const auto gyros = static_cast<std::size_t>(arguments.integer("gyros", 1, 1000));
-  if (arguments.has("figures")) make_folder(arguments.text("figures"));  // the study takes long
+  if (arguments.has("figures")) {  // before the study, which takes long
+    const std::string folder = arguments.text("figures");
+    make_folder(folder);
+    for (const int figure : kFigures) arguments.check_output(figure_path(folder, figure));
+  }
+  ReportFile page(arguments);
   std::vector<Study> studies;
   {
     Progress progress("fitting");
@@ -73,7 +77,7 @@ Command paper_command() {
   command.example = "fogcomp paper --gyros 10 --figures figures";
   command.options = {
       {"gyros", "N", "how many, with seeds from --seed on; tables show the first", "1"},
-      {"figures", "DIR", "writes the data of figures 1, 3, 4, 8, 9, 10 there, as CSV", ""},
+      {"figures", "OUT", "writes the data of figures 1, 3, 4, 8, 9, 10 there, as CSV", ""},
       {"models", "LIST", "all, or some of " + names, "all", false, model_names()},
       {"epochs", "N", "of backpropagation", "5000"},
       {"iterations", "N", "of swarm and population, before backpropagation", "300"},

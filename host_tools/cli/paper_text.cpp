@@ -85,8 +85,8 @@ void print_medians(const std::vector<Study>& studies) {
   std::printf(
       "\nWhat the paper does not show: floor-removed drift and error against the noise-free "
       "truth, deg/h,\non the run that the model was fitted to and on programmes it never "
-      "saw (medians of %zu gyros)\n",
-      studies.size());
+      "saw (medians of %s)\n",
+      counted(studies.size(), "gyro").c_str());
   std::printf("%-16s | %-24s", "", "paper (fitted)");
   for (const std::string& profile : kHeldOutProfiles) std::printf(" | %-15s", profile.c_str());
   std::printf("\n%-16s | %7s %7s %8s", "model", "std", "drift", "error");

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/arguments.hpp"
+#include "cli/board_header.hpp"
 #include "cli/board_options.hpp"
 #include "cli/recording_options.hpp"
 #include "replay/board_source.hpp"
@@ -52,7 +53,12 @@ int run_replay(const Arguments& arguments) {
     settings.sample_rate_hz = 1 / source.period_s();
   }
   const BoardTable& table = session.board.table(settings);
-  const fog::ModelParameters parameters = read_board_table(table, arguments.positionals()[0]);
+  const std::string& weights = arguments.positionals()[0];
+  const fog::ModelParameters parameters = read_board_table(table, weights);
+  // What export would refuse: no board will ever send it.
+  if (const Model* model = session.board.model()) {
+    verify_board(*model, parameters, weights, arguments.has(kAllowError));
+  }
   if (!source.is_capture()) check_rate(parameters, source.period_s(), session.run);
 
   OutputFile output(output_path);
@@ -75,12 +81,11 @@ int run_replay(const Arguments& arguments) {
     std::puts(result.text().c_str());
     return 0;
   }
-  std::printf(
-      "%s: %llu samples, %llu bytes; %llu rates not valid, %llu outside the trained range\n",
-      output_path.c_str(), static_cast<unsigned long long>(summary.frames),
-      static_cast<unsigned long long>(summary.output_bytes),
-      static_cast<unsigned long long>(summary.invalid_rates),
-      static_cast<unsigned long long>(summary.clamped_samples));
+  std::printf("%s: %s, %s; %s not valid, %s outside the trained range\n", output_path.c_str(),
+              counted(summary.frames, "sample").c_str(),
+              counted(summary.output_bytes, "byte").c_str(),
+              counted(summary.invalid_rates, "rate").c_str(),
+              counted(summary.clamped_samples, "sample").c_str());
   return 0;
 }
 
@@ -92,7 +97,7 @@ int run_stream(const Arguments& arguments) {
       [&](fog::Span<const std::uint8_t> bytes) { output.write(bytes.data, bytes.size); });
   output.commit();
   if (!session.source->is_capture()) {
-    std::printf("%s: %zu samples\n", output_path.c_str(), session.source->rows());
+    std::printf("%s: %s\n", output_path.c_str(), counted(session.source->rows(), "sample").c_str());
   }
   return 0;
 }
@@ -110,6 +115,14 @@ Command replay_command() {
                      {"json", "", "one JSON object on stdout", ""}};
   for (Option& option : board_options()) command.options.push_back(std::move(option));
   add_recording_options(command);
+  command.options.push_back({kAllowError,
+                             "",
+                             "replay a model even if its integers are too far off",
+                             "",
+                             false,
+                             {},
+                             true});
+  command.needs = {{"o"}};
   command.run = run_replay;
   return command;
 }
@@ -123,6 +136,7 @@ Command stream_command() {
   command.example = "fogcomp stream fog_model.h run.csv -o in.bin";
   command.options = {{"o", "OUT", "sensor stream to write", ""}};
   add_recording_options(command);
+  command.needs = {{"o"}};
   command.run = run_stream;
   return command;
 }

@@ -12,10 +12,20 @@ ReportFile::ReportFile(const Arguments& arguments) {
   if (arguments.has("report")) file_.emplace(arguments.text("report"));
 }
 
-void ReportFile::write(const report::Report& report) {
+void ReportFile::fill(const report::Report& report) {
   file_->write(report.html());
+  file_->flush();
+}
+
+void ReportFile::commit() {
+  if (!file_) return;
   file_->commit();
   std::fprintf(stderr, "report: %s\n", file_->path().c_str());
+}
+
+void ReportFile::write(const report::Report& report) {
+  fill(report);
+  commit();
 }
 
 }  // namespace fogcomp::cli

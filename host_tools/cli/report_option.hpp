@@ -17,6 +17,9 @@ class ReportFile {
  public:
   explicit ReportFile(const Arguments& arguments);
   bool wanted() const { return file_.has_value(); }
+  /// The page; it gets its name with the command's other output, or by write() alone.
+  void fill(const report::Report& report);
+  void commit();
   void write(const report::Report& report);
 
  private:

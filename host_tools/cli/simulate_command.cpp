@@ -132,9 +132,6 @@ int run_simulate(const Arguments& arguments) {
   }
   const std::string output = arguments.required("o");
   const std::string truth_path = arguments.text("hide");
-  if (truth_path == output) {
-    throw InputError("--hide", "would overwrite the recording; name another file");
-  }
   const GyroDescription gyro = gyro_from(arguments);
   SimulationOptions options;
   options.rate_hz = arguments.number("rate", 0.01, 1000);
@@ -174,6 +171,7 @@ int run_simulate(const Arguments& arguments) {
                                      "raise --rate or make it longer",
                                      programme.duration_s(), options.rate_hz));
   }
+  recording.flush();
   if (truth) truth->commit();
   recording.commit();
 
@@ -187,7 +185,7 @@ int run_simulate(const Arguments& arguments) {
     }
     std::puts(summary.text().c_str());
   } else {
-    std::printf("%s: %zu rows, %.2f h at %g Hz\n", output.c_str(), rows,
+    std::printf("%s: %s, %.2f h at %g Hz\n", output.c_str(), counted(rows, "row").c_str(),
                 programme.duration_s() / 3600, options.rate_hz);
   }
   return 0;
@@ -216,7 +214,7 @@ Command simulate_command() {
       {"axis", "DIRECTION", "of the sensitive axis, where the profile sets none", "up", false,
        kAxes},
       {"columns", "NAME,...", "further columns: temperature2, light_power, ..., all", ""},
-      {"hide", "FILE", "writes the truth there: every effect's share", ""},
+      {"hide", "OUT", "writes the truth there: every effect's share", ""},
       {"format",
        "csv|stream",
        "CSV, or the sensor stream that the board reads",
@@ -226,6 +224,7 @@ Command simulate_command() {
       {"list", "", "lists profiles, presets, effects and parameters", ""},
       {"json", "", "prints one JSON object", ""},
   };
+  command.needs = {{"o", "list"}};
   command.run = run_simulate;
   return command;
 }

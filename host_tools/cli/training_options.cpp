@@ -81,7 +81,8 @@ TrainingWatch::TrainingWatch(TrainerSettings& settings) : progress_("training") 
 
 void TrainingWatch::report(const TrainerResult& result) const {
   if (!result.interrupted) return;
-  std::fprintf(stderr, "interrupted: the best network of %d epochs is kept\n", result.epochs);
+  std::fprintf(stderr, "interrupted: the best network of %s is kept\n",
+               counted(static_cast<std::size_t>(result.epochs), "epoch").c_str());
 }
 
 }  // namespace fogcomp::cli

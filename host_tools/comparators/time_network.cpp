@@ -29,7 +29,8 @@ class TimeNetwork : public Comparator {
     return network_.drift_dph(time_and_temperature_of(series.rows()));
   }
   std::string chosen() const override {
-    return format("%d epochs, mse %.5f", network_.result.epochs, network_.result.mean_square);
+    return counted(static_cast<std::size_t>(network_.result.epochs), "epoch") +
+           format(", mse %.5f", network_.result.mean_square);
   }
 
  private:

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
+#include "dataset/column_units.hpp"
 #include "dataset/columns.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
@@ -51,8 +53,7 @@ std::size_t slot_of(std::string_view name) {
 void refuse_what_is_no_header(const std::vector<std::string>& names, std::string_view text,
                               const std::string& where) {
   if (text.rfind(kModelTitle, 0) == 0) {
-    throw InputError(
-        where, "a model, where a recording should be; models beyond the first go behind --model");
+    throw InputError(where, "a model, where a recording should be; name a recording");
   }
   if (std::all_of(names.begin(), names.end(),
                   [](const std::string& name) { return parse_number(name).has_value(); })) {
@@ -72,20 +73,32 @@ void refuse_what_is_no_header(const std::vector<std::string>& names, std::string
 void refuse_duplicates(const std::vector<std::string>& names, const std::string& where) {
   const std::vector<std::string> known = known_names();
   for (std::size_t i = 0; i < names.size(); ++i) {
+    // First: with a header of many columns the search below is long.
+    if (std::find(known.begin(), known.end(), names[i]) == known.end()) continue;
     const auto twin =
         std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]);
     if (twin == names.begin() + static_cast<std::ptrdiff_t>(i)) continue;
-    if (std::find(known.begin(), known.end(), names[i]) == known.end()) continue;
     throw InputError(where, "column '" + names[i] + "' stands twice, in fields " +
                                 std::to_string(twin - names.begin() + 1) + " and " +
                                 std::to_string(i + 1) + "; rename or remove one");
   }
 }
 
+// What a wrong name alone can be the matter with: not a column in its own right, nor another unit.
+std::vector<std::string> renamable(const std::vector<std::string>& names) {
+  std::vector<std::string> chosen;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(chosen), [](const auto& name) {
+    return slot_of(name) == CsvHeader::kIgnored && !has_foreign_unit(name);
+  });
+  return chosen;
+}
+
 void require(const CsvHeader& header, Column column, const std::string& where) {
   if (header.has(static_cast<std::size_t>(column))) return;
   const std::string name(column_info(column).name);
-  throw InputError(where, "no column '" + name + "'" + did_you_mean(name, header.names) +
+  const std::string conversion = how_to_convert(column, header.names);
+  if (!conversion.empty()) throw InputError(where, "no column '" + name + "': " + conversion);
+  throw InputError(where, "no column '" + name + "'" + did_you_mean(name, renamable(header.names)) +
                               "; the header has " + joined(header.names) + "; rename or add it");
 }
 
@@ -119,7 +132,15 @@ void name_ignored_columns(const CsvHeader& header, const std::string& file) {
     if (header.slots[i] == CsvHeader::kIgnored) ignored.push_back(header.names[i]);
   }
   if (ignored.empty()) return;
-  const std::string hint = ignored.size() == 1 ? did_you_mean(ignored[0], known_names()) : "";
+  std::string hint;
+  for (const ColumnInfo& info : kColumns) {
+    if (!hint.empty() || header.has(static_cast<std::size_t>(info.column))) continue;
+    hint = how_to_convert(info.column, ignored);
+    if (!hint.empty()) hint = " (" + hint + ")";
+  }
+  if (ignored.size() == 1 && !has_foreign_unit(ignored[0])) {
+    hint = did_you_mean(ignored[0], known_names());
+  }
   std::fprintf(stderr, "%s: column%s ignored: %s%s\n", file.c_str(), ignored.size() == 1 ? "" : "s",
                joined(ignored).c_str(), hint.c_str());
 }
@@ -128,12 +149,7 @@ void name_ignored_columns(const CsvHeader& header, const std::string& file) {
 
 std::string printable(std::string_view field) {
   constexpr std::size_t kLongest = 40;
-  std::string text(field.substr(0, kLongest));
-  for (char& character : text) {
-    const auto code = static_cast<unsigned char>(character);
-    if (code < 0x20U || code == 0x7FU) character = '?';
-  }
-  return field.size() > kLongest ? text + "..." : text;
+  return displayable(field.substr(0, kLongest)) + (field.size() > kLongest ? "..." : "");
 }
 
 bool CsvHeader::has(std::size_t slot) const {

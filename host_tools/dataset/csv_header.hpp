@@ -28,7 +28,7 @@ struct CsvHeader {
 CsvHeader parse_csv_header(std::string_view text, const std::string& file, const std::string& where,
                            const ReadOptions& options);
 
-/// `field` as a message may show it: at most 40 characters, control characters as '?'.
+/// `field` as a message may show it: displayable(), and at most 40 bytes of it.
 std::string printable(std::string_view field);
 
 }  // namespace fogcomp

@@ -64,8 +64,8 @@ bool parse_row(const CsvHeader& header, std::string_view line, Row& row) {
 std::string fault_of(const CsvHeader& header, std::string_view line) {
   const std::vector<std::string> fields = split(line, ',');
   if (fields.size() != header.slots.size()) {
-    return format("%zu field%s where the header has %zu", fields.size(),
-                  fields.size() == 1 ? "" : "s", header.slots.size());
+    return counted(fields.size(), "field") + " where the header has " +
+           std::to_string(header.slots.size());
   }
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (header.slots[i] >= kColumns.size()) continue;
@@ -149,8 +149,8 @@ class RowCollector {
                                          : "has no good row; the first bad one: " + first_fault_);
     }
     if (recording_.bad_rows > 0) {
-      std::fprintf(stderr, "%s: %zu bad row%s left out, the first: %s\n", file_.path().c_str(),
-                   recording_.bad_rows, recording_.bad_rows == 1 ? "" : "s", first_fault_.c_str());
+      std::fprintf(stderr, "%s: %s left out, the first: %s\n", file_.path().c_str(),
+                   counted(recording_.bad_rows, "bad row").c_str(), first_fault_.c_str());
     }
     return std::move(recording_);
   }
@@ -174,8 +174,9 @@ class RowCollector {
   }
 
   void add_label(std::string_view label) {
-    if (!recording_.labels.empty() && recording_.labels.back().text == label) return;
-    recording_.labels.push_back({recording_.rows(), std::string(label)});
+    if (label == last_label_ && !recording_.labels.empty()) return;
+    last_label_ = label;
+    recording_.labels.push_back({recording_.rows(), displayable(label)});
   }
 
   const CsvHeader& header_;
@@ -186,6 +187,7 @@ class RowCollector {
   std::vector<Target> columns_;
   double previous_s_ = -std::numeric_limits<double>::infinity();
   std::string first_fault_;
+  std::string last_label_;
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "dataset/input_file.hpp"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "support/input_error.hpp"
+#include "support/output_file.hpp"
 
 namespace fogcomp {
 namespace {
@@ -21,18 +21,10 @@ constexpr std::size_t kFewestBufferBytes = 1U << 16U;
 
 InputFile::InputFile(std::string path)
     : path_(std::move(path)), buffer_bytes_(kMostBufferBytes), progress_("reading " + path_) {
-  descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor_ < 0) {
-    throw InputError(path_,
-                     std::string("cannot be read (") + std::strerror(errno) + "); check the name");
-  }
+  descriptor_ = open_input(path_);
   struct stat status {};
-  if (::fstat(descriptor_, &status) == 0) {
-    if (S_ISDIR(status.st_mode)) {
-      ::close(descriptor_);
-      throw InputError(path_, "is a directory; name a recording in it");
-    }
-    if (S_ISREG(status.st_mode)) size_ = static_cast<std::size_t>(status.st_size);
+  if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) {
+    size_ = static_cast<std::size_t>(status.st_size);
   }
   // Of a file no larger than it needs; with room to see its end.
   if (size_ > 0) buffer_bytes_ = std::clamp(size_ + 1, kFewestBufferBytes, kMostBufferBytes);

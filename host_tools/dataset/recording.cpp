@@ -63,6 +63,29 @@ void find_stretches(Recording& recording) {
   recording.period_s = without_rounding_dust(period_s);
 }
 
+// What people give that is no text and no capture, by its first bytes.
+void refuse_other_formats(std::string_view head, const std::string& path) {
+  struct Format {
+    std::string_view start;
+    const char* remedy;
+  };
+  using namespace std::string_view_literals;
+  constexpr Format kFormats[] = {
+      {"\xFF\xFE"sv, "is UTF-16 text; save it as UTF-8"},
+      {"\xFE\xFF"sv, "is UTF-16 text; save it as UTF-8"},
+      {"\x1F\x8B"sv, "is compressed by gzip; unpack it with gunzip"},
+      {"PK\x03\x04"sv, "is a ZIP archive or an Excel workbook; save the sheet as CSV"},
+      {"MATLAB 5.0 MAT-file"sv, "is a MATLAB file; write it with writetable as CSV"},
+      {"\x89HDF"sv, "is an HDF5 file; write its columns as CSV"},
+      {"#ROSBAG"sv, "is a ROS bag; write its topic as CSV"},
+  };
+  for (const Format& format : kFormats) {
+    if (head.substr(0, format.start.size()) == format.start) {
+      throw InputError(path, format.remedy);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<double> bias_dph(const Recording& recording) {
@@ -77,6 +100,7 @@ Recording read_recording(const std::string& path, const ReadOptions& options) {
   InputFile file(path);
   const std::string_view head = file.peek();
   if (head.empty()) throw InputError(path, "is empty; is it the right file?");
+  refuse_other_formats(head, path);
 
   Recording recording;
   LineNumbers lines;

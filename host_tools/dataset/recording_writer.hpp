@@ -45,6 +45,8 @@ class RecordingWriter {
   /// `values[c][row]` belongs to column c; every column has `rows` values.
   void append(const std::vector<const double*>& values, std::size_t rows);
 
+  /// As OutputFile's: of two outputs, each is flushed before one is committed.
+  void flush() { file_.flush(); }
   /// Gives the file its name; without it nothing appears.
   void commit();
 

@@ -22,6 +22,7 @@ namespace fogcomp {
 namespace {
 
 constexpr double kDegcPerLsb = 1.0 / 65536;
+constexpr std::size_t kMaxBlocksWithoutFrame = 64;  // of 1 MiB: what comes then is no sensor's
 
 bool is_control(char character) {
   const auto code = static_cast<unsigned char>(character);
@@ -164,8 +165,10 @@ Recording read_sensor_stream(InputFile& file, const ReadOptions& options) {
   fog::StreamParser parser;
   std::size_t bytes = 0;
   std::size_t good_bytes = 0;
+  std::size_t blocks_without_frame = 0;
   for (std::string_view block = file.next_block(); !block.empty(); block = file.next_block()) {
     bytes += block.size();
+    const std::size_t good_before = good_bytes;
     for (const char character : block) {
       switch (parser.feed(static_cast<std::uint8_t>(character))) {
         case fog::StreamParser::Found::nothing:
@@ -179,6 +182,12 @@ Recording read_sensor_stream(InputFile& file, const ReadOptions& options) {
           collector.add(parser.sample());
           break;
       }
+    }
+    // A pipe may never end.
+    blocks_without_frame = good_bytes > good_before ? 0 : blocks_without_frame + 1;
+    if (blocks_without_frame > kMaxBlocksWithoutFrame) {
+      throw InputError(file.path(), format("no good frame in %zu MiB; is it the right file?",
+                                           kMaxBlocksWithoutFrame));
     }
   }
   return collector.finish(bytes - good_bytes);

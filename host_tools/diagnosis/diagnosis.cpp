@@ -44,9 +44,11 @@ class Diagnoser {
   Diagnoser(const Model& model, const DiagnosisData& data, const DiagnosisSettings& settings)
       : model_(model), data_(data), rows_(data.series().rows()), settings_(settings) {
     if (rows_.size() < kLeastRows) {
-      throw InputError("diagnose", format("%td rows of %g s are too few; at least %td are needed: "
-                                          "use a longer recording or a shorter --average",
-                                          rows_.size(), rows_.row_s, kLeastRows));
+      throw InputError("diagnose",
+                       format("%s of %g s: too few; at least %td are needed: "
+                              "use a longer recording or a shorter --average",
+                              counted(static_cast<std::size_t>(rows_.size()), "row").c_str(),
+                              rows_.row_s, kLeastRows));
     }
     const Eigen::MatrixXd offsets = run_offset_columns(rows_);
     fit_ = fit_rows(data.series(), model.terms, offsets, {{}, settings.noise});

@@ -68,8 +68,9 @@ NoiseModel noise_of_static(const Model& model, const Recording& recording,
   }
   if (rows.size() < kLeastStaticRows) {
     throw InputError(recording.file,
-                     format("%td rows of %g s at rest are too few for --static; at least %td",
-                            rows.size(), row_s, kLeastStaticRows));
+                     format("%s of %g s at rest: too few for --static; at least %td",
+                            counted(static_cast<std::size_t>(rows.size()), "row").c_str(), row_s,
+                            kLeastStaticRows));
   }
   return fit_noise({{rows.drift_dph}}, row_s,
                    std::max(longest_run_s(rows), longest_run_s(data.series().rows())));

@@ -25,11 +25,13 @@ std::vector<Finding> findings(const ResidualAnalysis& analysis, const Comparison
   look_at(analysis.rate.test, "temperature rate");
   if (const LoopBin* widest = analysis.history.widest()) {
     look_at(analysis.history.test, "history",
-            format(" (heating less cooling %+.4f +- %.4f at %.0f degC)", widest->width_dph(),
-                   widest->sigma_dph, widest->at_degc));
+            format(" (heating less cooling %s +- %s at %.0f degC)",
+                   signed_rounded(widest->width_dph()).c_str(), rounded(widest->sigma_dph).c_str(),
+                   widest->at_degc));
   }
   look_at(analysis.offset, "constant offset",
-          format(" (%+.4f +- %.4f)", comparison.whole.mean_dph, analysis.offset_sigma_dph));
+          format(" (%s +- %s)", signed_rounded(comparison.whole.mean_dph).c_str(),
+                 rounded(analysis.offset_sigma_dph).c_str()));
   std::stable_sort(found.begin(), found.end(),
                    [](const Finding& a, const Finding& b) { return a.share > b.share; });
   look_at(analysis.time.test, "time");
@@ -40,12 +42,14 @@ std::vector<Finding> findings(const ResidualAnalysis& analysis, const Comparison
 
 std::string error_words(const Comparison& comparison) {
   if (!comparison.noise_floor_dph) {
-    return format("residual %.4f (too short to know its noise floor)", comparison.whole.rms_dph);
+    return format("residual %s (too short to know its noise floor)",
+                  rounded(comparison.whole.rms_dph).c_str());
   }
   const double floor = *comparison.noise_floor_dph;
-  return format("residual %.4f against a floor of %.4f: drift left %.4f, was %.4f",
-                comparison.whole.rms_dph, floor, floor_removed(comparison.whole.rms_dph, floor),
-                floor_removed(comparison.whole.raw_std_dph, floor));
+  return format("residual %s against a floor of %s: drift left %s, was %s",
+                rounded(comparison.whole.rms_dph).c_str(), rounded(floor).c_str(),
+                rounded(floor_removed(comparison.whole.rms_dph, floor)).c_str(),
+                rounded(floor_removed(comparison.whole.raw_std_dph, floor)).c_str());
 }
 
 std::string structure_words(const ModelOnRun& run) {

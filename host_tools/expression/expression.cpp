@@ -59,9 +59,11 @@ class Parser {
 
   Expression definition() {
     skip_space();
-    if (at_ == text_.size() || !begins_name(text_[at_])) fail("a name and '=' come first");
+    const std::string form = "a name and '=' come first: NAME = " +
+                             (text_.find('=') == std::string::npos ? text_ : "T*T");
+    if (at_ == text_.size() || !begins_name(text_[at_])) fail(form);
     result_.name = name();
-    expect('=');
+    if (!take('=')) fail_at(0, form);
     skip_space();
     const std::size_t begin = at_;
     sum();
@@ -229,7 +231,8 @@ class Parser {
       skip_space();
       return add(node, place);
     }
-    expect('[');
+    if (!take('['))
+      fail("give the bounds of '" + parameter.name + "', such as ?" + parameter.name + "[60,900]");
     parameter.least = take('-') ? -number() : number();
     expect(',');
     parameter.most = take('-') ? -number() : number();

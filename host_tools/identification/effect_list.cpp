@@ -48,8 +48,8 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
         bracketed ? parse_number(range.substr(comma + 1, range.size() - comma - 2)) : std::nullopt;
     if (!least || !most || !(bounds.least <= *least && *least < *most && *most <= bounds.most)) {
       throw InputError(
-          where, format("bounds of %s must be ?[least,most] within %g to %g %s", description.name,
-                        bounds.least, bounds.most, description.unit));
+          where, format("bounds of %s must be ?[least,most] within %g to %g%s", description.name,
+                        bounds.least, bounds.most, unit_behind_number(description).c_str()));
     }
     bounds = {*least, *most};
   }
@@ -77,8 +77,9 @@ void set_parameter(EffectTerm& term, const CatalogueEntry& entry, const std::str
   const double most = description.most_milli / 1000.0;
   if (!value || *value < least || *value > most ||
       (description.whole && *value != std::round(*value))) {
-    throw InputError(where, format("%s must be a %snumber from %g to %g %s%s", name.c_str(),
-                                   description.whole ? "whole " : "", least, most, description.unit,
+    throw InputError(where, format("%s must be a %snumber from %g to %g%s%s", name.c_str(),
+                                   description.whole ? "whole " : "", least, most,
+                                   unit_behind_number(description).c_str(),
                                    description.whole ? "" : ", or ? to identify it"));
   }
   term.parameters[index] = *value;
@@ -97,6 +98,7 @@ std::vector<std::string> split_list(const std::string& list) {
       parts.back() += c;
     }
   }
+  for (std::string& part : parts) part = trim(part);
   return parts;
 }
 

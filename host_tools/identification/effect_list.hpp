@@ -7,6 +7,9 @@
 
 namespace fogcomp {
 
+/// What a first fit of a gyro is proposed to have, as for parse_effects().
+inline constexpr const char* kFirstEffects = "bias,bias_temperature:order=2,temperature_rate";
+
 /// `bias,bias_temperature:order=3,thermal_hysteresis:radius2=?[5,20]` -> terms without
 /// coefficients. A shape parameter that is given stays as given. Another starts at its default and
 /// is identified, unless it is a whole number, or its default is 0, which leaves that part of the

@@ -126,9 +126,11 @@ NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<Ef
   NoiseWeightedFit fit = fit_rows(series, terms, nuisance, {kept, std::nullopt, progress});
   const Eigen::Index unknowns = fit.linear() + static_cast<Eigen::Index>(fit.shapes.size());
   if (rows.size() <= unknowns) {
-    throw InputError("fit", format("%td rows of %g s are too few for %td unknowns; use a longer "
-                                   "recording, fewer effects or a shorter --average",
-                                   rows.size(), rows.row_s, unknowns));
+    throw InputError(
+        "fit", format("%s of %g s: too few for %s; use a longer "
+                      "recording, fewer effects or a shorter --average",
+                      counted(static_cast<std::size_t>(rows.size()), "row").c_str(), rows.row_s,
+                      counted(static_cast<std::size_t>(unknowns), "unknown").c_str()));
   }
   if (!is_determined(fit)) refuse_undetermined(fit, rows);
   return fit;

@@ -49,6 +49,14 @@ std::vector<CatalogueEntry> entries(fog::EffectList<Effects...> /*list*/) {
   return {entry<Effects>()...};
 }
 
+// Where a search begins: in the middle, by ratio where no bound is 0. Of bounds on both sides of 0,
+// in the middle of the wider side: at 0 the term may vanish, and nothing tells which way to go.
+double start_within(double least, double most) {
+  if (least > 0) return std::sqrt(least * most);
+  if (least < 0 && most > 0) return most >= -least ? most / 2 : least / 2;
+  return (least + most) / 2;
+}
+
 }  // namespace
 
 const std::vector<CatalogueEntry>& catalogue() {
@@ -118,13 +126,16 @@ EffectTerm expression_term(const std::string& definition) {
                      "has the name of an effect of the catalogue; choose another");
   }
   for (const ExpressionParameter& parameter : expression.parameters) {
-    const bool by_ratio = parameter.least > 0;
-    term.parameters.push_back(by_ratio ? std::sqrt(parameter.least * parameter.most)
-                                       : (parameter.least + parameter.most) / 2);
+    term.parameters.push_back(start_within(parameter.least, parameter.most));
     term.identified.push_back(true);
     term.parameter_sigma.push_back(0);
   }
   return term;
+}
+
+std::string unit_behind_number(const fog::ParameterDescription& parameter) {
+  const std::string unit = parameter.unit;
+  return unit == "1" ? "" : " " + unit;
 }
 
 fog::InputMask needs_of(const Model& model) {

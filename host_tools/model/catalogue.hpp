@@ -46,6 +46,9 @@ struct TermInfo {
 };
 TermInfo info_of(const EffectTerm& term);
 
+/// " degC" as it follows a number; "" where the parameter has no unit.
+std::string unit_behind_number(const fog::ParameterDescription& parameter);
+
 /// Whether what a coefficient stands for comes and goes with the temperature rate.
 inline bool of_temperature_rate(const fog::CoefficientDescription& coefficient) {
   return std::string_view(coefficient.unit).find("/min") != std::string_view::npos;

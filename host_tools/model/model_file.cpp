@@ -1,6 +1,7 @@
 #include "model/model_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "core/denoise/denoise_parameters.hpp"
@@ -21,6 +22,12 @@ constexpr const char* kHistoryHoldout = "history_holdout_dph";
 constexpr const char* kHistoryForced = "history_forced";
 constexpr const char* kTitleLine = "fogcomp-model 2";
 
+// Beyond any drift, and far from where sums and products stop being finite. Recordings hold rates
+// up to 1e9 deg/h; coefficients of terms that nearly cancel are larger.
+constexpr double kMaxDph = 1e15;
+constexpr double kMaxWeight = 1e15;
+constexpr double kMaxDegc = 2000;
+
 std::uint32_t crc_of(const std::string& text, std::size_t size) {
   return fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), size);
 }
@@ -35,6 +42,21 @@ void write_layer(ModelWriter& out, const char* name, const RealLayer& layer) {
   out.end_line();
 }
 
+// Within the catalogue's bounds, but for the rounding of a search that ends at one of them.
+double read_parameter(ModelReader& in, const fog::ParameterDescription& parameter) {
+  constexpr double kRounding = 1e-9;
+  const double least = parameter.least_milli / 1000.0;
+  const double most = parameter.most_milli / 1000.0;
+  const double value = in.number();
+  const bool within =
+      value >= least - kRounding * std::fabs(least) && value <= most + kRounding * std::fabs(most);
+  if (!within) in.fail(format("%s is %g, outside %g to %g", parameter.name, value, least, most));
+  if (parameter.whole && value != std::round(value)) {
+    in.fail(format("%s is %g, not a whole number", parameter.name, value));
+  }
+  return value;
+}
+
 EffectTerm read_effect(ModelReader& in) {
   EffectTerm term;
   term.name = in.word();
@@ -45,11 +67,17 @@ EffectTerm read_effect(ModelReader& in) {
   const CatalogueEntry& entry = find_effect(term.name);
   const std::size_t parameters = in.count(16);
   if (parameters != entry.parameters.size()) in.fail("wrong number of parameters");
-  term.parameters = in.numbers(parameters);
+  for (const fog::ParameterDescription& parameter : entry.parameters) {
+    term.parameters.push_back(read_parameter(in, parameter));
+  }
   for (std::size_t i = 0; i < parameters; ++i) term.identified.push_back(in.count(1) == 1);
   term.parameter_sigma = in.numbers(parameters);
   const std::size_t coefficients = in.count(entry.coefficients.size());
-  term.coefficients_dph = in.numbers(coefficients);
+  constexpr double kAnyBlockS = 1;
+  if (coefficients != make_effect(term, kAnyBlockS)->regressor_count()) {
+    in.fail("wrong number of coefficients");
+  }
+  term.coefficients_dph = in.numbers(coefficients, -kMaxDph, kMaxDph);
   term.sigma_dph = in.numbers(coefficients);
   return term;
 }
@@ -60,7 +88,7 @@ EffectTerm read_expression(ModelReader& in) {
   const auto scale_log2 = static_cast<int>(in.integer(-1100, 1100));  // of any double
   const std::vector<double> parameters = in.numbers(in.count(16));
   const std::vector<double> sigma = in.numbers(parameters.size());
-  const double coefficient = in.number();
+  const double coefficient = in.number(-kMaxDph, kMaxDph);
   const double coefficient_sigma = in.number();
   const std::vector<double> ranges = in.numbers(in.count(2 * kExpressionSignals));
   EffectTerm term;
@@ -70,6 +98,12 @@ EffectTerm read_expression(ModelReader& in) {
     in.fail(error.what());
   }
   if (term.parameters.size() != parameters.size()) in.fail("wrong number of parameters");
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const ExpressionParameter& bounds = term.expression->expression.parameters[i];
+    if (parameters[i] < bounds.least || parameters[i] > bounds.most) {
+      in.fail("parameter '" + bounds.name + "' is outside its bounds");
+    }
+  }
   term.parameters = parameters;
   term.parameter_sigma = sigma;
   term.coefficients_dph = {coefficient};
@@ -109,8 +143,10 @@ RealLayer read_layer(ModelReader& in, Eigen::Index columns) {
   layer.weights.resize(rows, columns);
   layer.biases.resize(rows);
   for (Eigen::Index row = 0; row < rows; ++row) {
-    layer.biases[row] = in.number();
-    for (Eigen::Index i = 0; i < columns; ++i) layer.weights(row, i) = in.number();
+    layer.biases[row] = in.number(-kMaxWeight, kMaxWeight);
+    for (Eigen::Index i = 0; i < columns; ++i) {
+      layer.weights(row, i) = in.number(-kMaxWeight, kMaxWeight);
+    }
   }
   return layer;
 }
@@ -155,18 +191,18 @@ void read_history(ModelReader& in, const std::string& key, std::vector<HistoryEn
   if (key == kHistory) {
     HistoryEntry entry;
     entry.data_hash = static_cast<std::uint32_t>(in.count(0xFFFFFFFFU));
-    entry.rms_before_dph = in.number();
-    entry.rms_after_dph = in.number();
-    entry.action = in.rest_of_line();
+    entry.rms_before_dph = in.number(0, kMaxDph);
+    entry.rms_after_dph = in.number(0, kMaxDph);
+    entry.action = displayable(in.rest_of_line());
     history.push_back(entry);
     return;
   }
   if (history.empty()) in.fail("'" + key + "' belongs behind a step of the history");
   if (key == kHistoryFloor) {
-    history.back().noise_floor_dph = in.number();
+    history.back().noise_floor_dph = in.number(0, kMaxDph);
   } else if (key == kHistoryHoldout) {
-    const double before_dph = in.number();
-    history.back().holdout = HistoryEntry::Holdout{before_dph, in.number()};
+    const double before_dph = in.number(0, kMaxDph);
+    history.back().holdout = HistoryEntry::Holdout{before_dph, in.number(0, kMaxDph)};
   } else if (key == kHistoryForced) {
     history.back().forced = true;
   } else {
@@ -188,25 +224,27 @@ void write_history(ModelWriter& out, const HistoryEntry& entry) {
 void read_line(ModelReader& in, Model& model) {
   const std::string key = in.word();
   if (key == "scale_factor") {
-    model.scale_factor = in.positive();
+    model.scale_factor = in.number(1e-6, 1e15);  // as --scale-factor
   } else if (key == "derivative_tau_s") {
-    model.derivative_tau_s = in.positive();
+    model.derivative_tau_s = in.number(1e-3, 1e5);  // as --derivative-tau
   } else if (key == "range_degc") {
-    model.least_degc = in.number();
-    model.most_degc = in.number();
+    const Range range = read_range(in);
+    if (range.least < -kMaxDegc || range.most > kMaxDegc) in.fail("no gyro is so cold or hot");
+    model.least_degc = range.least;
+    model.most_degc = range.most;
   } else if (key == "range_degc_per_min") {
     model.rate_range_degc_per_min = read_range(in);
   } else if (key == "range_s") {
     model.time_range_s = read_range(in);
   } else if (key == "noise_dph_rthz") {
-    model.noise_dph_rthz = in.number();
+    model.noise_dph_rthz = in.number(0, kMaxDph);
   } else if (key == "residual_rms_dph") {
-    model.residual_rms_dph = in.number();
+    model.residual_rms_dph = in.number(0, kMaxDph);
   } else if (key == "uncertain_dph") {
-    const double sigma_dph = in.number();
-    model.uncertain = Model::Uncertain{sigma_dph, in.number()};
+    const double sigma_dph = in.number(0, kMaxDph);
+    model.uncertain = Model::Uncertain{sigma_dph, in.number(0, kMaxDph)};
   } else if (key == "average_s") {
-    model.average_s = in.positive();
+    model.average_s = in.number(1e-6, 1e6);
   } else if (key == "denoise") {
     model.denoise.wavelet = in.word();
     model.denoise.levels = static_cast<int>(in.count(fog::kMostLevels));
@@ -224,13 +262,22 @@ void read_line(ModelReader& in, Model& model) {
   } else if (key == "output") {
     model.network.output = read_layer(in, model.network.hidden.biases.size());
   } else if (key == "network_drift_dph") {
-    model.network.centre_dph = in.number();
-    model.network.amplitude_dph = in.number();
+    model.network.centre_dph = in.number(-kMaxDph, kMaxDph);
+    model.network.amplitude_dph = in.number(-kMaxDph, kMaxDph);
   } else if (key.rfind(kHistory, 0) == 0) {
     read_history(in, key, model.history);
   } else {
     in.fail("unknown entry '" + key + "'");
   }
+}
+
+// A mail or a checkout may have made CRLF of the line ends.
+std::string with_unix_line_ends(const std::string& text) {
+  std::string unix_text;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n') unix_text += text[i];
+  }
+  return unix_text;
 }
 
 }  // namespace
@@ -285,7 +332,8 @@ bool looks_like_model(const std::string& text) {
   return text.rfind(kModelTitle, 0) == 0;
 }
 
-Model parse_model(const std::string& text, const std::string& file) {
+Model parse_model(const std::string& given, const std::string& file) {
+  const std::string text = with_unix_line_ends(given);
   if (!looks_like_model(text)) {
     throw InputError(file, "is not a fogcomp model; fogcomp fit makes one");
   }

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,6 +70,14 @@ class ModelReader {
     if (!value) fail("'" + text + "' is not a number");
     return *value;
   }
+  /// From `least` to `most`.
+  double number(double least, double most) {
+    const double value = number();
+    if (value < least || value > most) {
+      fail(format("%g is outside %g to %g", value, least, most));
+    }
+    return value;
+  }
   /// Above 0.
   double positive() {
     const double value = number();
@@ -86,9 +95,10 @@ class ModelReader {
     }
     return static_cast<std::int64_t>(value);
   }
-  std::vector<double> numbers(std::size_t size) {
+  std::vector<double> numbers(std::size_t size) { return numbers(size, -kAny, kAny); }
+  std::vector<double> numbers(std::size_t size, double least, double most) {
     std::vector<double> values(size);
-    for (double& value : values) value = number();
+    for (double& value : values) value = number(least, most);
     return values;
   }
   /// One of `choices`, by its name_of().
@@ -105,6 +115,8 @@ class ModelReader {
   }
 
  private:
+  static constexpr double kAny = std::numeric_limits<double>::max();
+
   std::vector<std::string> lines_;
   std::string file_;
   std::size_t line_ = 0;

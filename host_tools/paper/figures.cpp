@@ -29,6 +29,10 @@ void write_figure(const std::string& path, const Study& study, const std::vector
 
 }  // namespace
 
+std::string figure_path(const std::string& folder, int figure) {
+  return folder + format("/figure_%d.csv", figure);
+}
+
 void write_figures(const Study& study, const std::string& folder) {
   const Rows& rows = study.run.series.rows();
   Eigen::VectorXd temperature(rows.size());
@@ -38,7 +42,7 @@ void write_figures(const Study& study, const std::string& folder) {
   const Eigen::VectorXd& raw = rows.drift_dph;
   const Eigen::VectorXd& bp = study.model("bp").own_dph;
   const Eigen::VectorXd& pso_bp = study.model("pso-bp").own_dph;
-  const auto path = [&](int figure) { return folder + format("/figure_%d.csv", figure); };
+  const auto path = [&](int figure) { return figure_path(folder, figure); };
   write_figure(path(1), study, {{"temperature_degc", temperature}, {"raw_dph", raw}});
   write_figure(path(3), study, {{"raw_dph", raw}, {"denoised_dph", study.denoised_dph}});
   write_figure(path(4), study, {{"hard_dph", study.hard_dph}, {"soft_dph", study.denoised_dph}});

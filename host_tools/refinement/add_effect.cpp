@@ -153,8 +153,9 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
       format("%s out of sample: the effects alone leave %s",
              judged.helps() ? "helps" : "does not help", out_of_sample_words(judged).c_str());
   if (judged.helps() && rose) {
-    result.reason = format("makes the whole model worse on the holdouts: %.4f -> %.4f deg/h",
-                           step.holdout->rms_before_dph, step.holdout->rms_after_dph);
+    result.reason = format("makes the whole model worse on the holdouts: %s -> %s deg/h",
+                           rounded(step.holdout->rms_before_dph).c_str(),
+                           rounded(step.holdout->rms_after_dph).c_str());
   }
   if (judged.helps() && walk) {
     result.reason =

@@ -215,9 +215,9 @@ std::vector<double> fitted_residual(const SignalSeries& series,
 
 std::string out_of_sample_words(const OutOfSample& judged) {
   const bool rises = judged.gain >= kLeastGain && !judged.helps();
-  return format("%.4f -> %.4f deg/h %s (gain %.1f, needed %g%s)", judged.rms_before_dph,
-                judged.rms_after_dph, judged.how.c_str(), judged.gain, kLeastGain,
-                rises ? " without a rise" : "");
+  return format("%s -> %s deg/h %s (gain %.1f, needed %g%s)",
+                rounded(judged.rms_before_dph).c_str(), rounded(judged.rms_after_dph).c_str(),
+                judged.how.c_str(), judged.gain, kLeastGain, rises ? " without a rise" : "");
 }
 
 bool OutOfSample::helps() const {
@@ -239,7 +239,7 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
     const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
     if (tell_term(left.added, series, fixed_after, changed, with)) {
       OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
-      result.how = format("on %zu runs, each left out once", runs.size());
+      result.how = "on " + counted(runs.size(), "run") + ", each left out once";
       return result;
     }
   }
@@ -307,15 +307,17 @@ OutOfSample judge_on_holdouts(const Model& before, const Model& after,
   OutOfSample result =
       judge(rows, residual_of_effects(before, holdouts, run_offsets),
             residual_of_effects(after, holdouts, run_offsets), noise, rows.weights);
-  result.how = holdouts.size() == 1 ? "on the holdout" : format("on %zu holdouts", holdouts.size());
+  result.how =
+      holdouts.size() == 1 ? "on the holdout" : "on " + counted(holdouts.size(), "holdout");
   return result;
 }
 
 std::string half_words(const HalfTest& half) {
   const std::string on = half.identified_on;
   if (!half.determined) return "the " + on + " half alone cannot identify this model";
-  return format("identified on the %s half, judged on the %s: %.4f -> %.4f%s", on.c_str(),
-                on == "first" ? "second" : "first", half.rms_before_dph, half.rms_after_dph,
+  return format("identified on the %s half, judged on the %s: %s -> %s%s", on.c_str(),
+                on == "first" ? "second" : "first", rounded(half.rms_before_dph).c_str(),
+                rounded(half.rms_after_dph).c_str(),
                 half.rms_after_dph < half.rms_before_dph ? "" : ", does not hold there");
 }
 

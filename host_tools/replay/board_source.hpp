@@ -12,7 +12,8 @@ class BoardSource {
   /// Throws InputError for a file that is neither, is damaged, or is of another version.
   explicit BoardSource(const std::string& path);
 
-  bool is_model() const { return is_model_; }
+  /// nullptr for a header.
+  const Model* model() const { return is_model_ ? &model_ : nullptr; }
   /// Counts per deg/s of its sensor stream.
   double scale_factor() const;
   /// What its effects need beside the coil's temperature.

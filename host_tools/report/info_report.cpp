@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "evaluation/comparison.hpp"
+#include "identification/effect_list.hpp"
 #include "report/allan_plot.hpp"
 #include "report/figures.hpp"
 #include "report/run_plots.hpp"
@@ -39,8 +40,7 @@ Finding find(const Recording& recording, const RunSummary& summary) {
   }
   return {number(drift) + " deg/h of drift: " + error + ".",
           "fit physical effects to it, then look at what they leave.",
-          "fogcomp fit " + recording.file +
-              " -o gyro.model --effects bias,bias_temperature:order=2,temperature_rate"};
+          "fogcomp fit " + recording.file + " -o gyro.model --effects " + kFirstEffects};
 }
 
 void add_overview(Report& report, const Recording& recording, const RunSummary& summary) {

@@ -168,10 +168,10 @@ void add_medians(Report& report, const std::vector<Study>& studies) {
   }
   report.section("What the paper does not show");
   report.sentence(words(
-      format("deg/h, medians of %zu gyro%s: drift without the noise floor, and error against the "
+      format("deg/h, medians of %s: drift without the noise floor, and error against the "
              "noise-free truth, on the run that a model was fitted to and on programmes that it "
              "never saw. Noise alone: what a fit would leave that knew the course of every effect.",
-             studies.size(), studies.size() == 1 ? "" : "s")));
+             counted(studies.size(), "gyro").c_str())));
   report.table(table);
 }
 

@@ -18,6 +18,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 }
 
 std::string escaped(std::string text) {
+  text = valid_utf8(text);
   replace_all(text, "&", "&amp;");
   replace_all(text, "<", "&lt;");
   replace_all(text, ">", "&gt;");

@@ -14,8 +14,10 @@ namespace fogcomp::simulation {
 namespace {
 
 constexpr double kLongestProgramme_s = 10000.0 * 3600.0;
-// Nested repeats multiply; this many statements are more than any test and still quick to read.
+// Nested repeats multiply; this many statements and passes are more than any test and still quick
+// to read.
 constexpr int kMostStatements = 1000000;
+constexpr int kMaxNesting = 20;
 
 class ProfileParser {
  public:
@@ -29,7 +31,7 @@ class ProfileParser {
   }
 
   Programme parse() {
-    run_block(0, lines_.size());
+    run_block(0, lines_.size(), 0);
     if (programme_.legs.empty()) {
       throw InputError(name_, "the programme takes no time; add a soak or a ramp");
     }
@@ -37,20 +39,29 @@ class ProfileParser {
   }
 
  private:
+  void count(const ProfileLine& line) {
+    if (++statements_run_ <= kMostStatements) return;
+    line.fail("the programme has more than a million statements; repeat less often");
+  }
+
   // Statements [first, last), blocks between repeat and end as often as they say.
-  void run_block(std::size_t first, std::size_t last) {
+  void run_block(std::size_t first, std::size_t last, int nesting) {
     for (std::size_t i = first; i < last; ++i) {
       ProfileLine line = lines_[i];
-      if (++statements_run_ > kMostStatements) {
-        line.fail("the programme has more than a million statements; repeat less often");
-      }
+      count(line);
       const std::string keyword = line.word("a statement");
       if (keyword == "end") line.fail("'end' without a 'repeat' above it");
       if (keyword == "repeat") {
         const int times = line.whole_number(1, 100000);
         line.expect_end();
+        if (nesting == kMaxNesting) {
+          line.fail(format("'repeat' within %d others; nest fewer", kMaxNesting));
+        }
         const std::size_t end = matching_end(i, last);
-        for (int pass = 0; pass < times; ++pass) run_block(i + 1, end);
+        for (int pass = 0; pass < times; ++pass) {
+          count(line);
+          run_block(i + 1, end, nesting + 1);
+        }
         i = end;
       } else {
         statement(keyword, line);

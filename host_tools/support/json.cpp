@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "support/text.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -16,12 +18,12 @@ void print_number(Number value, std::string& out) {
 
 void print_string(const std::string& value, std::string& out) {
   out += '"';
-  for (const char character : value) {
+  for (const char character : valid_utf8(value)) {
     const auto code = static_cast<unsigned char>(character);
     if (character == '"' || character == '\\') {
       out += '\\';
       out += character;
-    } else if (code < 0x20U) {
+    } else if (code < 0x20U || code == 0x7FU) {
       char escape[8];
       std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(code));
       out += escape;

@@ -11,8 +11,11 @@
 #include <cstring>
 #include <filesystem>
 #include <mutex>
+#include <optional>
+#include <random>
 
 #include "support/input_error.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp {
 namespace {
@@ -34,12 +37,23 @@ void remove_unfinished_files(int signal_number) {
   ::raise(signal_number);
 }
 
+// Every signal that ends a program unless it is handled. One that somebody handles or ignores (a
+// sanitizer, nohup) stays as it is.
+constexpr int kDeadlySignals[] = {SIGINT,  SIGTERM, SIGHUP,  SIGQUIT, SIGPIPE, SIGALRM, SIGXCPU,
+                                  SIGUSR1, SIGUSR2, SIGABRT, SIGBUS,  SIGFPE,  SIGILL,  SIGSEGV};
+
+void install_handlers() {
+  for (const int number : kDeadlySignals) {
+    struct sigaction before {};
+    ::sigaction(number, nullptr, &before);
+    if (before.sa_handler == SIG_DFL) std::signal(number, remove_unfinished_files);
+  }
+}
+
 void remember_unfinished(const std::string& path) {
   const std::lock_guard<std::mutex> lock(unfinished_mutex);
   static const bool handlers_installed = [] {
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-      if (std::signal(number, remove_unfinished_files) == SIG_IGN) std::signal(number, SIG_IGN);
-    }
+    install_handlers();
     return true;
   }();
   static_cast<void>(handlers_installed);
@@ -60,28 +74,120 @@ void forget_unfinished(const std::string& path) {
   }
 }
 
+// A path that neither links nor spellings change.
+std::filesystem::path canonical_place(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path place =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(resolve_links(path)), error);
+  return error ? std::filesystem::path(path) : place;
+}
+
+// While one lives, no signal comes between making a file and remembering that it is to be removed.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, &before_);
+  }
+  ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+// N where the path is one of this process' own descriptors (/dev/stdout leads to
+// /proc/self/fd/1): opened anew, a file behind it would be written over from its start.
+std::optional<int> own_descriptor(const std::string& path) {
+  for (const std::string folder : {"/proc/self/fd/", "/dev/fd/"}) {
+    if (path.rfind(folder, 0) != 0) continue;
+    const auto number = parse_number(path.substr(folder.size()));
+    if (number) return static_cast<int>(*number);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+void require_printable_name(const std::string& path) {
+  if (displayable(path) == valid_utf8(path)) return;
+  throw InputError(path, "has a control character in its name; rename it");
+}
+
+std::string resolve_links(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr int kMaxLinks = 40;  // as Linux follows
+  fs::path target = path;
+  for (int links = 0; links <= kMaxLinks; ++links) {
+    if (own_descriptor(target.string())) return target.string();  // its link is only a description
+    std::error_code no_link;
+    const fs::path next = fs::read_symlink(target, no_link);
+    if (no_link) return target.string();
+    target = target.parent_path() / next;  // `next` alone where it is absolute
+  }
+  throw InputError(path, "is a link that leads to itself; name a file");
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  struct stat status_a {};
+  struct stat status_b {};
+  const bool exists_a = ::stat(a.c_str(), &status_a) == 0;
+  const bool exists_b = ::stat(b.c_str(), &status_b) == 0;
+  if (exists_a != exists_b) return false;
+  if (!exists_a) return canonical_place(a) == canonical_place(b);
+  return S_ISREG(status_a.st_mode) && status_a.st_dev == status_b.st_dev &&
+         status_a.st_ino == status_b.st_ino;
+}
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(resolve_links(path_)) {
   struct stat status {};
-  const bool exists = ::stat(path_.c_str(), &status) == 0;
+  const bool exists = ::stat(target_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {
     throw InputError(path_, "is a directory; name a file to write");
   }
-  // A pipe or a device (/dev/null) is written to, never replaced by a file.
-  const bool in_place = exists && !S_ISREG(status.st_mode);
-  if (in_place) {
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+  const std::optional<int> own = own_descriptor(target_);
+  if (own) {
+    descriptor_ = ::fcntl(*own, F_DUPFD_CLOEXEC, 0);
+  } else if (exists && !S_ISREG(status.st_mode)) {
+    // A pipe or a device (/dev/null) is written to, never replaced by a file.
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    temporary_path_ = path_ + ".part-" + std::to_string(::getpid());
-    descriptor_ = ::open(temporary_path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    // By its mode too: to root every file is writable.
+    constexpr mode_t kAnyoneWrites = S_IWUSR | S_IWGRP | S_IWOTH;
+    if (exists && ((status.st_mode & kAnyoneWrites) == 0 || ::access(target_.c_str(), W_OK) != 0)) {
+      throw InputError(path_, "is read-only; name another file, or allow writing (chmod u+w)");
+    }
+    open_temporary();
+    if (exists && descriptor_ >= 0) {
+      static_cast<void>(::fchmod(descriptor_, status.st_mode & 0777U));
+      const bool same_owner = ::fchown(descriptor_, status.st_uid, status.st_gid) == 0;
+      static_cast<void>(same_owner);  // only root may give files away
+    }
   }
   if (descriptor_ < 0) {
     throw InputError(path_, std::string("cannot be written (") + std::strerror(errno) +
                                 "); choose a folder that exists and may be written");
   }
-  if (!in_place) remember_unfinished(temporary_path_);
   buffer_.reserve(kBufferBytes);
+}
+
+// Under a name that nobody can have prepared, and never through a link.
+void OutputFile::open_temporary() {
+  constexpr int kMaxAttempts = 100;
+  std::random_device random;
+  const SignalsHeld held;
+  for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+    const std::string candidate = target_ + format(".part-%08x", random());
+    constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    descriptor_ = ::open(candidate.c_str(), kFlags, 0644);
+    if (descriptor_ < 0 && errno == EEXIST) continue;
+    if (descriptor_ < 0) return;
+    temporary_path_ = candidate;
+    remember_unfinished(temporary_path_);
+    return;
+  }
 }
 
 OutputFile::~OutputFile() {
@@ -108,8 +214,8 @@ void OutputFile::flush() {
     const ssize_t written = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
-      throw InputError(
-          path_, std::string("write failed (") + std::strerror(errno) + "); is the disk full?");
+      throw InputError(path_, std::string("cannot be written (") + std::strerror(errno) +
+                                  "); free space there or name another place");
     }
     done += static_cast<std::size_t>(written);
   }
@@ -122,7 +228,7 @@ void OutputFile::commit() {
   descriptor_ = -1;
   const bool in_place = temporary_path_.empty();
   const bool named =
-      closed == 0 && (in_place || std::rename(temporary_path_.c_str(), path_.c_str()) == 0);
+      closed == 0 && (in_place || std::rename(temporary_path_.c_str(), target_.c_str()) == 0);
   const int error = errno;
   if (named && !in_place) forget_unfinished(temporary_path_);
   if (named) return;
@@ -146,29 +252,40 @@ void write_file(const std::string& path, std::string_view text) {
   file.commit();
 }
 
-std::string read_file(const std::string& path) {
+int open_input(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
     throw InputError(path,
                      std::string("cannot be read (") + std::strerror(errno) + "); check the name");
   }
+  struct stat status {};
+  const bool known = ::fstat(descriptor, &status) == 0;
+  struct stat null {};
+  const bool is_null = ::stat("/dev/null", &null) == 0 && status.st_rdev == null.st_rdev;
+  const bool endless = known && (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) && !is_null &&
+                       ::isatty(descriptor) != 1;
+  if (known && !S_ISDIR(status.st_mode) && !endless) return descriptor;
+  ::close(descriptor);
+  throw InputError(path, endless ? "is a device that never ends; name a file"
+                                 : "is a directory; name a file in it");
+}
+
+std::string read_file(const std::string& path) {
+  constexpr std::size_t kMaxBytes = 64U << 20U;
+  const int descriptor = open_input(path);
   std::string text;
   std::array<char, 65536> chunk;
   for (;;) {
     const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) {
-      const int error = errno;
-      ::close(descriptor);
-      throw InputError(path, error == EISDIR
-                                 ? std::string("is a directory; name a file")
-                                 : std::string("cannot be read (") + std::strerror(error) + ")");
-    }
-    if (got == 0) break;
-    text.append(chunk.data(), static_cast<std::size_t>(got));
+    if (got > 0) text.append(chunk.data(), static_cast<std::size_t>(got));
+    if (got > 0 && text.size() <= kMaxBytes) continue;
+    const int error = errno;
+    ::close(descriptor);
+    if (got == 0) return text;
+    throw InputError(path, got < 0 ? std::string("cannot be read (") + std::strerror(error) + ")"
+                                   : "is larger than 64 MiB; is it the right file?");
   }
-  ::close(descriptor);
-  return text;
 }
 
 }  // namespace fogcomp

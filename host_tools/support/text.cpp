@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <iterator>
 #include <numeric>
 
 namespace fogcomp {
@@ -27,6 +28,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     }
   }
   return row[b.size()];
+}
+
+// "temp_rate" of "temperature_rate_product": each part of the word begins a part, in order.
+bool abbreviates(std::string_view word, const std::string& candidate) {
+  const std::vector<std::string> beginnings = split(word, '_');
+  std::size_t next = 0;
+  for (const std::string& part : split(candidate, '_')) {
+    if (next < beginnings.size() && part.rfind(beginnings[next], 0) == 0) ++next;
+  }
+  return !beginnings.empty() && next == beginnings.size();
 }
 
 }  // namespace
@@ -82,6 +93,66 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+std::string rounded(double value) {
+  constexpr double kShown = 0.00005;
+  const double size = std::fabs(value);
+  if (size < kShown) return "0.0000";  // and never "-0.0000"
+  const int order = std::isfinite(value) ? static_cast<int>(std::floor(std::log10(size))) : 0;
+  return format("%.*f", std::clamp(3 - order, 0, 4), value);
+}
+
+std::string signed_rounded(double value) {
+  const std::string text = rounded(value);
+  return text[0] == '-' ? text : "+" + text;
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return format("%zu %s%s", count, noun.c_str(), count == 1 ? "" : "s");
+}
+
+std::size_t utf8_length(std::string_view text) {
+  if (text.empty()) return 0;
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = byte(0);
+  if (first < 0x80U) return 1;
+  // C0 and C1 would be a longer form of ASCII, F5 and above lies beyond Unicode.
+  const std::size_t length = first < 0xC2U ? 0U : first < 0xE0U ? 2U : first < 0xF0U ? 3U : 4U;
+  if (length == 0 || first > 0xF4U || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  }
+  const unsigned second = byte(1);
+  const bool too_long = (first == 0xE0U && second < 0xA0U) || (first == 0xF0U && second < 0x90U);
+  const bool surrogate = first == 0xEDU && second >= 0xA0U;
+  const bool beyond = first == 0xF4U && second >= 0x90U;
+  return too_long || surrogate || beyond ? 0 : length;
+}
+
+std::string valid_utf8(std::string_view text) {
+  constexpr const char* kReplacement = "\xEF\xBF\xBD";
+  std::string valid;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0) valid += kReplacement;
+    valid += text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return valid;
+}
+
+std::string displayable(std::string_view text) {
+  const std::string valid = valid_utf8(text);
+  std::string shown;
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(valid[i]);
+    // U+0080 to U+009F, which some terminals obey, are C2 80 to C2 9F.
+    const bool second_set = byte == 0xC2U && static_cast<unsigned char>(valid[i + 1]) < 0xA0U;
+    if (second_set) ++i;
+    shown += byte < 0x20U || byte == 0x7FU || second_set ? '?' : valid[i];
+  }
+  return shown;
+}
+
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
   std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
   std::string found;
@@ -104,8 +175,15 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
-  const std::string found = nearest(word, candidates);
-  return found.empty() ? "" : " (did you mean '" + found + "'?)";
+  std::vector<std::string> found{nearest(word, candidates)};
+  if (found[0].empty()) {
+    found.clear();
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(found),
+                 [&](const std::string& candidate) { return abbreviates(word, candidate); });
+  }
+  constexpr std::size_t kMaxShown = 4;
+  if (found.empty() || found.size() > kMaxShown) return "";
+  return " (did you mean '" + join(found, "' or '") + "'?)";
 }
 
 }  // namespace fogcomp

@@ -22,11 +22,31 @@ std::string_view trim(std::string_view text);
 /// The whole of `text` as a finite number, else nothing.
 std::optional<double> parse_number(std::string_view text);
 
+/// A figure in deg/h as people read it: four significant digits, and four decimals at most (0.0543,
+/// 1.893, 1919).
+std::string rounded(double value);
+/// The same with its sign, as an offset or a step has it: "+0.1860".
+std::string signed_rounded(double value);
+
+/// "1 row", "2 rows": `noun` in the singular, whose plural takes an s.
+std::string counted(std::size_t count, const std::string& noun);
+
+/// Bytes at the start of `text` that are one character of UTF-8, 1 to 4; 0 where there is none.
+std::size_t utf8_length(std::string_view text);
+
+/// `text` with U+FFFD for each byte that is no UTF-8: what JSON and HTML must be.
+std::string valid_utf8(std::string_view text);
+
+/// What a terminal can show in one line without obeying it: valid_utf8() with '?' for every control
+/// character, line ends and tabs included.
+std::string displayable(std::string_view text);
+
 /// The candidate that `word` most likely means (Damerau-Levenshtein distance at most a third of its
 /// length, at least 1; else the only one that begins with it), or "" where none is near.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
-/// " (did you mean 'x'?)", or "" where no candidate is near.
+/// " (did you mean 'x'?)"; where nearest() finds none, those of whose parts (between '_') each of
+/// the word's begins one, in order; "" where there are none or more than four.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace fogcomp

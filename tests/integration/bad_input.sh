@@ -76,8 +76,8 @@ refuses '^counts\.csv.*scale-factor' "${fit[@]}" counts.csv
 # Denoising.
 denoise=(denoise good.csv -o kept)
 refuses '^missing\.csv: ' denoise missing.csv -o kept
-refuses '^one\.csv: 1 rows without a gap allow 0 levels of sym8' denoise one.csv -o kept
-refuses 'allow 8 levels of sym8, not 12; use fewer --levels' "${denoise[@]}" --levels 12
+refuses '^one\.csv: 1 row without a gap: at most 0 levels of sym8' denoise one.csv -o kept
+refuses 'at most 8 levels of sym8, not 12; use fewer --levels' "${denoise[@]}" --levels 12
 refuses "--wavelet 'sym88' is not one of" "${denoise[@]}" --wavelet sym88
 refuses "--threshold 'sure' is not one of" "${denoise[@]}" --threshold sure
 refuses "--mode 'firm' is not one of" "${denoise[@]}" --mode firm
@@ -102,7 +102,7 @@ refuses '^cut\.model: is damaged' replay cut.model good.csv -o kept
 # Comparing, adding, history.
 refuses '^missing\.model: ' compare good.model good.csv --model missing.model
 refuses '^good\.csv: is not a fogcomp model' compare good.model good.csv --model good.csv
-refuses '^good\.model:1: a model, where a recording should be; .* --model' compare good.model good.model good.csv
+refuses '^good\.model: is a model, where compare expects a recording; give further models as --model good\.model' compare good.model good.model good.csv
 "$fogcomp" fit good.csv -o scale.model --effects bias --scale-factor 1000 >/dev/null
 refuses '^scale\.model: has another scale factor than good\.model; give --scale-factor' \
   compare good.model good.csv --model scale.model
@@ -115,8 +115,8 @@ add "^effect 'bias_step': is an event of one recording" bias_step
 add "^effect: is not named" ''
 add "no parameter 'tua' \(did you mean 'tau'" thermal_lag:tua=3
 add '^good\.csv: magnetic needs the column magnetic_ut' magnetic
-refuses '^fogcomp add: -o is missing' add good.model thermal_lag good.csv
-refuses '^fogcomp add: expects MODEL' add good.model thermal_lag
+refuses '^fogcomp add: -o MODEL is missing' add good.model thermal_lag good.csv
+refuses '^fogcomp add: expects MODEL .*; -o MODEL is missing' add good.model thermal_lag
 refuses '^missing\.csv: ' add good.model thermal_lag good.csv --holdout missing.csv -o kept
 refuses '^missing\.model: ' history missing.model
 refuses '^good\.csv: is not a fogcomp model' history good.csv
@@ -146,7 +146,8 @@ fit_expression() { refuses "$1" fit good.csv -o kept --effects bias --effect-exp
 fit_expression "^expression 'x = T \* ': column 9: it ends too early" 'x = T * '
 fit_expression "column 9: there is no function 'sqrt'; there are sin" 'x = T + sqrt(T)'
 fit_expression "column 5: there is no signal 'Q'; there are T" 'x = Q'
-fit_expression "column 15: '\[' is missing" 'x = lag(T,?tau)'
+fit_expression "column 15: give the bounds of 'tau', such as \?tau\[60,900\]" 'x = lag(T,?tau)'
+fit_expression "column 1: a name and '=' come first: NAME = T\*T" 'T*T'
 fit_expression 'column 5: it depends on no signal' 'x = 3*4'
 fit_expression 'column 6: an exponent must not depend on a signal' 'x = T^T'
 fit_expression 'has the name of an effect of the catalogue' 'bias = T'
@@ -177,6 +178,13 @@ refuses '^fogcomp add: expects MODEL .*--effect-expr' add good.model good.csv -o
 refuses '^fogcomp add: expects MODEL' add good.model -o kept --effect-expr 'x = T'
 "$fogcomp" fit good.csv -o divided.model --effects bias --effect-expr 'x = 1/(dTdt+5)' >/dev/null
 refuses "^expression 'x': cannot go to the board: a divisor goes from" export divided.model -o kept
+
+# What export refuses, replay refuses: drift so large that its integers are too coarse.
+awk -F, -v OFS=, 'NR > 1 { $3 *= 1e5 } 1' good.csv >large.csv
+"$fogcomp" fit large.csv -o large.model --effects bias --network 6 --levels 0 --force-network --average 60 --epochs 20 >/dev/null
+refuses "^large\.model: the .*integers would be .* give --allow-error" export large.model -o kept --sample-rate 0.1
+refuses "^large\.model: the .*integers would be .* give --allow-error" replay large.model large.csv -o kept
+"$fogcomp" replay large.model large.csv -o large.bin --allow-error >/dev/null || fail "--allow-error does not help"
 
 # Noise beyond the board's denoiser.
 "$fogcomp" simulate -o noisy.csv --noise white=1 >/dev/null
@@ -217,16 +225,85 @@ refuses '^aging: these recordings do not determine t0 .*is it since power-on' \
 refuses '^aging: these recordings do not determine t0' add good.model aging since_1970.csv -o kept
 refuses "bounds of 'w' must be 0 or from 1e-30 to 1e.30" fit good.csv -o kept --effects bias --effect-expr 'x = sin(T*?w[1e-300,1e300])'
 
+# An output is never one of the inputs, by whatever name, and never another output; every option that takes a
+# file to write is tried. Only a model may be replaced by the one that grew from it.
+cp good.csv in.csv
+cp good.model in.model
+cp good.h in.h
+printf 'start 20 degC\nsoak 1 h\n' >in.profile
+echo 'fit_rms_dph <= 1' >in.limits
+# own_input FILE COMMAND...: @ is where an output's name goes.
+own_input() {
+  local file=$1 name
+  shift
+  ln -s "$file" soft_link
+  ln "$file" hard_link
+  for name in "$file" "./$file" "folder/../$file" soft_link hard_link; do
+    refuses "^$name: -.* would overwrite the input " "${@/@/$name}"
+  done
+  rm soft_link hard_link
+}
+own_input in.csv fit in.csv -o @ --effects bias
+own_input in.csv fit good.csv in.csv -o @ --effects bias
+own_input in.csv fit in.csv -o kept --effects bias --report @
+own_input in.csv denoise in.csv -o @
+own_input in.csv info in.csv --report @
+own_input in.csv compare good.model in.csv --report @
+own_input in.model compare in.model good.csv --report @
+own_input in.model compare good.model good.csv --model in.model --report @
+own_input in.csv diagnose good.model in.csv --report @
+own_input in.csv diagnose good.model good.csv --static in.csv --report @
+own_input in.csv add good.model thermal_lag in.csv -o @
+own_input in.csv add good.model thermal_lag good.csv --holdout in.csv -o @
+own_input in.csv add good.model thermal_lag in.csv -o kept --report @
+own_input in.model add in.model thermal_lag good.csv -o kept --report @
+own_input in.model export in.model -o @
+own_input in.h replay in.h good.csv -o @
+own_input in.csv replay good.h in.csv -o @
+own_input in.csv stream good.h in.csv -o @
+own_input in.profile simulate --profile in.profile -o @
+own_input in.profile simulate --profile in.profile -o kept --hide @
+own_input good.model compare good.model good.csv --report=@
+mkdir lot_out
+cp in.limits lot_out/gyros.csv
+mkdir -p lot/G1
+refuses '^lot_out/gyros\.csv: would overwrite the input lot_out/gyros\.csv' batch lot -o lot_out --effects bias \
+  --limits lot_out/gyros.csv
+rm -r lot lot_out
+ln -s same dangling
+for both in "same same" "./same same" "same dangling" "kept folder/../kept"; do
+  read -r one two <<<"$both"
+  refuses '-o and --report name the same file; give each its own' fit good.csv --effects bias -o "$one" --report "$two"
+  refuses '--hide and -o name the same file; give each its own' simulate -o "$one" --hide "$two"
+done
+rm dangling
+mkdir figures
+refuses 'figures/figure_1\.csv: is a file of its own, and --report names it too' \
+  paper --figures figures --report figures/figure_1.csv
+rmdir figures
+cp good.model grown.model
+"$fogcomp" add grown.model bias_temperature good.csv -o grown.model --force >/dev/null || fail "a model does not replace its parent"
+"$fogcomp" history grown.model | grep -q bias_temperature || fail "the grown model is not the new one"
+"$fogcomp" simulate -o paper --profile paper >/dev/null
+"$fogcomp" simulate -o paper --profile paper >/dev/null || fail "a ready-made profile is taken for a file of its name"
+"$fogcomp" simulate -o /dev/null --hide /dev/null >/dev/null || fail "/dev/null is not taken twice"
+rm paper
+
 # Arguments.
 refuses "no command 'fti' \(did you mean 'fit'\?\)" fti
 refuses 'unknown option --efects \(did you mean .effects.\?\)' fit good.csv -o kept --efects bias
 refuses '--effects needs a value' fit good.csv -o kept --effects
-refuses '-o is missing' fit good.csv --effects bias
-refuses '--effects is missing' fit good.csv -o kept
+refuses '-o MODEL is missing' fit good.csv --effects bias
+proposal='--effects LIST is missing \(try --effects bias,bias_temperature:order=2,temperature_rate\)'
+refuses "^fogcomp fit: $proposal" fit good.csv -o kept
+refuses "^fogcomp fit: -o MODEL is missing; $proposal" fit good.csv
+refuses "^fogcomp fit: expects RUN\.\.\.; -o MODEL is missing; $proposal" fit
+refuses "^fogcomp batch: expects DIR; -o OUT is missing; $proposal" batch
+refuses '^fogcomp replay: expects MODEL.*; -o OUT is missing' replay
 refuses "effect 'biass': .*did you mean 'bias'" fit good.csv -o kept --effects biass
 refuses "effect 'bias': is listed twice" fit good.csv -o kept --effects bias,bias
 refuses "no parameter 'ordr' \(did you mean 'order'" fit good.csv -o kept --effects bias_temperature:ordr=2
-refuses 'order must be a whole number from 1 to 9' fit good.csv -o kept --effects bias_temperature:order=12
+refuses 'order must be a whole number from 1 to 9$' fit good.csv -o kept --effects bias_temperature:order=12
 refuses "--network '33' is not a number from 0 to 32" fit good.csv -o kept --effects bias --network 33
 refuses "--average 'ten' is not a number" fit good.csv -o kept --effects bias --average ten
 refuses "--threshold 'minimaxi' is not one of" fit good.csv -o kept --effects bias --threshold minimaxi
@@ -248,13 +325,40 @@ refuses 'is a directory' info good.csv --report folder
 refuses 'cannot be written' fit good.csv -o kept --effects bias --report nowhere/x.html
 refuses '^missing\.csv: .*' compare good.model missing.csv --report kept
 
+# Near misses of an effect's name; blanks in a list; a mean longer than the run.
+refuses "did you mean 'temperature_rate' or 'temperature_rate_product'" fit good.csv -o kept --effects temp_rate
+refuses "did you mean 'glass_transition'" fit good.csv -o kept --effects bias,transition
+"$fogcomp" fit good.csv -o blanks.model --effects ' bias, temperature_rate ' >/dev/null || fail "a blank behind a comma"
+refuses '^good\.csv: lasts 59550 s, too short for means of 100000 s' info good.csv --average 100000
+"$fogcomp" fit good.csv -o both_signs.model --effects bias --effect-expr 'x = sin(T*?w[-1,1])' >/dev/null ||
+  fail "a search between bounds on both sides of 0 begins at 0"
+
+# Swapped arguments: the line to type.
+refuses '^fogcomp compare: the arguments look swapped: fogcomp compare good\.model good\.csv$' compare good.csv good.model
+refuses 'swapped: fogcomp diagnose good\.model good\.csv in\.csv$' diagnose good.csv good.model in.csv
+refuses 'swapped: fogcomp add good\.model thermal_lag good\.csv$' add good.model good.csv thermal_lag -o kept
+refuses 'swapped: fogcomp add good\.model thermal_lag:tau=60 good\.csv$' add good.csv thermal_lag:tau=60 good.model -o kept
+refuses 'swapped: fogcomp replay good\.h good\.csv$' replay good.csv good.h -o kept
+refuses '^good\.model: is a model, where fit expects RUN\.\.\.$' fit good.model -o kept --effects bias
+refuses '^good\.model: is a model, where info expects RUN$' info good.model
+refuses '^good\.model: is a model, where diagnose expects MODEL RUN' diagnose in.model good.model good.csv
+refuses '^good\.model:1: a model, where a recording should be' add good.model thermal_lag good.csv --holdout good.model -o kept
+
+# Files of other programs.
+other_format() { printf "$1" | cat - good.csv >foreign; refuses "^foreign: is .*$2" info foreign; }
+other_format '\xff\xfe' 'UTF-16'
+other_format '\x1f\x8b' 'gunzip'
+other_format 'PK\x03\x04' 'Excel'
+other_format 'MATLAB 5.0 MAT-file' 'MATLAB'
+rm foreign
+
 # Batches.
 mkdir -p lot/G1 empty_lot
 cp good.csv lot/G1
 lot() { refuses "$1" batch "${@:2}" --effects bias,temperature_rate; }
 lot '^missing: cannot be read' missing -o results
 lot '^empty_lot: has no folder in it' empty_lot -o results
-lot '^fogcomp batch: -o is missing' lot
+lot '^fogcomp batch: -o OUT is missing' lot
 lot '^lot/results: lies in lot; name a folder beside it' lot -o lot/results
 lot "^--shard: '3/2' is no part of a whole; write I/N" lot -o results --shard 3/2
 lot "^--shard: 'half' is no part" lot -o results --shard half

@@ -64,6 +64,28 @@ says '\(1 calibrated now, 2 before\)'
 batch 0 gyros -o out --average 20
 says '\(3 calibrated now, 0 before\)'
 
+# A gyro is done as long as its files are there as they were written.
+batch 0 gyros -o out --average 20
+says '\(0 calibrated now, 3 before\)'
+cp out/A1/fog_model.h sound.h
+rm out/A1/A1.model
+batch 0 gyros -o out --average 20
+says '\(1 calibrated now, 2 before\)'
+sed -i 's/[0-9]/7/' out/A1/fog_model.h
+batch 0 gyros -o out --average 20
+says '\(1 calibrated now, 2 before\)'
+cmp sound.h out/A1/fog_model.h
+
+# A serial number is no formula to the spreadsheet that opens the table, and no command to the terminal.
+mkdir -p hostile/=cmd
+cp gyros/A3/run.csv hostile/=cmd
+batch 0 hostile -o hostile_out
+grep -q "^'=cmd,pass," hostile_out/gyros.csv || fail "a formula: $(cat hostile_out/gyros.csv)"
+mkdir hostile/$'\033[31m'
+batch 2 hostile -o hostile_out
+grep -q '^hostile/?\[31m: has a control character in its name; rename it$' errors.txt || fail "$(cat -v errors.txt)"
+rm -r hostile hostile_out
+
 # A gyro whose folder cannot be made does not stop the others either.
 mkdir blocked
 echo "in the way" >blocked/A2
@@ -98,7 +120,7 @@ END
 chmod +x bin/sbatch
 PATH=$PWD/bin:$PATH FOGCOMP=$fogcomp SBATCH_OPTIONS="--cpus-per-task=2 --partition=lab" \
   "$submit" 2 gyros array "${options[@]:0:2}" >said.txt 2>tasks.txt || fail "$(cat tasks.txt)"
-grep -q '^part 2/2: 1 gyros calibrated' tasks.txt || fail "$(cat tasks.txt)"
+grep -q '^part 2/2: 1 gyro calibrated' tasks.txt || fail "$(cat tasks.txt)"
 cmp whole/gyros.csv array/gyros.csv
 rm parts/A2/result.txt
 batch 1 gyros -o parts --merge
@@ -135,7 +157,7 @@ status=0
 wait "$pool" || status=$?
 ((status == 130)) || fail "exit code $status after SIGINT"
 ! kill -0 "$child" 2>/dev/null || fail "a process is left"
-grep -q '^interrupted: 3 of 4 gyros are done; the same command goes on there' errors.txt || fail "$(cat errors.txt)"
+grep -q '^interrupted: 3 of 4 gyros done; the same command goes on there' errors.txt || fail "$(cat errors.txt)"
 [[ -z $(find stopped -name '*.part-*') && ! -e stopped/gyros.csv ]] || fail "half files: $(find stopped)"
 rm -r gyros/C1
 batch 0 gyros -o stopped

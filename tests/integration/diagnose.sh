@@ -63,8 +63,8 @@ refuses() {
   [[ $status == 2 && $(wc -l <err.txt) == 1 ]] && grep -Eq "$pattern" err.txt || fail "$* says: $(cat err.txt), exit $status"
 }
 head -n 40 paper.csv >short.csv
-refuses 'rows of 10 s are too few' diagnose shupe.model short.csv
-refuses 'at rest are too few for --static' diagnose shupe.model paper.csv --static short.csv
+refuses '39 rows of 10 s: too few' diagnose shupe.model short.csv
+refuses 'at rest: too few for --static' diagnose shupe.model paper.csv --static short.csv
 refuses 'missing.csv' diagnose shupe.model missing.csv
 
 [[ -f $mems/mems_chamber_x.csv ]] || { echo 'skipped: no recording of a real sensor'; exit 0; }

@@ -10,8 +10,9 @@ trap 'rm -rf "$scratch"' EXIT
 sed -E 's/(FOG_MODEL_LAYOUT) [0-9]+/\1 99/; s/^  1179600717, [0-9]+,/  1179600717, 99,/' "$header" >"$scratch/fog_model.h"
 cmp -s "$header" "$scratch/fog_model.h" && { echo "nothing was changed" >&2; exit 1; }
 
+printf 'time_s,temperature_degc,rate_dph\n0,20,1\n' >"$scratch/run.csv"
 status=0
-"$fogcomp" replay "$scratch/fog_model.h" "$header" -o "$scratch/out.bin" 2>"$scratch/error" || status=$?
+"$fogcomp" replay "$scratch/fog_model.h" "$scratch/run.csv" -o "$scratch/out.bin" 2>"$scratch/error" || status=$?
 cat "$scratch/error"
 ((status == 2)) && grep -q "another layout version; export the header again" "$scratch/error"
 

@@ -95,6 +95,23 @@ TEST(CsvReader, KeepsTheLabelsOfASegmentColumn) {
   EXPECT_EQ(recording.labels[2].text, "");
 }
 
+TEST(CsvReader, KeepsLabelsThatCanBeShown) {
+  const Recording recording =
+      read_text("time_s,temperature_degc,rate_dph,segment\n0,20,1,Rampe 60\xB0\x1B[31m\n");
+  ASSERT_EQ(recording.labels.size(), 1U);
+  EXPECT_EQ(recording.labels[0].text, "Rampe 60\xEF\xBF\xBD?[31m");
+}
+
+TEST(CsvReader, TakesAHundredThousandColumns) {
+  std::string header = "time_s,temperature_degc,rate_dph";
+  std::string row = "0,20,1";
+  for (int i = 0; i < 100'000; ++i) {
+    header += ",c" + std::to_string(i);
+    row += ",1";
+  }
+  EXPECT_EQ(read_text(header + "\n" + row + "\n").rows(), 1U);
+}
+
 struct BadRow {
   const char* name;
   const char* line;
@@ -146,6 +163,56 @@ TEST(CsvReader, SaysWhatIsWrongWithTheHeader) {
             "time_s,temperature_degc,rate_dph before them");
   EXPECT_EQ(fault("time_s;temperature_degc;rate_dph\n1;20;0,5\n"),
             ":1: columns separated by ';' or tabs; save the file with ','");
+}
+
+// A rename across units is an error of 3600, 1000 or 273: no message may propose it.
+TEST(CsvReader, SaysHowToConvertAnotherUnit) {
+  struct Case {
+    const char* header;
+    const char* said;
+  };
+  const Case cases[] = {
+      {"time_s,temperature_degc,rate_dps",
+       "no column 'rate_dph': 'rate_dps' is in deg/s: multiply by 3600, then name it rate_dph; or "
+       "name it counts and give --scale-factor 1"},
+      {"time_s,temperature_degc,Gyro_X [deg/s]",
+       "no column 'rate_dph': 'Gyro_X [deg/s]' is in deg/s: multiply by 3600, then name it "
+       "rate_dph; or name it counts and give --scale-factor 1"},
+      {"time_s,temperature_degc,rate_dpm",
+       "no column 'rate_dph': 'rate_dpm' is in deg/min: multiply by 60, then name it rate_dph; or "
+       "name it counts and give --scale-factor 60"},
+      {"time_s,temperature_degc,rate (rad/s)",
+       "no column 'rate_dph': 'rate (rad/s)' is in rad/s: multiply by 206264.8062, then name it "
+       "rate_dph; or name it counts and give --scale-factor 0.01745329252"},
+      {"time_ms,temperature_degc,rate_dph",
+       "no column 'time_s': 'time_ms' is in milliseconds: divide by 1000, then name it time_s"},
+      {"time_h,temperature_degc,rate_dph",
+       "no column 'time_s': 'time_h' is in hours: multiply by 3600, then name it time_s"},
+      {"time_s,temperature_k,rate_dph",
+       "no column 'temperature_degc': 'temperature_k' is in kelvin: subtract 273.15, then name it "
+       "temperature_degc"},
+      {"time_s,Temp [F],rate_dph",
+       "no column 'temperature_degc': 'Temp [F]' is in Fahrenheit: subtract 32, divide by 1.8, "
+       "then name it temperature_degc"},
+      {"time_s,temperature_degc,rate_x_dph,rate_y_dph,rate_z_dph",
+       "no column 'rate_dph': it could be any of rate_x_dph, rate_y_dph, rate_z_dph; name the "
+       "right "
+       "one rate_dph"},
+      {"time_s,temperature2_degc,rate_dph",
+       "no column 'temperature_degc'; the header has time_s, temperature2_degc, rate_dph; rename "
+       "or "
+       "add it"},
+  };
+  for (const Case& one : cases) {
+    EXPECT_EQ(fault(std::string(one.header) + "\n0,20,1\n"), ":1: " + std::string(one.said));
+  }
+  ::testing::internal::CaptureStderr();
+  read_text("time_s,temperature_degc,rate_dph,note,input_rate_dps\n0,20,1,2,3\n");
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("columns ignored: note, input_rate_dps ('input_rate_dps' is in deg/s: "
+                      "multiply by 3600, then name it input_rate_dph)"),
+            std::string::npos)
+      << said;
 }
 
 TEST(CsvReader, SaysWhatIsWrongWithTheFile) {

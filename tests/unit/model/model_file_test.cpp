@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <string>
 
 #include "export/header.hpp"
+#include "identification/effect_list.hpp"
+#include "model/catalogue.hpp"
 #include "support/input_error.hpp"
 #include "support/sample_models.hpp"
 #include "support/typical_effects.hpp"
@@ -107,6 +110,59 @@ TEST(ModelFile, RefusesANetworkWithoutOneOfItsParts) {
   model.network.output = {};
   EXPECT_NE(error_of(fogcomp::model_text(model)).find("part of the network is missing"),
             std::string::npos);
+}
+
+// The CRC is right in all of these: somebody wrote them so.
+TEST(ModelFile, RefusesValuesThatNoFitGives) {
+  struct Case {
+    const char* what;
+    std::function<void(fogcomp::Model&)> change;
+    const char* said;
+  };
+  const auto term = [](fogcomp::Model& model, const std::string& name) -> fogcomp::EffectTerm& {
+    model.terms = fogcomp::parse_effects(name);
+    const std::size_t count = fogcomp::make_effect(model.terms[0], 1)->regressor_count();
+    model.terms[0].coefficients_dph.assign(count, 0.1);
+    model.terms[0].sigma_dph.assign(count, 0.01);
+    return model.terms[0];
+  };
+  const Case cases[] = {
+      {"order -1", [&](auto& m) { term(m, "bias_temperature").parameters[0] = -1; },
+       "order is -1, outside 1 to 9;"},
+      {"order 1e6", [&](auto& m) { term(m, "bias_temperature").parameters[0] = 1e6; },
+       "order is 1e+06, outside 1 to 9"},
+      {"order 2.5", [&](auto& m) { term(m, "bias_temperature").parameters[0] = 2.5; },
+       "order is 2.5, not a whole number"},
+      {"order 3", [&](auto& m) { term(m, "bias_temperature").parameters[0] = 3; },
+       "wrong number of coefficients"},
+      {"tau 0", [&](auto& m) { term(m, "thermal_lag").parameters[0] = 0; },
+       "tau is 0, outside 5 to 20000"},
+      {"bias", [&](auto& m) { term(m, "bias").coefficients_dph[0] = 1e300; }, "1e+300 is outside"},
+      {"history", [](auto& m) { m.history[0].rms_after_dph = 1e308; }, "1e+308 is outside"},
+      {"range", [](auto& m) { m.most_degc = 1e300; }, "no gyro is so cold or hot"},
+      {"rows", [](auto& m) { m.average_s = 1e9; }, "1e+09 is outside"},
+      {"weight", [](auto& m) { m.network.hidden.weights(0, 0) = -1e300; }, "-1e+300 is outside"},
+      {"drift", [](auto& m) { m.network.amplitude_dph = 1e300; }, "1e+300 is outside"},
+  };
+  for (const Case& one : cases) {
+    fogcomp::Model model = fog::test::paper_like_model();
+    one.change(model);
+    const std::string error = error_of(fogcomp::model_text(model));
+    EXPECT_NE(error.find(one.said), std::string::npos) << one.what << ": " << error;
+    EXPECT_EQ(error.find("gyro.model:"), 0U) << error;
+  }
+  fogcomp::Model model = fog::test::expressions_model();
+  model.terms.push_back(fog::test::written_term("x = lag(T, ?tau[60, 900])"));
+  model.terms.back().parameters[0] = 1e9;
+  EXPECT_NE(error_of(fogcomp::model_text(model)).find("'tau' is outside its bounds"),
+            std::string::npos);
+}
+
+TEST(ModelFile, IsReadWithTheLineEndsOfAMail) {
+  const std::string text = fogcomp::model_text(fog::test::paper_like_model());
+  std::string mailed;
+  for (const char c : text) mailed += c == '\n' ? "\r\n" : std::string(1, c);
+  EXPECT_EQ(fogcomp::model_text(fogcomp::parse_model(mailed, "gyro.model")), text);
 }
 
 TEST(ModelFile, NamesFileLineAndRemedy) {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "support/text.hpp"
+
 namespace fogcomp::report {
 namespace {
 
@@ -98,6 +100,13 @@ TEST(Report, AColumnWithASentenceMayBeBrokenAndFiguresMayNot) {
   EXPECT_EQ(count(page, "<td class=\"words\">"), 2U);
   EXPECT_EQ(count(page, "<th class=\"words\">reason"), 1U);
   EXPECT_EQ(count(page, "<td>fail</td>"), 1U);
+}
+
+TEST(Report, NamesInAnotherEncodingLeaveThePageUtf8) {
+  Report report("Z\xFCrich.csv", "60\xB0");
+  report.table({{"60\xB0"}, {{"60\xB0"}}});
+  report.plot({"60\xB0", "", "", {{"60\xB0", "model", {1, 2}}}, {0, 1}, {}, ""});
+  EXPECT_EQ(valid_utf8(report.html()), report.html());
 }
 
 TEST(Report, NothingInThePageNamesAPlaceToLoadFrom) {

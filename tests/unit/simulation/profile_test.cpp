@@ -63,6 +63,22 @@ TEST(Profile, KeepsRandomStepsWithinBoundsAndTiedToTheSeed) {
   }
 }
 
+// Whatever is nested, and however deep: it ends soon, and with a message.
+TEST(Profile, BoundsNestingAndPasses) {
+  const auto nested = [](std::size_t depth, const std::string& repeat, const std::string& inside) {
+    std::string text;
+    for (std::size_t i = 0; i < depth; ++i) text += repeat + "\n";
+    text += inside;
+    for (std::size_t i = 0; i < depth; ++i) text += "end\n";
+    return text;
+  };
+  EXPECT_EQ(error_of(nested(20, "repeat 1", "soak 1 s\n")), "no error");
+  EXPECT_EQ(error_of(nested(100'000, "repeat 1", "soak 1 s\n")),
+            "test.profile:21: 'repeat' within 20 others; nest fewer");
+  EXPECT_NE(error_of(nested(20, "repeat 100000", "")).find("more than a million statements"),
+            std::string::npos);
+}
+
 TEST(Profile, NamesFileAndLineOfWhatItCannotRead) {
   EXPECT_EQ(error_of("soak 1 h\nsaok 2 h\n"),
             "test.profile:2: unknown statement 'saok' (did you mean 'soak'?); fogcomp simulate "

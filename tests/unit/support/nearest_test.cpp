@@ -17,6 +17,17 @@ TEST(Nearest, IsTheOnlyNameThatWasBegun) {
   EXPECT_EQ(fogcomp::nearest("temp", kNames), "");  // two of them
 }
 
+TEST(DidYouMean, KnowsAbbreviationsAndSeveralCandidates) {
+  EXPECT_EQ(fogcomp::did_you_mean("temp_rate", kNames),
+            " (did you mean 'temperature_rate' or 'temperature_rate_product'?)");
+  EXPECT_EQ(fogcomp::did_you_mean("rate_prod", kNames),
+            " (did you mean 'temperature_rate_product'?)");
+  EXPECT_EQ(fogcomp::did_you_mean("transition", kNames), " (did you mean 'glass_transition'?)");
+  EXPECT_EQ(fogcomp::did_you_mean("temp", kNames),
+            " (did you mean 'temperature_rate' or 'temperature_rate_product'?)");
+  EXPECT_EQ(fogcomp::did_you_mean("rate_temp", kNames), "");
+}
+
 TEST(Nearest, IsNothingWhereNothingIsNear) {
   EXPECT_EQ(fogcomp::nearest("wavelet", kNames), "");
   EXPECT_EQ(fogcomp::nearest("", kNames), "");

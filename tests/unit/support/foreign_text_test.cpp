@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include "support/input_error.hpp"
+#include "support/json.hpp"
+#include "support/output_file.hpp"
+#include "support/text.hpp"
+
+namespace {
+
+using fogcomp::displayable;
+using fogcomp::valid_utf8;
+
+const std::string kReplaced = "\xEF\xBF\xBD";
+
+TEST(ForeignText, BecomesUtf8ByteForByte) {
+  const std::string good =
+      "Rampe 60\xC2\xB0"
+      "C \xE2\x88\x9A \xF0\x9F\x94\xA5";
+  EXPECT_EQ(valid_utf8(good), good);
+  EXPECT_EQ(valid_utf8("Rampe 60\xB0"
+                       "C"),
+            "Rampe 60" + kReplaced + "C");
+  // Overlong, a surrogate, beyond Unicode, cut off.
+  for (const std::string bad :
+       {"\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x88", "\x80"}) {
+    std::string replaced;
+    for (std::size_t i = 0; i < bad.size(); ++i) replaced += kReplaced;
+    EXPECT_EQ(valid_utf8(bad), replaced);
+  }
+}
+
+TEST(ForeignText, IsNotObeyedByATerminal) {
+  EXPECT_EQ(displayable("a\x1B[31mb\tc\nd\x7F"), "a?[31mb?c?d?");
+  EXPECT_EQ(displayable("a\xC2\x9B"
+                        "31m"),
+            "a?31m");  // CSI in one character
+  EXPECT_EQ(displayable("60 \xC2\xB0"
+                        "C"),
+            "60 \xC2\xB0"
+            "C");
+}
+
+TEST(ForeignText, IsValidJson) {
+  EXPECT_EQ(fogcomp::Json("\xB0\x1B\x7F\"").text(), "\"" + kReplaced + "\\u001b\\u007f\\\"\"");
+}
+
+TEST(ForeignText, IsNoNameOfAFile) {
+  EXPECT_NO_THROW(fogcomp::require_printable_name("Z\xFCrich/60 \xC2\xB0.csv"));
+  EXPECT_THROW(fogcomp::require_printable_name("a\nb.csv"), fogcomp::InputError);
+}
+
+TEST(Rounded, HasTheDigitsThatDeserveIt) {
+  EXPECT_EQ(fogcomp::rounded(1919.2848), "1919");
+  EXPECT_EQ(fogcomp::rounded(-13565.5863), "-13566");
+  EXPECT_EQ(fogcomp::rounded(15.04107), "15.04");
+  EXPECT_EQ(fogcomp::rounded(1.89321), "1.893");
+  EXPECT_EQ(fogcomp::rounded(0.054321), "0.0543");
+  EXPECT_EQ(fogcomp::rounded(0.0012345), "0.0012");
+  EXPECT_EQ(fogcomp::signed_rounded(0.186), "+0.1860");
+  EXPECT_EQ(fogcomp::signed_rounded(-2.5), "-2.500");
+  EXPECT_EQ(fogcomp::rounded(2e-16), "0.0000");
+  EXPECT_EQ(fogcomp::rounded(-0.0), "0.0000");
+}
+
+TEST(Counted, HasASingularAndAPlural) {
+  EXPECT_EQ(fogcomp::counted(0, "bad row"), "0 bad rows");
+  EXPECT_EQ(fogcomp::counted(1, "bad row"), "1 bad row");
+  EXPECT_EQ(fogcomp::counted(6, "bad row"), "6 bad rows");
+}
+
+}  // namespace
