@@ -13,7 +13,8 @@ cmp -s "$header" "$scratch/fog_model.h" && { echo "nothing was changed" >&2; exi
 status=0
 "$fogcomp" replay "$scratch/fog_model.h" "$header" -o "$scratch/out.bin" 2>"$scratch/error" || status=$?
 cat "$scratch/error"
-((status == 2)) && grep -q "another layout version; export the header again" "$scratch/error"
+((status == 2)) || { echo "exit code $status" >&2; exit 1; }
+grep -q "another layout version; export the header again" "$scratch/error"
 
 cmake -S "$source" -B "$scratch/build" --preset stm32f405 \
   -DFOG_MODEL_HEADER="$scratch/fog_model.h" >/dev/null
