@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "statistics/chance.hpp"
+#include "support/chance.hpp"
 #include "support/typical_effects.hpp"
 #include "unit/refinement/simulated_addition.hpp"
 

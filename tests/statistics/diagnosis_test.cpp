@@ -7,7 +7,7 @@
 
 #include "diagnosis/ladder.hpp"
 #include "identification/effect_list.hpp"
-#include "statistics/chance.hpp"
+#include "support/chance.hpp"
 #include "support/input_error.hpp"
 #include "support/typical_effects.hpp"
 #include "unit/identification/simulated_gyro.hpp"
