@@ -113,15 +113,17 @@ TEST(Diagnosis, NamesTheEffectThatIsMissing) {
   };
   for (const auto& one : kCases) {
     const bool hidden = one.term.name != "temperature_rate";
-    const Diagnosis diagnosis =
-        diagnosed(one.declared, recording_with(hidden ? std::vector<fogcomp::EffectTerm>{one.term}
-                                                      : std::vector<fogcomp::EffectTerm>{},
-                                               3));
-    EXPECT_EQ(diagnosis.verdict, Verdict::missing_effect) << one.term.name;
-    EXPECT_EQ(diagnosis.effect, one.term.name);
-    ASSERT_FALSE(diagnosis.candidates.empty());
-    EXPECT_LT(diagnosis.candidates[0].rms_after_dph, diagnosis.residual_rms_dph);
-    EXPECT_LT(diagnosis.chance, 1e-6);
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      const Diagnosis diagnosis =
+          diagnosed(one.declared, recording_with(hidden ? std::vector<fogcomp::EffectTerm>{one.term}
+                                                        : std::vector<fogcomp::EffectTerm>{},
+                                                 seed));
+      EXPECT_EQ(diagnosis.verdict, Verdict::missing_effect) << one.term.name << seed;
+      EXPECT_EQ(diagnosis.effect, one.term.name) << seed;
+      ASSERT_FALSE(diagnosis.candidates.empty());
+      EXPECT_LT(diagnosis.candidates[0].rms_after_dph, diagnosis.residual_rms_dph);
+      EXPECT_LT(diagnosis.chance, 1e-6);
+    }
   }
 }
 
