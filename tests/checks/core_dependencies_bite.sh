@@ -25,8 +25,7 @@ for text in '#include "hal/clock.hpp"' '#include <vector>' '#include<cmath>' '#i
   'auto x = .5 * n;' 'auto x = 1e3;' 'auto x = 0x1p-3;' "auto x = 1'000.5;" '_Float32 x{};' '#define HALF 0.5'; do
   ! accepts "$text" || { echo "accepted in core: $text" >&2; exit 1; }
 done
-for text in '' '// double, 0.5' $'/* float,\n   1.5e3 */' 'const char* s = "float, 0.5 \" 1e3";' "auto n = 1'000'000 + 0x1e5;" \
-  'int double_buffer = a.b5 + x1.e4;'; do
-  accepts "$text" || { echo "refused in core: $text" >&2; exit 1; }
-done
+harmless=('// double, 0.5' $'/* float,\n   1.5e3 */' 'const char* s = "float, 0.5 \" 1e3";' "auto n = 1'000'000 + 0x1e5;"
+  'int double_buffer = a.b5 + x1.e4;')
+accepts "$(printf '%s\n' "${harmless[@]}")" || { echo "refused in core: one of ${harmless[*]}" >&2; exit 1; }
 echo "every kind of trespass is refused, and nothing else"
