@@ -39,6 +39,13 @@ TEST(Experiment, TellsApartWhatDiffersAndSaysByHowMuch) {
   }
 }
 
+// Five hours of warm-up and an ageing that goes on: what days at one temperature show best.
+TEST(Experiment, IsTheOneOfTheMenuThatTellsMost) {
+  const Experiment experiment = proposed(fog::test::natural_term("aging", {3600}, {0.02}),
+                                         fog::test::natural_term("warm_up", {18000}, {-0.05}));
+  EXPECT_EQ(experiment.profile, "long_soak") << experiment.sentence;
+}
+
 TEST(Experiment, IsNoneForTwoNamesOfTheSame) {
   const Experiment experiment =
       proposed(kRate, fog::test::natural_term("thermal_lag", {5}, {0.12}));
