@@ -53,7 +53,7 @@ void find_line(const std::vector<double>& powers, double length_s, FastStructure
     if (end - first < kNeighbours) return;
     double level = level_of(powers, first, end);
     if (k < kSlowLine) level = std::max(level, level_about(powers, k));
-    const double power = powers[k] / level;
+    const double power = level > 0 ? powers[k] / level : 0;
     if (power <= fast.line_power) continue;
     fast.line_power = power;
     fast.line_period_s = length_s / static_cast<double>(k);
@@ -85,6 +85,7 @@ FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& white
   if (all.empty()) return fast;
   // White noise may be a little more or less than the quiet parts had.
   const double level = level_of(all, 0, all.size());
+  if (level == 0) return fast;
   const auto lines = static_cast<double>(all.size());
   fast.line_log_p = std::min(0.0, std::log(lines) - kLevelUncertainty * fast.line_power);
   for (const Octave& octave : octaves) {

@@ -1,17 +1,20 @@
 #!/usr/bin/env bash
 # core_dependencies.sh ROOT: who may include whom (firmware/DESIGN.md, "Dependencies"), by include scan:
 # core only core and the freestanding part of the standard library; hal nothing of ours; platform hal,
-# the CRC and the thermometers; the generated header only app and tests.
+# the CRC and the thermometers; the generated header only app and tests. And no floating point in core.
 set -euo pipefail
 root=${1:?usage: core_dependencies.sh ROOT}
 cd "$root/firmware"
 status=0
+sources=(--include='*.[chS]' --include='*.[ch]pp')
 
 # forbid FOLDER ALLOWED_REGEX: every include in FOLDER must match.
 forbid() {
   local folder=$1 allowed=$2 found
   [[ -d $folder ]] || { echo "no folder $folder" >&2; exit 1; }
-  if found=$(grep -rnE --include="*.?pp" "^\s*#\s*include" "$folder" | grep -vE "#\s*include ($allowed)"); then
+  if found=$(grep -rnE "${sources[@]}" "^\s*#\s*include" "$folder" |
+    grep -vE "^[^:]+:[0-9]+:\s*#\s*include ($allowed)" ||
+    grep -rnE "${sources[@]}" "^\s*#\s*include.*\.\./" "$folder"); then
     echo "$folder includes what it may not:" >&2
     echo "$found" >&2
     status=1
@@ -24,18 +27,27 @@ forbid hal "$standard"
 forbid platform "\"(core/protocol/crc.hpp|core/thermometer/|hal/|platform/)|$standard"
 forbid app "\"(app|core|hal|platform)/|\"fog_model.h\"|$standard"
 
-# No type of the core is a floating-point one.
-if found=$(grep -rnwE --include="*.?pp" "float|double" core | grep -vE '//|\*'); then
+# No type and no number of the core is a floating-point one. Looked for in a copy without comments, strings and
+# character constants: where several could begin, the first does.
+bare=$(mktemp -d)
+trap 'rm -rf "$bare"' EXIT
+cp -r core "$bare"
+find "$bare" -type f -regex '.*\.\([ch]pp\|[chS]\)' -exec \
+  sed -i -zE "s@//[^\n]*|/\*([^*]|\*+[^*/])*\*+/|\"(\\\\.|[^\"\\\\])*\"|'(\\\\[^']+|[^'\\\\])'@ @g" {} +
+type='\b(float|double|_Float[0-9]+x?|__fp16|__float[0-9]+)\b'
+decimal="[0-9][0-9']*\.|\.[0-9]|[0-9][0-9']*[eE][-+]?[0-9]"
+hexadecimal="0[xX][0-9a-fA-F'.]+[pP][-+]?[0-9]"
+if found=$(cd "$bare" && grep -rnE "${sources[@]}" "$type|(^|[^A-Za-z0-9_.'])($decimal|$hexadecimal)" core); then
   echo "floating point in core:" >&2
   echo "$found" >&2
   status=1
 fi
 
-if found=$(grep -rlE '#\s*include.*fog_model\.h' core hal platform ../host_tools --include='*.?pp'); then
+if found=$(grep -rlE "${sources[@]}" '#\s*include.*fog_model\.h' core hal platform ../host_tools); then
   echo "includes the generated header and may not: $found" >&2
   status=1
 fi
-if found=$(grep -rnE '#\s*include "platform/' ../host_tools --include='*.?pp'); then
+if found=$(grep -rnE "${sources[@]}" '#\s*include "platform/' ../host_tools); then
   echo "host_tools includes a platform: $found" >&2
   status=1
 fi

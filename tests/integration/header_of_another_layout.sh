@@ -14,7 +14,8 @@ printf 'time_s,temperature_degc,rate_dph\n0,20,1\n' >"$scratch/run.csv"
 status=0
 "$fogcomp" replay "$scratch/fog_model.h" "$scratch/run.csv" -o "$scratch/out.bin" 2>"$scratch/error" || status=$?
 cat "$scratch/error"
-((status == 2)) && grep -q "another layout version; export the header again" "$scratch/error"
+((status == 2)) || { echo "exit code $status" >&2; exit 1; }
+grep -q "another layout version; export the header again" "$scratch/error"
 
 cmake -S "$source" -B "$scratch/build" --preset stm32f405 \
   -DFOG_MODEL_HEADER="$scratch/fog_model.h" >/dev/null

@@ -13,8 +13,8 @@ mkdir -p "$folder"
 "$fogcomp" fit "$recording" -o "$folder/gyro.model" --effects "$effects" --network 3 --average 5
 "$fogcomp" compare "$folder/gyro.model" "$recording" | tee "$folder/compare.txt"
 # The line "all": mean, std, rms before; mean, std, rms after.
-awk -v least="$least_gain" '$1 == "all" { gain = $5 / $9; printf "std before / after: %.2f\n", gain; exit !(gain >= least) }' \
-  "$folder/compare.txt"
+awk -v least="$least_gain" '$1 == "all" { gain = $5 / $9; printf "std before / after: %.2f\n", gain; exit !(gain >= least) }
+  END { if (!gain) exit 1 }' "$folder/compare.txt"
 
 # One sample per row, as the recording has them.
 rate=$("$fogcomp" info "$recording" --json | sed 's/.*"period_s":\([0-9.e+-]*\).*/\1/' |

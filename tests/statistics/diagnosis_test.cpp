@@ -7,6 +7,7 @@
 
 #include "diagnosis/ladder.hpp"
 #include "identification/effect_list.hpp"
+#include "support/chance.hpp"
 #include "support/input_error.hpp"
 #include "support/typical_effects.hpp"
 #include "unit/identification/simulated_gyro.hpp"
@@ -67,12 +68,37 @@ Diagnosis diagnosed(const std::string& effects, const fogcomp::Recording& record
 
 constexpr const char* kBasic = "bias,bias_temperature:order=2,temperature_rate";
 
-TEST(Diagnosis, NamesNothingWhereNothingIsMissing) {
-  int named = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    named += diagnosed(kBasic, recording_with({}, seed)).verdict != Verdict::none ? 1 : 0;
+bool names_an_effect(const Diagnosis& diagnosis) {
+  return diagnosis.verdict == Verdict::missing_effect || diagnosis.verdict == Verdict::ambiguous;
+}
+
+// The claims: an effect is named by chance once in 10,000 recordings, and anything at all is said
+// to be missing once in 100. Of a tool that keeps to them this fails less than once in 50 times.
+// One that names an effect in 5 % (10 %) of recordings passes 40 of them 13 times (once) in 100;
+// one that says so of anything in 10 % (20 %), 22 (1) times.
+void expect_false_alarms_as_claimed(int count, const std::vector<std::string>& offered = {}) {
+  int found = 0;
+  std::vector<double> chances;
+  for (int seed = 1; seed <= count; ++seed) {
+    const Diagnosis diagnosis =
+        diagnosed(kBasic, recording_with({}, static_cast<std::uint64_t>(seed)), offered);
+    EXPECT_FALSE(names_an_effect(diagnosis)) << seed << ' ' << diagnosis.effect;
+    found += diagnosis.verdict != Verdict::none ? 1 : 0;
+    // It is the smallest of the chances of several tests.
+    const auto tests = static_cast<double>(diagnosis.tests.size());
+    chances.push_back(std::min(1.0, tests * diagnosis.chance));
+    for (const std::string& definition : offered) {
+      const std::string name = definition.substr(0, definition.find(' '));
+      EXPECT_NE(diagnosis.find(name), nullptr) << name;
+    }
   }
-  EXPECT_LE(named, 1);
+  EXPECT_GE(fog::test::probability_of_at_least(found, count, 0.01), 0.01)
+      << found << " of " << count;
+  fog::test::expect_chances_are_true(chances);
+}
+
+TEST(Diagnosis, NamesNothingWhereNothingIsMissing) {
+  expect_false_alarms_as_claimed(40);
 }
 
 TEST(Diagnosis, NamesTheEffectThatIsMissing) {
@@ -87,15 +113,17 @@ TEST(Diagnosis, NamesTheEffectThatIsMissing) {
   };
   for (const auto& one : kCases) {
     const bool hidden = one.term.name != "temperature_rate";
-    const Diagnosis diagnosis =
-        diagnosed(one.declared, recording_with(hidden ? std::vector<fogcomp::EffectTerm>{one.term}
-                                                      : std::vector<fogcomp::EffectTerm>{},
-                                               3));
-    EXPECT_EQ(diagnosis.verdict, Verdict::missing_effect) << one.term.name;
-    EXPECT_EQ(diagnosis.effect, one.term.name);
-    ASSERT_FALSE(diagnosis.candidates.empty());
-    EXPECT_LT(diagnosis.candidates[0].rms_after_dph, diagnosis.residual_rms_dph);
-    EXPECT_LT(diagnosis.chance, 1e-6);
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      const Diagnosis diagnosis =
+          diagnosed(one.declared, recording_with(hidden ? std::vector<fogcomp::EffectTerm>{one.term}
+                                                        : std::vector<fogcomp::EffectTerm>{},
+                                                 seed));
+      EXPECT_EQ(diagnosis.verdict, Verdict::missing_effect) << one.term.name << seed;
+      EXPECT_EQ(diagnosis.effect, one.term.name) << seed;
+      ASSERT_FALSE(diagnosis.candidates.empty());
+      EXPECT_LT(diagnosis.candidates[0].rms_after_dph, diagnosis.residual_rms_dph);
+      EXPECT_LT(diagnosis.chance, 1e-6);
+    }
   }
 }
 
@@ -253,13 +281,7 @@ TEST(Diagnosis, NamesNoExpressionWhereNothingIsMissing) {
   const std::vector<std::string> offered{
       kLateSquare, "burst = T*T*dTdt", "kink = tanh((T - ?at[-30,50]) / ?w[2,30])",
       "wave = dTdt*sin(T/?k[2,20])", "hot = max(T - ?from[-20,55], 0)"};
-  int named = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const Diagnosis diagnosis = diagnosed(kBasic, recording_with({}, seed), offered);
-    EXPECT_NE(diagnosis.find("late"), nullptr);
-    named += diagnosis.verdict != Verdict::none ? 1 : 0;
-  }
-  EXPECT_LE(named, 1);
+  expect_false_alarms_as_claimed(16, offered);
 }
 
 // The same weak effect is less of a surprise where more was asked for.
@@ -283,9 +305,10 @@ TEST(Diagnosis, DiagnosesAModelThatHoldsAnExpression) {
   int named = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const auto diagnosis = diagnosed(model, recording_with({late_square(1200, 0.12)}, seed));
+    EXPECT_FALSE(names_an_effect(diagnosis)) << seed << diagnosis.effect;
     named += diagnosis.verdict != Verdict::none ? 1 : 0;
   }
-  EXPECT_LE(named, 1);
+  EXPECT_LE(named, 1);  // claimed: 1 in 100, so that two of six come up 15 times in 10,000
   const auto ripple = fog::test::natural_term("polarization_ripple", {13}, {0.012, 0.006});
   EXPECT_EQ(diagnosed(model, recording_with({late_square(1200, 0.12), ripple}, 3)).effect,
             "polarization_ripple");

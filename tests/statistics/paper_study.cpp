@@ -55,12 +55,15 @@ TEST(PaperStudy, NetworksOfTimeAndTemperatureFitTheirRunAndFailOnOthers) {
   }
 }
 
+// An error of a third of a row's noise makes its rms 5 % larger: nobody sees it.
 TEST(PaperStudy, EffectsHoldOnProgrammesTheyNeverSaw) {
+  const double noise_dph = study().run.noise_floor_dph;
   for (const char* name : {"effects", "effects+network"}) {
     const fogcomp::ModelResult& model = study().model(name);
-    EXPECT_LT(model.own.truth_rms_dph, 0.005) << name;
+    EXPECT_LT(model.own.truth_rms_dph, noise_dph / 5) << name;
+    ASSERT_FALSE(model.held_out.empty()) << name;
     for (std::size_t run = 0; run < model.held_out.size(); ++run) {
-      EXPECT_LT(model.held_out[run].truth_rms_dph, 0.008) << name;
+      EXPECT_LT(model.held_out[run].truth_rms_dph, noise_dph / 3) << name;
       EXPECT_LT(model.held_out[run].truth_rms_dph,
                 study().model("polynomial").held_out[run].truth_rms_dph / 2)
           << name;

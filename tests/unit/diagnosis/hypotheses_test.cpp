@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include "identification/effect_list.hpp"
@@ -52,6 +54,110 @@ TEST(Hypotheses, ArePliableWhereTemperatureAndTimeDriveThemAndAFreeShapeLeads) {
   EXPECT_TRUE(are_pliable({"thermal_hysteresis", "aging", "temperature_rate"}));
   EXPECT_FALSE(are_pliable({"temperature_rate", "thermal_hysteresis", "aging"}));
   EXPECT_FALSE(are_pliable({"thermal_hysteresis", "aging", "magnetic"}));
+}
+
+// Candidates of one column each, one shape unless `shapes` says more: directions of a space, and a
+// residual in it.
+class Directions {
+ public:
+  explicit Directions(const Eigen::VectorXd& residual) : size_(residual.size()), space_(residual) {}
+
+  void add(const std::string& effect, const std::vector<Eigen::VectorXd>& shapes) {
+    const fogcomp::EffectTerm term = fogcomp::parse_effects(effect)[0];
+    candidates_.push_back({term.name, {}});
+    library_.emplace_back();
+    for (const Eigen::VectorXd& shape : shapes) {
+      candidates_.back().shapes.push_back({term, shape.normalized()});
+      library_.back().push_back(space_.add(shape.normalized()));
+    }
+  }
+  Eigen::VectorXd axis(Eigen::Index i) const { return Eigen::VectorXd::Unit(size_, i); }
+
+  std::vector<fogcomp::Hypothesis> found() {
+    space_.finish();
+    return fogcomp::find_hypotheses(space_, candidates_, library_);
+  }
+  const fogcomp::ExplainedSpace& space() const { return space_; }
+  const fogcomp::Library& library() const { return library_; }
+
+ private:
+  Eigen::Index size_;
+  fogcomp::ExplainedSpace space_;
+  std::vector<fogcomp::Candidate> candidates_;
+  fogcomp::Library library_;
+};
+
+Eigen::VectorXd residual_of(std::initializer_list<double> first, Eigen::Index size = 40) {
+  Eigen::VectorXd residual = Eigen::VectorXd::Zero(size);
+  std::copy(first.begin(), first.end(), residual.begin());
+  return residual;
+}
+
+std::vector<std::size_t> candidates_of(const fogcomp::Hypothesis& h) {
+  std::vector<std::size_t> numbers;
+  for (const auto& part : h.parts) numbers.push_back(part.candidate);
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+TEST(Hypotheses, NameTheSetThatExplainsWhatIsThere) {
+  Directions two(residual_of({20, 15, 1, 1}));
+  two.add("temperature_rate", {two.axis(0)});
+  two.add("temperature_rate_product", {two.axis(1)});
+  two.add("aging", {two.axis(2)});
+  two.add("warm_up", {two.axis(3)});
+  const auto hypotheses = two.found();
+  ASSERT_FALSE(hypotheses.empty());
+  EXPECT_EQ(candidates_of(hypotheses[0]), (std::vector<std::size_t>{0, 1}));
+  EXPECT_NEAR(hypotheses[0].gain, 625, 1e-3);
+  EXPECT_GT(hypotheses[0].probability, 0.9);
+  EXPECT_EQ(leading_candidate(two.space(), two.library(), hypotheses[0]), 0U);
+  double sum = 0;
+  double last = 1;
+  for (const fogcomp::Hypothesis& h : hypotheses) {
+    EXPECT_LE(h.probability, last);
+    last = h.probability;
+    sum += h.probability;
+  }
+  EXPECT_NEAR(sum, 1, 1e-9);
+}
+
+TEST(Hypotheses, GiveRivalsThatLookAlikeTheSameProbability) {
+  Directions rivals(residual_of({20, 0.1}));
+  rivals.add("temperature_rate", {rivals.axis(0)});
+  rivals.add("temperature_rate_product", {rivals.axis(0) + 1e-3 * rivals.axis(1)});
+  const auto hypotheses = rivals.found();
+  ASSERT_GE(hypotheses.size(), 2U);
+  EXPECT_NEAR(hypotheses[0].probability, hypotheses[1].probability, 0.1);
+}
+
+TEST(Hypotheses, TakeTheShapeThatExplainsMostAndCountThatOthersWereTried) {
+  Directions one(residual_of({12, 9}));
+  one.add("thermal_lag", {one.axis(1), one.axis(0), one.axis(0) + one.axis(1), one.axis(5)});
+  const auto hypotheses = one.found();
+  ASSERT_FALSE(hypotheses.empty());
+  ASSERT_EQ(hypotheses[0].parts.size(), 1U);
+  EXPECT_EQ(hypotheses[0].parts[0].shape, 2U);
+  EXPECT_NEAR(hypotheses[0].gain, 21 * 21 / 2.0, 1e-6);
+  EXPECT_LT(hypotheses[0].log_evidence, fogcomp::log_evidence(hypotheses[0].gain, 1));
+}
+
+TEST(Hypotheses, BelieveAnEventOnlyWithFarMoreThanNoiseBrings) {
+  for (const double sigmas : {0.9, 1.1}) {
+    Directions step(residual_of({sigmas * std::sqrt(fogcomp::kLeastStepGain)}));
+    step.add("bias_step", {step.axis(0)});
+    EXPECT_EQ(step.found().size(), sigmas > 1 ? 1U : 0U);
+  }
+}
+
+TEST(Hypotheses, OfNothingAreFinite) {
+  Directions nothing(residual_of({}));
+  nothing.add("temperature_rate", {nothing.axis(0)});
+  nothing.add("thermal_lag", {nothing.axis(1), nothing.axis(2)});
+  for (const fogcomp::Hypothesis& h : nothing.found()) {
+    EXPECT_TRUE(std::isfinite(h.probability) && std::isfinite(h.log_evidence));
+    EXPECT_EQ(h.gain, 0);
+  }
 }
 
 }  // namespace

@@ -98,5 +98,10 @@ TEST(Periodogram, OfACosineIsOneLineAndOfAllTheMeanSquare) {
   }
 }
 
+TEST(Periodogram, OfOneValueIsItsSquareAndOfNoneIsNone) {
+  EXPECT_EQ(periodogram({3}), (std::vector<double>{9}));
+  EXPECT_TRUE(periodogram({}).empty());
+}
+
 }  // namespace
 }  // namespace fogcomp

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# ladder_of_recording.sh FOGCOMP RECORDING MOST_LEFT: of what a static model leaves of a real recording, the ladder of
+# `diagnose` leaves at most the share MOST_LEFT. Exit code 77, "skipped", where the recording is not there.
+set -euo pipefail
+source "$(dirname "$0")/common.sh"
+fogcomp=$(realpath "${1:?usage: ladder_of_recording.sh FOGCOMP RECORDING MOST_LEFT}") recording=$2 most_left=$3
+[[ -f $recording ]] || { echo "skipped: no recording at $recording"; exit 77; }
+recording=$(realpath "$recording")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+"$fogcomp" fit "$recording" -o gyro.model --effects bias,bias_temperature:order=3 --average 2 >/dev/null
+"$fogcomp" diagnose gyro.model "$recording" --max-effects 4 >ladder.txt
+sed -n '/^error ladder/,$p' ladder.txt
+first=$(awk '/the model, refitted/ { print $NF }' ladder.txt)
+last=$(grep '^  [+-] ' ladder.txt | tail -n 1 | awk '{print $NF}')
+echo "$first -> $last deg/h rms"
+awk -v first="$first" -v last="$last" -v most="$most_left" \
+  'BEGIN { exit !(first > 0 && last > 0 && last <= most * first) }' || fail "it ends at $last of $first"

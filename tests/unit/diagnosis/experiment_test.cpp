@@ -1,0 +1,57 @@
+#include "diagnosis/experiment.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/typical_effects.hpp"
+#include "unit/identification/simulated_gyro.hpp"
+
+namespace {
+
+using fogcomp::Experiment;
+using fogcomp::Rival;
+
+// The model of `basic` and this effect, of which the recordings leave its own shape possible.
+Rival rival(const fogcomp::EffectTerm& effect) {
+  return {effect.name,
+          {fog::test::natural_term("bias", {}, {0.7}),
+           fog::test::natural_term("bias_temperature", {2}, {-4e-4, -3e-5}), effect},
+          {effect}};
+}
+
+Experiment proposed(const fogcomp::EffectTerm& a, const fogcomp::EffectTerm& b) {
+  fogcomp::NoiseModel noise;
+  noise.row_s = 120;
+  noise.white_variance = 0.007 * 0.007;
+  return propose_experiment(fog::test::truth(), {rival(a), rival(b)}, noise);
+}
+
+const fogcomp::EffectTerm kRate = fog::test::natural_term("temperature_rate", {}, {0.12});
+
+TEST(Experiment, TellsApartWhatDiffersAndSaysByHowMuch) {
+  const Experiment experiment =
+      proposed(kRate, fog::test::natural_term("thermal_hysteresis", {5}, {0.03}));
+  EXPECT_FALSE(experiment.profile.empty());
+  EXPECT_GT(experiment.hours, 1);
+  EXPECT_GT(experiment.separation, 3);
+  for (const std::string& word :
+       {experiment.profile, std::string("temperature_rate"), std::string("thermal_hysteresis")}) {
+    EXPECT_NE(experiment.sentence.find(word), std::string::npos) << experiment.sentence;
+  }
+}
+
+// Five hours of warm-up and an ageing that goes on: what days at one temperature show best.
+TEST(Experiment, IsTheOneOfTheMenuThatTellsMost) {
+  const Experiment experiment = proposed(fog::test::natural_term("aging", {3600}, {0.02}),
+                                         fog::test::natural_term("warm_up", {18000}, {-0.05}));
+  EXPECT_EQ(experiment.profile, "long_soak") << experiment.sentence;
+}
+
+TEST(Experiment, IsNoneForTwoNamesOfTheSame) {
+  const Experiment experiment =
+      proposed(kRate, fog::test::natural_term("thermal_lag", {5}, {0.12}));
+  EXPECT_TRUE(experiment.profile.empty()) << experiment.sentence;
+  EXPECT_LT(experiment.separation, 3);
+  EXPECT_NE(experiment.sentence.find("thermal_lag"), std::string::npos) << experiment.sentence;
+}
+
+}  // namespace

@@ -1,0 +1,80 @@
+#include "diagnosis/visible_part.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "identification/effect_list.hpp"
+#include "support/typical_effects.hpp"
+#include "unit/identification/simulated_gyro.hpp"
+
+namespace {
+
+using fogcomp::VisiblePart;
+
+class Fitted : public testing::Test {
+ protected:
+  Fitted() : series_(model_, fogcomp::Phase::zero) {
+    series_.add(fogcomp::make_blocks(fog::test::recording_of(model_, fog::test::kQuietNoise, 1)));
+    fit_ = fit_rows(series_, model_.terms, Eigen::MatrixXd(series_.rows().size(), 0));
+    remover_.emplace(series_.rows(), fit_);
+  }
+  VisiblePart visible(const std::string& effect) const {
+    return (*remover_)(series_.regressors(fogcomp::parse_effects(effect)[0]));
+  }
+
+  fogcomp::Model model_ = fog::test::truth();
+  fogcomp::SignalSeries series_;
+  fogcomp::NoiseWeightedFit fit_;
+  std::optional<fogcomp::ModelRemover> remover_;
+};
+using VisiblePartTest = Fitted;
+
+TEST_F(VisiblePartTest, OfTheModelsOwnTermsIsNothing) {
+  for (const char* const own : {"bias", "bias_temperature:order=3", "temperature_rate"}) {
+    EXPECT_LT(visible(own).visible.maxCoeff(), 0.03) << own;
+  }
+}
+
+TEST_F(VisiblePartTest, OfSomethingElseIsMostOfIt) {
+  for (const char* const other : {"polarization_ripple:period=9", "thermal_hysteresis:radius=5"}) {
+    const Eigen::VectorXd share = visible(other).visible;
+    EXPECT_GT(share.maxCoeff(), 0.3) << other;
+    EXPECT_LE(share.maxCoeff(), 1 + 1e-9) << other;
+    EXPECT_GE(share.minCoeff(), 0) << other;
+  }
+}
+
+// What was taken out stays out: nothing visible has anything in common with the model.
+TEST_F(VisiblePartTest, IsAtRightAnglesToTheResidualsModel) {
+  const Eigen::MatrixXd columns = visible("polarization_ripple:period=9").columns;
+  const Eigen::MatrixXd own = visible("temperature_rate").columns;
+  EXPECT_EQ(columns.rows(), remover_->residual().size());
+  EXPECT_LT((columns.transpose() * own).norm(), 0.03 * columns.norm() * own.norm() + 1e-6);
+}
+
+TEST_F(VisiblePartTest, DoesNotDependOnTheColumnsSizeAndIsAdditive) {
+  const Eigen::MatrixXd a = series_.regressors(fogcomp::parse_effects("warm_up:tau=2000")[0]);
+  const Eigen::MatrixXd b = series_.regressors(fogcomp::parse_effects("thermal_lag:tau=1500")[0]);
+  const VisiblePart once = (*remover_)(a);
+  const VisiblePart thrice = (*remover_)(3 * a);
+  EXPECT_NEAR(thrice.visible[0], once.visible[0], 1e-9);
+  EXPECT_LT((thrice.columns - 3 * once.columns).norm(), 1e-9 * thrice.columns.norm());
+  const VisiblePart sum = (*remover_)(a + b);
+  EXPECT_LT((sum.columns - once.columns - (*remover_)(b).columns).norm(),
+            1e-9 * sum.columns.norm());
+}
+
+TEST_F(VisiblePartTest, OfNothingIsNothing) {
+  const VisiblePart part = (*remover_)(Eigen::MatrixXd::Zero(series_.rows().size(), 1));
+  EXPECT_EQ(part.visible[0], 0);
+  EXPECT_TRUE(part.columns.isZero());
+}
+
+// The gyro has no more than the model: what is left is noise of variance 1.
+TEST_F(VisiblePartTest, OfTheMeasurementIsNoise) {
+  const Eigen::VectorXd& residual = remover_->residual();
+  EXPECT_NEAR(residual.squaredNorm() / static_cast<double>(series_.rows().size()), 1, 0.08);
+}
+
+}  // namespace
