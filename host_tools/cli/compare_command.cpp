@@ -41,11 +41,7 @@ int run_compare(const Arguments& arguments) {
   for (std::size_t i = 1; i < arguments.positionals().size(); ++i) {
     const RunInBlocks run =
         run_in_blocks(read_recording(arguments.positionals()[i], options), row_s);
-    for (ModelOnRuns& model : models) {
-      Comparison comparison = compare_with(model.model, run);
-      ResidualAnalysis analysis = analyse_residual(comparison);
-      model.runs.push_back({std::move(comparison), std::move(analysis)});
-    }
+    for (ModelOnRuns& model : models) model.runs.push_back(try_model(model.model, run));
   }
   if (page.wanted()) page.write(report::compare_report(models));
   if (arguments.has("json")) {

@@ -58,6 +58,7 @@ class Diagnoser {
     result_.noise = fit_.noise;
     weigh_terms();
     result_.residual_rms_dph = rms(fit_.residual_dph);
+    result_.outliers = fit_.outliers;
     result_.residual_dph = fit_.residual_dph;
     result_.noise_floor_dph = data_.noise_floor_dph().value_or(fit_.noise.white_dph());
 
@@ -133,7 +134,9 @@ class Diagnoser {
   }
 
   double rms(const Eigen::VectorXd& residual) const {
-    return std::sqrt(residual.cwiseAbs2().dot(rows_.weights) / rows_.weights.sum());
+    const Eigen::VectorXd weights =
+        (fit_.robust.array() > 0).select(rows_.weights.array(), 0.0).matrix();
+    return std::sqrt(residual.cwiseAbs2().dot(weights) / weights.sum());
   }
 
   // On what it depends and where it sits, by what smooth functions can describe of it.

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evaluation/run_in_blocks.hpp"
 #include "identification/required_inputs.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
 
-void DiagnosisData::add(const Recording& recording) {
-  const RunInBlocks run = run_in_blocks(recording, average_s_);
+void DiagnosisData::add(const RunInBlocks& run) {
   require_inputs(offered_, run.blocks);
   const std::size_t first_row = series_.rows().time_s.size();
   series_.add(run.blocks);

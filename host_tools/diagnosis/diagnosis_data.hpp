@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dataset/recording.hpp"
+#include "evaluation/run_in_blocks.hpp"
 #include "identification/noise_model.hpp"
 #include "identification/signal_series.hpp"
 #include "model/model.hpp"
@@ -23,7 +24,8 @@ class DiagnosisData {
       : average_s_(model.average_s), series_(model, Phase::zero), offered_(std::move(offered)) {}
 
   /// Throws InputError where a recording lacks what the model or an expression offered needs.
-  void add(const Recording& recording);
+  void add(const Recording& recording) { add(run_in_blocks(recording, average_s_)); }
+  void add(const RunInBlocks& run);
 
   struct Segment {
     std::string name;

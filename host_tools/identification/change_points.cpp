@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "numerics/least_squares.hpp"
-#include "support/median.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp {
@@ -104,20 +103,6 @@ Eigen::MatrixXd slow_columns(const Rows& rows, double half_period_s) {
     }
   }
   return columns;
-}
-
-Eigen::VectorXd without_wild_rows(const Rows& rows, const Eigen::VectorXd& residual_dph,
-                                  double most_dph) {
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(rows.size());
-  for (const Run& run : runs_of(rows)) {
-    for (Eigen::Index row = run.first; row < run.end; ++row) {
-      const Eigen::Index first = std::max(run.first, row - 2);
-      const Eigen::Index end = std::min(run.end, row + 3);
-      const double typical = median({residual_dph.begin() + first, residual_dph.begin() + end});
-      if (std::abs(residual_dph[row] - typical) > most_dph) weights[row] = 0;
-    }
-  }
-  return weights;
 }
 
 }  // namespace fogcomp

@@ -35,9 +35,4 @@ std::optional<ChangePoint> find_change_point(const Whitening& whitening, const R
 /// Among the columns they keep slow drift that the model lacks from passing for jumps.
 Eigen::MatrixXd slow_columns(const Rows& rows, double half_period_s);
 
-/// 1 for each row, 0 where one stands out from the median of the five around it by more than
-/// `most_dph`: a single wild row must not pass for two jumps, and a jump is no wild row.
-Eigen::VectorXd without_wild_rows(const Rows& rows, const Eigen::VectorXd& residual_dph,
-                                  double most_dph);
-
 }  // namespace fogcomp

@@ -5,6 +5,7 @@
 
 #include "identification/expression_survey.hpp"
 #include "identification/noise_weighted_fit.hpp"
+#include "identification/outlier_rows.hpp"
 #include "identification/step_search.hpp"
 #include "identification/term_columns.hpp"
 #include "model/catalogue.hpp"
@@ -158,8 +159,7 @@ Identification identify(Model& model, const SignalSeries& series,
   }
   for (EffectTerm& term : model.terms) set_expression_scale(term, series);
   set_ranges(model, rows);
-  const Eigen::VectorXd counted = rows.weights.cwiseProduct(
-      fit.robust.unaryExpr([](double weight) { return weight > 0 ? 1.0 : 0.0; }));
+  const Eigen::VectorXd counted = counted_weights(rows, fit.row_weights);
   model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());
   return result;
 }

@@ -17,9 +17,9 @@ struct NoiseWeightedFit {
   std::vector<EffectTerm> terms;       ///< as given, shape parameters where the cost is least
   std::vector<ShapeParameter> shapes;  ///< those that were moved
   NoiseModel noise;                    ///< what the rows were weighted with
-  Eigen::VectorXd robust;              ///< 1, less for outliers, 0 for rows that are left out
+  Eigen::VectorXd robust;              ///< 1; 0 for outliers and rows that are left out
   Eigen::VectorXd row_weights;         ///< time behind a row times that
-  std::size_t outliers = 0;            ///< rows weighted down
+  std::size_t outliers = 0;            ///< rows left out as such (outlier_rows.hpp)
 
   Eigen::MatrixXd columns;       ///< rows x linear: regressors of all terms, then the nuisance
   Eigen::VectorXd coefficients;  ///< linear
@@ -45,8 +45,8 @@ struct RowSettings {
 
 /// Solves for the coefficients of `terms` and of the nuisance columns (rows x any), and for those
 /// shape parameters that the terms mark. Three rounds of: noise from the quiet parts of what is
-/// left, weights of outliers, shapes by variable projection. Columns that depend on each other are
-/// no error here: see `rank`.
+/// left, shapes by variable projection. Outliers count for nothing. Columns that depend on each
+/// other are no error here: see `rank`.
 NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTerm>& terms,
                           const Eigen::MatrixXd& nuisance, const RowSettings& settings = {});
 

@@ -12,7 +12,6 @@ constexpr double kEarned = 60;         // chi^2 of a step that is believed
 constexpr double kWorthALook = 8;      // before its noise is taken from a fit that knows it
 constexpr double kSlowSeconds = 3600;  // drift over hours is no jump
 constexpr std::size_t kMostSteps = 8;
-constexpr double kWildRow = 6;  // standard deviations of white noise
 
 Eigen::MatrixXd with_column(const Eigen::MatrixXd& columns, const Eigen::VectorXd& column) {
   Eigen::MatrixXd all(columns.rows(), columns.cols() + 1);
@@ -23,13 +22,11 @@ Eigen::MatrixXd with_column(const Eigen::MatrixXd& columns, const Eigen::VectorX
 // The best place for a step in what a fit leaves, with that fit's noise. The first `columns` of its
 // matrix are the model beside the step; whatever comes after them is put back into the residual.
 std::optional<ChangePoint> locate(const Rows& rows, const NoiseWeightedFit& fit,
-                                  Eigen::Index columns, const Eigen::VectorXd& kept) {
+                                  Eigen::Index columns) {
   const Eigen::Index others = fit.linear() - columns;
   const Eigen::VectorXd residual =
       fit.residual_dph + fit.columns.rightCols(others) * fit.coefficients.segment(columns, others);
-  const Eigen::VectorXd tame = without_wild_rows(
-      rows, residual, kWildRow * white_noise_of(residual, rows.row_s).white_dph());
-  const Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(kept).cwiseProduct(tame));
+  const Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(fit.robust));
   const Eigen::MatrixXd slow = slow_columns(rows, kSlowSeconds);
   Eigen::MatrixXd model(rows.size(), columns + slow.cols());
   model << fit.columns.leftCols(columns), slow;
@@ -61,12 +58,12 @@ FitWithSteps fit_with_steps(const SignalSeries& series, const std::vector<Effect
   FitWithSteps result;
   result.fit = fit_determined(series, terms, columns, kept, progress);
   while (result.steps.size() < kMostSteps) {
-    const auto seen = locate(rows, result.fit, result.fit.linear(), kept);
+    const auto seen = locate(rows, result.fit, result.fit.linear());
     if (!seen || !earns(*seen, kWorthALook)) break;
     const NoiseWeightedFit tried = fit_determined(
         series, terms, with_column(columns, step_column(rows, static_cast<std::size_t>(seen->row))),
         kept);
-    const auto found = locate(rows, tried, tried.linear() - 1, kept);
+    const auto found = locate(rows, tried, tried.linear() - 1);
     if (!found || !earns(*found, kEarned)) break;
     const Eigen::MatrixXd more =
         with_column(columns, step_column(rows, static_cast<std::size_t>(found->row)));

@@ -46,6 +46,9 @@ void add_words(Report& report, const Models& models, std::size_t run) {
     const std::string error = error_words(comparison) + " deg/h";
     report.sentence((name.empty() ? as_sentence(error) : name + error + ".") + " " +
                     as_sentence(structure_words(model.runs[run])));
+    for (const std::string& remark : remarks(model.runs[run])) {
+      report.sentence(as_sentence(name + remark));
+    }
     for (const std::string& warning : range_warnings(comparison, model.model)) {
       report.sentence(as_sentence("warning: " + name + warning));
     }
@@ -210,7 +213,7 @@ void add_noise(Report& report, const ModelOnRuns& model, std::size_t run) {
   }
   constexpr std::size_t kLags = 100;
   const Comparison& comparison = on_run(model, run);
-  const std::vector<double> residual = comparison.residuals_dph();
+  const std::vector<double> residual = comparison.bridged(comparison.residuals_dph());
   Curve curve{"residual", "residual", {}, {}, {}, Look::line};
   for (std::size_t lag = 1; lag <= std::min(kLags, residual.size() / 4); ++lag) {
     curve.x.push_back(static_cast<double>(lag) * comparison.row_s);
