@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # equal_figures.sh FOGCOMP: what two commands print for the same thing is the same: residual, scatter, floor and rows left
 # out of one recording and model, with spikes in it and without, and where the board's delay makes most of the error.
-set -euo pipefail
+set -Eeuo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: equal_figures.sh FOGCOMP}")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+trap 'echo "FAILED at line $LINENO: $BASH_COMMAND" >&2' ERR
 cd "$scratch"
 
 # close A B WHAT [TOLERANCE]: within TOLERANCE of A.
