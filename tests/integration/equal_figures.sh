@@ -11,6 +11,7 @@ cd "$scratch"
 
 # close A B WHAT [TOLERANCE]: within TOLERANCE of A.
 close() {
+  [[ $1 =~ ^-?[0-9] && $2 =~ ^-?[0-9] ]] || fail "$3: no number in '$1' and '$2'"
   awk -v a="$1" -v b="$2" -v tolerance="${4:-1e-9}" \
     'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d <= tolerance * (a < 0 ? -a : a)) }' ||
     fail "$3: $1 and $2"
@@ -57,7 +58,9 @@ same() {
   done
   [[ $(value add.json runs 0 outliers) == "$outliers" && $(figure fit_outliers) == "$outliers" ]] ||
     fail "$run: rows left out of add or batch"
-  for i in 0 1 2; do
+  local i segments
+  segments=$(awk '{ print gsub(/"temperature_min_degc"/, "") }' info.json)
+  for ((i = 0; i < segments; ++i)); do
     close "$(value compare.json runs 0 segments $i raw_std_dph)" "$(value info.json segments $i std_dph)" \
       "$run: std of segment $i"
   done
