@@ -41,6 +41,7 @@ Json runs_json(const std::vector<Addition::RunError>& runs) {
         .set("holdout", run.holdout)
         .set("rms_before_dph", run.rms_before_dph)
         .set("rms_after_dph", run.rms_after_dph)
+        .set("outliers", run.after.outliers)
         .set("noise_floor_dph", run.noise_floor_dph ? Json(*run.noise_floor_dph) : Json())
         .set("outside_temperature", run.outside_temperature);
   });
@@ -82,6 +83,9 @@ void print_run(const Addition::RunError& run) {
     std::printf("   floor %s, drift %s -> %s", rounded(floor).c_str(),
                 rounded(floor_removed(run.rms_before_dph, floor)).c_str(),
                 rounded(floor_removed(run.rms_after_dph, floor)).c_str());
+  }
+  if (run.after.outliers > 0) {
+    std::printf("; %zu row%s left out", run.after.outliers, run.after.outliers == 1 ? "" : "s");
   }
   if (run.outside_temperature > 0) {
     std::printf("; %.0f %% outside the trained temperatures", 100 * run.outside_temperature);

@@ -49,11 +49,7 @@ int run_compare(const Arguments& arguments) {
       continue;
     }
     known.add(run.rows_hash, run.file);
-    for (ModelOnRuns& model : models) {
-      Comparison comparison = compare_with(model.model, run);
-      ResidualAnalysis analysis = analyse_residual(comparison);
-      model.runs.push_back({std::move(comparison), std::move(analysis)});
-    }
+    for (ModelOnRuns& model : models) model.runs.push_back(try_model(model.model, run));
   }
   if (page.wanted()) page.write(report::compare_report(models));
   if (arguments.has("json")) {

@@ -11,6 +11,7 @@ namespace {
 
 std::string warnings(const ModelOnRun& run, const Model& model, const std::string& indent) {
   std::string text;
+  for (const std::string& remark : remarks(run)) text += indent + remark + "\n";
   for (const std::string& warning : range_warnings(run.comparison, model)) {
     text += indent + "warning: " + warning + "\n";
   }

@@ -38,12 +38,15 @@ int run_diagnose(const Arguments& arguments) {
   options.model_scale_factor = model.scale_factor;
   DiagnosisData data(model, offered(arguments, model));
   std::string runs;
+  BoardError as_given;
   for (std::size_t i = 1; i < files.size(); ++i) {
-    const std::string same = data.add(read_recording(files[i], options));
+    const RunInBlocks run = run_in_blocks(read_recording(files[i], options), model.average_s);
+    const std::string same = data.add(run);
     if (!same.empty()) {
       print_notes({same_rows_words(files[i], same)});
       continue;
     }
+    as_given.add(board_error(model, run, compare_with(model, run)));
     runs += (runs.empty() ? "" : " ") + files[i];
   }
   if (arguments.has("static")) {
@@ -56,6 +59,7 @@ int run_diagnose(const Arguments& arguments) {
     settings.progress = [&](double done) { progress.update(done); };
     ladder = walk_ladder(model, data, most_effects, settings);
   }
+  ladder.first.as_given = as_given;
   if (page.wanted()) {
     page.write(report::diagnose_report(ladder, most_effects > 0, data, files));
   }

@@ -93,6 +93,13 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
                           .set("variables", shares_json(diagnosis.variables))
                           .set("segments", shares_json(diagnosis.segments)));
   result.set("residual_rms_dph", diagnosis.residual_rms_dph);
+  const std::optional<BoardError>& given = diagnosis.as_given;
+  result.set("as_given", given
+                             ? Json::object()
+                                   .set("residual_rms_dph", given->rms_dph)
+                                   .set("residual_rms_without_delay_dph", given->without_delay_dph)
+                             : Json());
+  result.set("outliers", diagnosis.outliers);
   result.set("noise_floor_dph", diagnosis.noise_floor_dph);
   result.set("unexplained_fraction", diagnosis.unexplained_fraction);
   result.set("noise", Json::object()

@@ -9,6 +9,7 @@
 #include "cli/training_options.hpp"
 #include "evaluation/model_on_runs.hpp"
 #include "identification/effect_list.hpp"
+#include "identification/outlier_rows.hpp"
 #include "model/model_file.hpp"
 #include "report/fit_report.hpp"
 #include "support/json.hpp"
@@ -56,9 +57,7 @@ std::string identification_text(const Fit& fit) {
   text += format(" deg/h (%s); misfit %.2f",
                  noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak",
                  identified.misfit);
-  if (identified.outliers > 0) {
-    text += "; " + counted(identified.outliers, "outlier") + " weighted down";
-  }
+  if (identified.outliers > 0) text += "\n  " + outlier_words(identified.outliers, fit.row_s);
   text += format(
       "\n  of the error, the board's delay (block means, derivative filter) makes %.2g deg/h rms\n",
       fit.delay_rms_dph);
@@ -94,11 +93,7 @@ std::optional<double> determined_weights(const Fit& fit) {
 // On its own recordings as `compare` would judge it.
 ModelOnRuns on_its_runs(const Fit& fit, const std::string& output) {
   ModelOnRuns model{output, fit.model, {}};
-  for (const RunInBlocks& run : fit.runs) {
-    Comparison comparison = compare_with(fit.model, run);
-    ResidualAnalysis analysis = analyse_residual(comparison);
-    model.runs.push_back({std::move(comparison), std::move(analysis)});
-  }
+  for (const RunInBlocks& run : fit.runs) model.runs.push_back(try_model(fit.model, run));
   return model;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/recording_options.hpp"
 #include "cli/training_options.hpp"
 #include "dataset/recording_writer.hpp"
+#include "evaluation/board_delay.hpp"
 #include "identification/effect_list.hpp"
 #include "model/catalogue.hpp"
 #include "refinement/network_inputs.hpp"

@@ -44,6 +44,8 @@ const HoldoutFigure kHoldoutFigures[] = {
      }},
     {"holdout_offset_dph",
      [](const Comparison& run) { return std::optional(std::fabs(run.whole.mean_dph)); }},
+    {"holdout_outliers",
+     [](const Comparison& run) { return std::optional(static_cast<double>(run.outliers)); }},
     {"holdout_outside",
      [](const Comparison& run) { return std::optional(run.outside.temperature); }},
 };
@@ -59,6 +61,7 @@ void add_fit_figures(Figures& figures, const Fit& fit) {
     figures.emplace_back("fit_drift_dph", floor_removed(model.residual_rms_dph, *floor));
   }
   figures.emplace_back("fit_misfit", fit.result.identified.misfit);
+  figures.emplace_back("fit_outliers", static_cast<double>(fit.result.identified.outliers));
   figures.emplace_back("network_hidden", static_cast<double>(model.network.hidden.biases.size()));
 }
 
@@ -96,9 +99,7 @@ ModelOnRuns on_holdouts(const batch::GyroFolder& gyro, const Fit& fit, const std
   const Holdouts holdouts = read_holdouts(gyro.holdouts, reading, fit.model.average_s, fit.runs);
   print_notes(holdouts.notes);
   for (const RunInBlocks& run : holdouts.runs) {
-    Comparison comparison = compare_with(fit.model, run);
-    ResidualAnalysis analysis = analyse_residual(comparison);
-    model.runs.push_back({std::move(comparison), std::move(analysis)});
+    model.runs.push_back(try_model(fit.model, run));
   }
   return model;
 }
@@ -140,6 +141,7 @@ std::vector<std::string> figure_names(const Arguments& arguments) {
                                  "fit_floor_dph",
                                  "fit_drift_dph",
                                  "fit_misfit",
+                                 "fit_outliers",
                                  "network_hidden",
                                  "quantization_error_dph",
                                  "network_error_dph"};

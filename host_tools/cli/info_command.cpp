@@ -90,6 +90,7 @@ Json info_json(const Recording& recording, const RunSummary& summary) {
       .set("gaps", recording.stretch_starts.size() - 1)
       .set("period_s", recording.period_s)
       .set("average_s", summary.average_s)
+      .set("outliers", summary.outliers)
       .set("mean_dph", summary.bias.mean_dph)
       .set("std_dph", summary.bias.std_dph)
       .set("sample_std_dph", summary.bias.sample_std_dph)

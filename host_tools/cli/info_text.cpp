@@ -5,6 +5,7 @@
 
 #include "dataset/rate_resolution.hpp"
 #include "dataset/stream_reader.hpp"
+#include "identification/outlier_rows.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
@@ -65,6 +66,8 @@ std::string overview(const Recording& recording, const RunSummary& summary, int 
     const double drift = std::pow(*bias.std_dph, 2) - std::pow(*summary.noise_floor_dph, 2);
     line("drift, sqrt(std^2 - floor^2)", std::sqrt(std::max(0.0, drift)));
   }
+  if (summary.outliers > 0)
+    text += "  " + outlier_words(summary.outliers, summary.average_s) + "\n";
   return text;
 }
 

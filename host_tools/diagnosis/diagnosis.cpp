@@ -12,10 +12,11 @@
 #include "diagnosis/two_levels.hpp"
 #include "diagnosis/visible_part.hpp"
 #include "identification/explained_space.hpp"
+#include "identification/noise_scale.hpp"
 #include "identification/noise_weighted_fit.hpp"
+#include "identification/outlier_rows.hpp"
 #include "identification/quiet_rows.hpp"
 #include "identification/random_walk.hpp"
-#include "identification/row_noise.hpp"
 #include "identification/walk_rival.hpp"
 #include "model/catalogue.hpp"
 #include "numerics/decompositions.hpp"
@@ -63,6 +64,7 @@ class Diagnoser {
     result_.noise = fit_.noise;
     weigh_terms();
     result_.residual_rms_dph = rms(fit_.residual_dph);
+    result_.outliers = fit_.outliers;
     result_.residual_dph = fit_.residual_dph;
     result_.noise_floor_dph = data_.noise_floor_dph().value_or(fit_.noise.white_dph());
 
@@ -126,10 +128,8 @@ class Diagnoser {
     std::vector<Eigen::MatrixXd> parts{fit_.columns};
     for (StructureGroup& group : structure_groups(rows_)) parts.push_back(std::move(group.columns));
     const LinearFit smooth = solve_linear(side_by_side(parts, rows_.size()), rows_.drift_dph);
-    const Eigen::VectorXd rest =
-        bridged(smooth.residual, row_noise(rows_, smooth.residual).counted);
-    const Eigen::VectorXd residual =
-        bridged(fit_.residual_dph, row_noise(rows_, fit_.residual_dph).counted);
+    const Eigen::VectorXd rest = bridged(smooth.residual, fit_.robust);
+    const Eigen::VectorXd residual = bridged(fit_.residual_dph, fit_.robust);
     std::vector<NoiseSample> samples = noise_samples(quiet_stretches(rows_, residual));
     for (const RowRange& run : rows_.runs()) {
       samples.push_back({rest.segment(static_cast<Eigen::Index>(run.first),
@@ -142,8 +142,7 @@ class Diagnoser {
   }
 
   double rms(const Eigen::VectorXd& residual) const {
-    const Eigen::VectorXd weights =
-        (fit_.robust.array() > 0).select(rows_.weights.array(), 0.0).matrix();
+    const Eigen::VectorXd weights = counted_weights(rows_, fit_.row_weights);
     return std::sqrt(residual.cwiseAbs2().dot(weights) / weights.sum());
   }
 

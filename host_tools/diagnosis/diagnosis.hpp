@@ -13,6 +13,7 @@
 #include "diagnosis/fast_structure.hpp"
 #include "diagnosis/network_learnt.hpp"
 #include "diagnosis/two_levels.hpp"
+#include "evaluation/board_delay.hpp"
 #include "identification/noise_model.hpp"
 #include "identification/signal_series.hpp"
 #include "model/model.hpp"
@@ -73,7 +74,10 @@ struct Diagnosis {
   TwoLevels jumps;
   FastKind fast_kind = FastKind::none;  ///< the surest of these, where it is sure and counts
 
-  double residual_rms_dph = 0;   ///< of a row, the model refitted to these runs
+  double residual_rms_dph = 0;  ///< of a row, the model refitted to these runs
+  /// The model as it was given on these runs, network and all: what `compare` says.
+  std::optional<BoardError> as_given;
+  std::size_t outliers = 0;      ///< rows left out of all figures
   Eigen::VectorXd residual_dph;  ///< row by row
   double noise_floor_dph = 0;
   double unexplained_fraction = 0;  ///< of the excess, by the best of the catalogue

@@ -4,15 +4,13 @@
 #include <cmath>
 
 #include "dataset/rate_resolution.hpp"
-#include "evaluation/run_in_blocks.hpp"
 #include "identification/required_inputs.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
 
-std::string DiagnosisData::add(const Recording& recording) {
-  const RunInBlocks run = run_in_blocks(recording, average_s_);
+std::string DiagnosisData::add(const RunInBlocks& run) {
   std::string same = known_.file_with(run.rows_hash);
   if (!same.empty()) return same;
   known_.add(run.rows_hash, run.file);

@@ -8,6 +8,7 @@
 
 #include "dataset/data_hash.hpp"
 #include "dataset/recording.hpp"
+#include "evaluation/run_in_blocks.hpp"
 #include "identification/noise_model.hpp"
 #include "identification/signal_series.hpp"
 #include "model/model.hpp"
@@ -25,7 +26,8 @@ class DiagnosisData {
 
   /// Throws InputError where a recording lacks what the model or an expression offered needs.
   /// Returns the file with the same rows that was added before and counts alone, or "".
-  std::string add(const Recording& recording);
+  std::string add(const RunInBlocks& run);
+  std::string add(const Recording& recording) { return add(run_in_blocks(recording, average_s_)); }
   const KnownRows& known() const { return known_; }
 
   struct Segment {

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "identification/outlier_rows.hpp"
 #include "identification/shape_limits.hpp"
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
@@ -75,10 +76,10 @@ std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
       break;
   }
   if (diagnosis.fast_kind != FastKind::none) {
-    return {std::string("something is missing that no effect of the catalogue explains: ") +
-                (diagnosis.fast_kind == FastKind::two_levels ? "jumps between two levels"
-                                                             : "cycles"),
-            ""};
+    return {
+        std::string("something is missing that no effect of the catalogue explains: ") +
+            (diagnosis.fast_kind == FastKind::two_levels ? "jumps between two levels" : "cycles"),
+        ""};
   }
   const bool offered =
       std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
@@ -97,6 +98,17 @@ std::string error_words(const Diagnosis& diagnosis) {
     text += format("; with %s %.4g", effect.c_str(), finding->rms_after_dph);
   }
   return text;
+}
+
+// Why `compare` has another figure, where it has: it shows the model as it is.
+std::string as_given_words(const Diagnosis& diagnosis) {
+  constexpr double kTellsApart = 0.01;
+  if (!diagnosis.as_given) return "";
+  const BoardError& given = *diagnosis.as_given;
+  const double apart = std::abs(given.rms_dph - diagnosis.residual_rms_dph);
+  if (apart <= kTellsApart * given.rms_dph) return "";
+  return "that is refitted to these runs and without the board's delay; of the model as it is, " +
+         delay_words(given);
 }
 
 std::string where_words(const Diagnosis& diagnosis) {
@@ -207,6 +219,8 @@ DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
   DiagnosisWords words;
   std::tie(words.verdict, words.certainty) = verdict_words(diagnosis);
   words.findings.push_back(error_words(diagnosis));
+  const std::string as_given = as_given_words(diagnosis);
+  if (!as_given.empty()) words.findings.push_back(as_given);
   if (diagnosis.verdict != Verdict::none) {
     const std::string where = where_words(diagnosis);
     if (!where.empty()) words.findings.push_back(where);
@@ -217,6 +231,8 @@ DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
     }
     add_next(words, diagnosis, model, runs);
   }
+  if (diagnosis.outliers > 0)
+    words.limits.push_back(outlier_words(diagnosis.outliers, diagnosis.row_s));
   words.limits.push_back(format("chance that noise alone looks like this: %.2g", diagnosis.chance));
   const std::string network = network_words(diagnosis);
   if (!network.empty()) words.limits.push_back(network);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identification/block_walk.hpp"
+#include "identification/outlier_rows.hpp"
 #include "identification/required_inputs.hpp"
 #include "identification/signal_series.hpp"
 #include "model/drift_model.hpp"
@@ -23,19 +24,22 @@ double part_dph(const RealDriftModel& drift, std::size_t part, std::size_t effec
   return part < effects ? drift.effect_dph(part) : drift.network_dph();
 }
 
-// Column i of `inputs` below: the extension inputs in their order, then the input rate.
-constexpr std::size_t kInputColumnCount = fog::kExtensionInputs + 1;
-static_assert(static_cast<std::size_t>(fog::Input::input_rate) == fog::kExtensionInputs);
+void add_weighted(double weight, const RealBlock& means, RealBlock& sum) {
+  sum.input_rate += weight * means.input_rate;
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    sum.extension[i] += weight * means.extension[i];
+  }
+}
 
-double input_of(const fog::BlockMeans<RealNumbers>& means, std::size_t column) {
-  return column < fog::kExtensionInputs ? means.extension[column] : means.input_rate;
+void scale(RealBlock& means, double factor) {
+  means.input_rate *= factor;
+  for (double& value : means.extension) value *= factor;
 }
 
 struct ModelledRows {
   std::vector<Comparison::Row> rows;
   std::vector<RowRange> stretches;
   std::vector<std::vector<double>> parts_dph;  // [part][row]
-  std::array<std::vector<double>, kInputColumnCount> inputs;
 };
 
 ModelledRows make_rows(const Model& model, const RunInBlocks& run, std::size_t parts) {
@@ -45,18 +49,21 @@ ModelledRows make_rows(const Model& model, const RunInBlocks& run, std::size_t p
   RealDriftModel drift(model, series.block_s);
   ModelledRows result;
   result.parts_dph.resize(parts);
+  const double sample_s = series.block_s / series.samples_per_block;
+  const double row_s = row_length_s(run.average_s, series.block_s);
   std::int64_t row_number = -1;
   double samples = 0;
   const auto finish = [&] {
     if (result.rows.empty()) return;
     Comparison::Row& row = result.rows.back();
+    row.weight = samples * sample_s / row_s;
     row.time_s /= samples;
     row.temperature_degc /= samples;
     row.temperature_rate_degc_per_min /= samples;
     row.measured_dph /= samples;
     row.drift_dph /= samples;
+    scale(row.inputs, 1 / samples);
     for (std::vector<double>& part : result.parts_dph) part.back() /= samples;
-    for (std::vector<double>& input : result.inputs) input.back() /= samples;
   };
   const auto begin_row = [&](std::int64_t number) {
     finish();
@@ -66,7 +73,6 @@ ModelledRows make_rows(const Model& model, const RunInBlocks& run, std::size_t p
     ++result.stretches.back().end;
     result.rows.push_back({});
     for (std::vector<double>& part : result.parts_dph) part.push_back(0);
-    for (std::vector<double>& input : result.inputs) input.push_back(0);
     row_number = number;
     samples = 0;
   };
@@ -82,53 +88,63 @@ ModelledRows make_rows(const Model& model, const RunInBlocks& run, std::size_t p
     row.temperature_rate_degc_per_min += weight * drift.signals().temperature_rate;
     row.measured_dph += weight * (block.rate_dph - block.means.input_rate);
     row.drift_dph += weight * drift.drift_dph();
+    add_weighted(weight, block.means, row.inputs);
     for (std::size_t i = 0; i < parts; ++i) {
       result.parts_dph[i].back() += weight * part_dph(drift, i, model.terms.size());
-    }
-    for (std::size_t i = 0; i < kInputColumnCount; ++i) {
-      result.inputs[i].back() += weight * input_of(block.means, i);
     }
   });
   finish();
   return result;
 }
 
-std::vector<Comparison::VaryingInput> varying(
-    std::array<std::vector<double>, kInputColumnCount> inputs) {
+double input_of(const RealBlock& means, fog::Input input) {
+  return input == fog::Input::input_rate ? means.input_rate
+                                         : means.extension[static_cast<std::size_t>(input)];
+}
+
+// The extension inputs come first among all, then the input rate.
+std::vector<Comparison::VaryingInput> varying(const std::vector<Comparison::Row>& rows) {
+  static_assert(static_cast<std::size_t>(fog::Input::input_rate) == fog::kExtensionInputs);
   std::vector<Comparison::VaryingInput> found;
-  for (std::size_t i = 0; i < kInputColumnCount; ++i) {
-    if (varies(inputs[i])) found.push_back({static_cast<fog::Input>(i), std::move(inputs[i])});
+  for (std::size_t i = 0; i <= fog::kExtensionInputs; ++i) {
+    Comparison::VaryingInput one{static_cast<fog::Input>(i), {}};
+    for (const Comparison::Row& row : rows) one.values.push_back(input_of(row.inputs, one.input));
+    if (varies(one.values)) found.push_back(std::move(one));
   }
   return found;
 }
 
+// Rows count with the time behind them, outliers not at all.
 Comparison::Segment summarise(const std::string& name, SegmentKind kind,
                               const std::vector<Comparison::Row>& rows, RowRange range) {
   Comparison::Segment segment;
   segment.name = name;
   segment.kind = kind;
   segment.range = range;
-  if (range.size() == 0) return segment;
-  const auto count = static_cast<double>(range.size());
+  double time = 0;
   double raw = 0;
   double residual = 0;
   for (std::size_t i = range.first; i < range.end; ++i) {
-    raw += rows[i].measured_dph;
-    residual += rows[i].residual_dph();
+    if (rows[i].outlier) continue;
+    time += rows[i].weight;
+    raw += rows[i].weight * rows[i].measured_dph;
+    residual += rows[i].weight * rows[i].residual_dph();
   }
-  segment.raw_mean_dph = raw / count;
-  segment.mean_dph = residual / count;
+  if (time == 0) return segment;
+  segment.raw_mean_dph = raw / time;
+  segment.mean_dph = residual / time;
   double raw_square = 0;
   double square = 0;
   for (std::size_t i = range.first; i < range.end; ++i) {
-    raw_square += std::pow(rows[i].measured_dph - segment.raw_mean_dph, 2);
-    square += std::pow(rows[i].residual_dph() - segment.mean_dph, 2);
+    if (rows[i].outlier) continue;
+    raw_square += rows[i].weight * std::pow(rows[i].measured_dph - segment.raw_mean_dph, 2);
+    square += rows[i].weight * std::pow(rows[i].residual_dph() - segment.mean_dph, 2);
   }
-  const double freedom = std::max(count - 1, 1.0);
+  const double freedom = std::max(time - 1, 1.0);
   segment.raw_std_dph = std::sqrt(raw_square / freedom);
   segment.std_dph = std::sqrt(square / freedom);
-  segment.raw_rms_dph = std::sqrt(raw_square / count + std::pow(segment.raw_mean_dph, 2));
-  segment.rms_dph = std::sqrt(square / count + std::pow(segment.mean_dph, 2));
+  segment.raw_rms_dph = std::sqrt(raw_square / time + std::pow(segment.raw_mean_dph, 2));
+  segment.rms_dph = std::sqrt(square / time + std::pow(segment.mean_dph, 2));
   return segment;
 }
 
@@ -177,26 +193,63 @@ std::vector<double> Comparison::measured_dph() const {
   return values;
 }
 
+std::vector<double> Comparison::bridged(std::vector<double> values) const {
+  std::vector<bool> outlier;
+  for (const Row& row : rows) outlier.push_back(row.outlier);
+  bridge_outliers(outlier, stretches, values);
+  return values;
+}
+
+std::vector<double> Comparison::counted(const std::vector<double>& values) const {
+  std::vector<double> counted;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].outlier) counted.push_back(values[i]);
+  }
+  return counted;
+}
+
+Rows Comparison::as_rows(const std::vector<double>& values) const {
+  Rows all;
+  const auto size = static_cast<Eigen::Index>(rows.size());
+  all.drift_dph = Eigen::Map<const Eigen::VectorXd>(values.data(), size);
+  all.weights.resize(size);
+  all.row_s = row_s;
+  all.run_starts = {0};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& row = rows[i];
+    all.weights[static_cast<Eigen::Index>(i)] = row.weight;
+    all.time_s.push_back(row.time_s);
+    all.signals.push_back({row.temperature_degc, row.temperature_rate_degc_per_min, row.inputs});
+    all.inputs.push_back(row.inputs);
+  }
+  return all;
+}
+
 Comparison compare_with(const Model& model, const RunInBlocks& run) {
   const std::vector<std::string> parts = names_of_parts(model);
   ModelledRows modelled = make_rows(model, run, parts.size());
   Comparison comparison;
   comparison.file = run.file;
-  comparison.row_s =
-      static_cast<double>(blocks_per_row(run.average_s, run.blocks.block_s)) * run.blocks.block_s;
+  comparison.row_s = row_length_s(run.average_s, run.blocks.block_s);
   comparison.noise_floor_dph = run.noise_floor_dph;
   comparison.rows = std::move(modelled.rows);
   comparison.stretches = std::move(modelled.stretches);
+  const Eigen::VectorXd counts = counted_rows(comparison.as_rows(comparison.measured_dph()));
+  for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
+    comparison.rows[i].outlier = counts[static_cast<Eigen::Index>(i)] == 0;
+    if (comparison.rows[i].outlier) ++comparison.outliers;
+  }
   comparison.segments = summarise_segments(run, comparison.rows);
   comparison.whole =
       summarise("all", SegmentKind::soak, comparison.rows, {0, comparison.rows.size()});
-  const std::vector<double> residual = comparison.residuals_dph();
-  const std::vector<double> measured = comparison.measured_dph();
+  const std::vector<double> residual = comparison.counted(comparison.residuals_dph());
+  const std::vector<double> measured = comparison.counted(comparison.measured_dph());
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    comparison.effects.push_back(share_of(parts[i], modelled.parts_dph[i], residual, measured));
+    comparison.effects.push_back(
+        share_of(parts[i], comparison.counted(modelled.parts_dph[i]), residual, measured));
   }
   comparison.parts_dph = std::move(modelled.parts_dph);
-  comparison.inputs = varying(std::move(modelled.inputs));
+  comparison.inputs = varying(comparison.rows);
   TrainedRange range(model, comparison.row_s);
   for (const Comparison::Row& row : comparison.rows) {
     range.count(row.time_s, row.temperature_degc, row.temperature_rate_degc_per_min);

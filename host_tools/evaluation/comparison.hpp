@@ -8,6 +8,8 @@
 #include "evaluation/effect_shares.hpp"
 #include "evaluation/run_in_blocks.hpp"
 #include "evaluation/trained_range.hpp"
+#include "identification/signal_series.hpp"
+#include "model/drift_model.hpp"
 #include "model/model.hpp"
 
 namespace fogcomp {
@@ -20,6 +22,9 @@ struct Comparison {
     double temperature_rate_degc_per_min = 0;  ///< as the model's derivative has it
     double measured_dph = 0;                   ///< measured rate - input rate
     double drift_dph = 0;                      ///< as modelled
+    double weight = 1;                         ///< time behind it, relative to a full row
+    bool outlier = false;                      ///< counts in no figure (outlier_rows.hpp)
+    RealBlock inputs;                          ///< means of what else was measured
     double residual_dph() const { return measured_dph - drift_dph; }
   };
   struct Segment {
@@ -42,6 +47,7 @@ struct Comparison {
   double row_s = 0;
   std::vector<Row> rows;
   std::vector<RowRange> stretches;  ///< rows without a gap
+  std::size_t outliers = 0;         ///< rows left out as such
   std::vector<Segment> segments;
   Segment whole;
   std::vector<EffectShare> effects;            ///< in the model's order, then the network
@@ -52,6 +58,11 @@ struct Comparison {
 
   std::vector<double> residuals_dph() const;
   std::vector<double> measured_dph() const;
+  /// Of a value per row: outliers bridged (bridge_outliers); only the rows that count; and what a
+  /// fit would see of them.
+  std::vector<double> bridged(std::vector<double> values) const;
+  std::vector<double> counted(const std::vector<double>& values) const;
+  Rows as_rows(const std::vector<double>& values) const;
 };
 
 /// Whether an input is more than a constant, of which averaging leaves rounding.

@@ -1,7 +1,9 @@
 #include "evaluation/model_on_runs.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "identification/outlier_rows.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -40,6 +42,13 @@ std::vector<Finding> findings(const ResidualAnalysis& analysis, const Comparison
 
 }  // namespace
 
+ModelOnRun try_model(const Model& model, const RunInBlocks& run) {
+  Comparison comparison = compare_with(model, run);
+  ResidualAnalysis analysis = analyse_residual(comparison);
+  const BoardError error = board_error(model, run, comparison);
+  return {std::move(comparison), std::move(analysis), error};
+}
+
 std::string error_words(const Comparison& comparison) {
   if (!comparison.noise_floor_dph) {
     return format("residual %s (too short to know its noise floor)",
@@ -63,6 +72,28 @@ std::string structure_words(const ModelOnRun& run) {
   for (const Finding& finding : found) list += (list.empty() ? "" : ", ") + finding.text;
   if (!run.analysis.excess_dph2) return "at the noise floor, yet it depends on " + list;
   return "of what is above the floor: " + list + (found.size() > 1 ? "; these overlap" : "");
+}
+
+bool is_below_floor(const Comparison& comparison) {
+  const double rms_dph = comparison.whole.rms_dph;
+  const double uncertainty = floor_uncertainty(comparison.rows.size() - comparison.outliers);
+  return comparison.noise_floor_dph && rms_dph < *comparison.noise_floor_dph * (1 - uncertainty);
+}
+
+std::vector<std::string> remarks(const ModelOnRun& run) {
+  const Comparison& comparison = run.comparison;
+  std::vector<std::string> found;
+  if (comparison.outliers > 0)
+    found.push_back(outlier_words(comparison.outliers, comparison.row_s));
+  if (run.error.delay_matters()) found.push_back(delay_words(run.error));
+  if (is_below_floor(comparison)) {
+    found.push_back(format(
+        "the floor is above the residual, so it is none: from row to row (%.3g s) this recording "
+        "changes by more than noise, as with a line near a period of two rows or an input "
+        "that moves; look again with another --average",
+        comparison.row_s));
+  }
+  return found;
 }
 
 std::vector<std::string> range_warnings(const Comparison& comparison, const Model& model) {

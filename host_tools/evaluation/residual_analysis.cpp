@@ -22,28 +22,12 @@ std::vector<double> column(const Comparison& comparison, Value value) {
 }
 
 std::optional<double> excess(const Comparison& comparison) {
-  constexpr double kFloorError = 0.6;
-  constexpr double kSigmas = 4;
   if (!comparison.noise_floor_dph) return std::nullopt;
   const double floor = std::pow(*comparison.noise_floor_dph, 2);
   const double beyond = std::pow(comparison.whole.rms_dph, 2) - floor;
-  const auto rows = static_cast<double>(comparison.rows.size());
-  if (beyond <= kSigmas * 2 * kFloorError / std::sqrt(rows) * floor) return std::nullopt;
+  const std::size_t rows = comparison.rows.size() - comparison.outliers;
+  if (beyond <= 2 * floor_uncertainty(rows) * floor) return std::nullopt;
   return beyond;
-}
-
-// The noise as fit() takes it: from the parts in which the temperature stands still.
-NoiseModel noise_of(const Comparison& comparison, const std::vector<double>& residual_dph) {
-  Rows rows;
-  rows.drift_dph = Eigen::Map<const Eigen::VectorXd>(
-      residual_dph.data(), static_cast<Eigen::Index>(residual_dph.size()));
-  rows.row_s = comparison.row_s;
-  rows.run_starts = {0};
-  for (const Comparison::Row& row : comparison.rows) {
-    rows.time_s.push_back(row.time_s);
-    rows.signals.push_back({row.temperature_degc, row.temperature_rate_degc_per_min, {}});
-  }
-  return fogcomp::noise_of(rows, rows.drift_dph);
 }
 
 std::vector<RowRange> soak_stretches(const Comparison& comparison) {
@@ -61,6 +45,12 @@ std::vector<RowRange> soak_stretches(const Comparison& comparison) {
 
 }  // namespace
 
+double floor_uncertainty(std::size_t rows) {
+  constexpr double kFloorError = 0.6;
+  constexpr double kSigmas = 4;
+  return kSigmas * kFloorError / std::sqrt(static_cast<double>(rows));
+}
+
 std::optional<double> ResidualAnalysis::share_of_excess(const ClassTest& test) const {
   if (!excess_dph2) return std::nullopt;
   return std::min(1.0, test.variance_dph2 / *excess_dph2);
@@ -70,10 +60,12 @@ ResidualAnalysis analyse_residual(const Comparison& comparison) {
   ResidualAnalysis analysis;
   if (comparison.rows.empty()) return analysis;
   ResidualRows rows;
-  rows.residual_dph = comparison.residuals_dph();
+  rows.residual_dph = comparison.bridged(comparison.residuals_dph());
   rows.time_s = column(comparison, [](const Comparison::Row& row) { return row.time_s; });
   rows.stretches = comparison.stretches;
-  rows.noise = noise_of(comparison, rows.residual_dph);
+  // As a fit takes it: from the parts in which the temperature stands still.
+  const Rows as_fitted = comparison.as_rows(rows.residual_dph);
+  rows.noise = noise_of(as_fitted, as_fitted.drift_dph);
   const std::vector<double> degc =
       column(comparison, [](const Comparison::Row& row) { return row.temperature_degc; });
   analysis.excess_dph2 = excess(comparison);
@@ -96,7 +88,8 @@ ResidualAnalysis analyse_residual(const Comparison& comparison) {
   }
   analysis.white_band = 2 / std::sqrt(static_cast<double>(rows.residual_dph.size()));
   const std::vector<RowRange> soaks = soak_stretches(comparison);
-  analysis.raw_allan = allan_deviation(comparison.measured_dph(), soaks, comparison.row_s);
+  analysis.raw_allan =
+      allan_deviation(comparison.bridged(comparison.measured_dph()), soaks, comparison.row_s);
   analysis.residual_allan = allan_deviation(rows.residual_dph, soaks, comparison.row_s);
   return analysis;
 }

@@ -36,6 +36,9 @@ struct ResidualAnalysis {
   std::optional<double> share_of_excess(const ClassTest& test) const;
 };
 
+/// Four standard errors of a noise floor estimated from so many rows, relative to it.
+double floor_uncertainty(std::size_t rows);
+
 /// Shares of different variables overlap: in one chamber cycle, temperature, rate, time and history
 /// go together.
 ResidualAnalysis analyse_residual(const Comparison& comparison);

@@ -21,7 +21,8 @@ RunInBlocks run_in_blocks(const Recording& recording, double average_s) {
         {segment.name, segment.kind, last ? HUGE_VAL : recording.time_s[segment.end_row]});
   }
   run.average_s = average_s;
-  run.noise_floor_dph = noise_floor_dph(recording, average_s);
+  // Of the rows as they are: a whole number of blocks.
+  run.noise_floor_dph = noise_floor_dph(recording, row_length_s(average_s, run.blocks.block_s));
   return run;
 }
 

@@ -4,7 +4,10 @@
 #include <cmath>
 
 #include "dataset/blocks.hpp"
+#include "dataset/input_columns.hpp"
 #include "evaluation/noise_floor.hpp"
+#include "identification/outlier_rows.hpp"
+#include "identification/signal_series.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp {
@@ -15,27 +18,37 @@ struct Moments {
   std::optional<double> deviation;
 };
 
-// About the first value, so that a small scatter on a large mean keeps its digits.
-Moments moments(const std::vector<double>& values, RowRange rows) {
-  if (rows.size() == 0) return {};
-  const double origin = values[rows.first];
+// Values of which some are outliers.
+struct Judged {
+  std::vector<double> values;
+  std::vector<bool> outlier;
+};
+
+// Without the outliers; about the first value, so that a small scatter on a large mean keeps its
+// digits.
+Moments moments(const Judged& judged, RowRange rows) {
+  double origin = 0;
+  double count = 0;
   double sum = 0;
   double squares = 0;
   for (std::size_t row = rows.first; row < rows.end; ++row) {
-    const double value = values[row] - origin;
+    if (judged.outlier[row]) continue;
+    if (count == 0) origin = judged.values[row];
+    const double value = judged.values[row] - origin;
     sum += value;
     squares += value * value;
+    ++count;
   }
-  const auto count = static_cast<double>(rows.size());
+  if (count == 0) return {};
   Moments result{origin + sum / count, std::nullopt};
-  if (rows.size() > 1) {
+  if (count > 1) {
     result.deviation = std::sqrt(std::max(0.0, squares - sum * sum / count) / (count - 1));
   }
   return result;
 }
 
-BiasSummary summarize_bias(const std::vector<double>& bias, RowRange rows,
-                           const std::vector<double>& block_bias, RowRange blocks) {
+BiasSummary summarize_bias(const Judged& bias, RowRange rows, const Judged& block_bias,
+                           RowRange blocks) {
   const Moments samples = moments(bias, rows);
   return {samples.mean, moments(block_bias, blocks).deviation, samples.deviation};
 }
@@ -65,17 +78,63 @@ SegmentSummary summarize_segment(const Recording& recording, const Segment& segm
   return summary;
 }
 
+// By the rows that fit and compare would make: whole blocks of theirs, where they are not longer.
+double wanted_row_s(const Recording& recording, double average_s) {
+  const double block_s = recording.period_s * samples_per_block(recording.period_s);
+  return average_s > block_s && block_s > 0 ? row_length_s(average_s, block_s) : average_s;
+}
+
+Judged judge_blocks(const Recording& blocks) {
+  ValuesInTime in_time{bias_dph(blocks), {}, stretches_of(blocks, {0, blocks.rows()}), {}};
+  if (!blocks.input_rate_dph.empty()) in_time.inputs.push_back(blocks.input_rate_dph);
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    const std::vector<double>& input = extension_column(blocks, i);
+    if (!input.empty()) in_time.inputs.push_back(input);
+  }
+  return {in_time.values, find_outliers(in_time)};
+}
+
+// All samples of a block that is an outlier are.
+Judged judge_samples(const Recording& recording, const Blocks& blocks,
+                     const std::vector<bool>& block_outlier) {
+  Judged samples{bias_dph(recording), std::vector<bool>(recording.rows())};
+  for (std::size_t block = 0; block < block_outlier.size(); ++block) {
+    if (!block_outlier[block]) continue;
+    const auto first =
+        samples.outlier.begin() + static_cast<std::ptrdiff_t>(blocks.first_rows[block]);
+    std::fill_n(first, blocks.rows_per_block, true);
+  }
+  return samples;
+}
+
+std::vector<double> bridged(const Judged& judged, const Recording& recording) {
+  std::vector<double> values = judged.values;
+  bridge_outliers(judged.outlier, stretches_of(recording, {0, recording.rows()}), values);
+  return values;
+}
+
+// As a recording, for what looks at one.
+Recording without_outliers(Recording blocks, const Judged& judged) {
+  const std::vector<double> values = bridged(judged, blocks);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (judged.outlier[i]) blocks.rate_dph[i] += values[i] - judged.values[i];
+  }
+  return blocks;
+}
+
 }  // namespace
 
 RunSummary summarize(const Recording& recording, double average_s) {
   const std::vector<Segment> segments = find_segments(recording);
-  Blocks blocks = block_means(recording, average_s);
+  Blocks blocks = block_means(recording, wanted_row_s(recording, average_s));
   const std::vector<Segment> in_blocks = segments_in_blocks(segments, blocks);
-  const std::vector<double> bias = bias_dph(recording);
-  const std::vector<double> block_bias = bias_dph(blocks.means);
+  const Judged block_bias = judge_blocks(blocks.means);
+  const Judged bias = judge_samples(recording, blocks, block_bias.outlier);
 
   RunSummary summary;
   summary.average_s = blocks.means.period_s;
+  summary.outliers = static_cast<std::size_t>(
+      std::count(block_bias.outlier.begin(), block_bias.outlier.end(), true));
   summary.bias = summarize_bias(bias, {0, recording.rows()}, block_bias, {0, blocks.means.rows()});
   summary.noise_floor_dph = noise_floor_dph(recording, summary.average_s);
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -88,9 +147,10 @@ RunSummary summarize(const Recording& recording, double average_s) {
   for (const RowRange& soak : soaks) {
     summary.soak_s += static_cast<double>(soak.size()) * recording.period_s;
   }
-  summary.allan = allan_deviation(bias, soaks, recording.period_s);
+  summary.allan = allan_deviation(bridged(bias, recording), soaks, recording.period_s);
   summary.noise = fit_noise_coefficients(summary.allan);
-  summary.sensitivity = temperature_sensitivity(blocks.means, in_blocks);
+  summary.sensitivity =
+      temperature_sensitivity(without_outliers(blocks.means, block_bias), in_blocks);
   summary.blocks = std::move(blocks.means);
   return summary;
 }

@@ -37,8 +37,9 @@ struct SegmentSummary {
 /// What one recording shows without any model.
 struct RunSummary {
   BiasSummary bias;
-  double average_s = 0;  ///< length of a block
-  Recording blocks;      ///< their means
+  double average_s = 0;      ///< length of a block
+  std::size_t outliers = 0;  ///< blocks left out of all figures (outlier_rows.hpp)
+  Recording blocks;          ///< their means
   std::optional<double> noise_floor_dph;
   std::vector<SegmentSummary> segments;
   double soak_s = 0;  ///< of data behind the Allan deviation
@@ -47,7 +48,8 @@ struct RunSummary {
   TemperatureSensitivity sensitivity;
 };
 
-/// Everything in blocks of `average_s`, or of one row where the recording's period is longer.
+/// Everything in blocks of `average_s`, as whole a number of the board's blocks as fit and compare
+/// take; of one row where the recording's period is longer.
 RunSummary summarize(const Recording& recording, double average_s);
 
 }  // namespace fogcomp

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "identification/noise_scale.hpp"
 #include "identification/whitening.hpp"
 #include "support/units.hpp"
 

@@ -6,6 +6,7 @@
 #include "identification/coefficient_covariance.hpp"
 #include "identification/expression_survey.hpp"
 #include "identification/noise_weighted_fit.hpp"
+#include "identification/outlier_rows.hpp"
 #include "identification/shape_limits.hpp"
 #include "identification/soak_uncertainty.hpp"
 #include "identification/step_search.hpp"
@@ -182,8 +183,7 @@ Identification identify(Model& model, const SignalSeries& series,
   }
   judge_uncertainty(model, fit, all_covariance, rows, result.warnings);
   for (EffectTerm& term : model.terms) set_expression_scale(term, series);
-  const Eigen::VectorXd counted = rows.weights.cwiseProduct(
-      fit.robust.unaryExpr([](double weight) { return weight > 0 ? 1.0 : 0.0; }));
+  const Eigen::VectorXd counted = counted_weights(rows, fit.row_weights);
   model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());
   return result;
 }

@@ -25,8 +25,8 @@ struct Identification {
   Eigen::VectorXd residual_dph;  ///< per row, measured - input - effects
   NoiseModel noise;              ///< what the rows were weighted with
   double misfit = 0;             ///< rms of the whitened residual: 1 where only that noise is left
-  std::size_t outliers = 0;      ///< rows weighted down
-  Eigen::VectorXd row_weights;   ///< Rows::weights, outliers weighted down
+  std::size_t outliers = 0;      ///< rows left out (outlier_rows.hpp)
+  Eigen::VectorXd row_weights;   ///< Rows::weights, 0 for outliers and masked rows
   std::size_t masked = 0;        ///< rows left out because a bias step lies in them
   std::vector<FoundStep> steps;  ///< each is a term of the model too, behind the others
   /// Per effect, deg/h: the smallest peak of this effect that these recordings show at 5 sigma.
@@ -51,8 +51,8 @@ struct IdentifySettings {
 ///
 /// Noise-weighted: rows are whitened with white + Gauss-Markov noise taken from the soaks. Shape
 /// parameters by variable projection: a bounded grid each, then Gauss-Newton on all together.
-/// Smoothed temperatures as instruments keep the sensor's noise out of the coefficients. Rows
-/// beyond 4 sigma count with weight (4/x)^2. Standard deviations are those of the whitened problem,
+/// Smoothed temperatures as instruments keep the sensor's noise out of the coefficients. Outliers
+/// count for nothing. Standard deviations are those of the whitened problem,
 /// times the misfit where that is above 1.
 ///
 /// `bias_step` without a time is searched for (step_search.hpp): any number of terms `bias_step`

@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/noise_scale.hpp"
+#include "identification/outlier_rows.hpp"
 #include "identification/quiet_rows.hpp"
-#include "identification/row_noise.hpp"
 #include "identification/undetermined.hpp"
 #include "identification/whitening.hpp"
 #include "support/input_error.hpp"
-#include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
 namespace {
 
-constexpr int kRounds = 3;      // of noise, outlier weights and solution
-constexpr double kOutlier = 4;  // standard deviations
+constexpr int kRounds = 3;  // of noise and solution
 
 Eigen::MatrixXd all_columns(const SignalSeries& series, const std::vector<EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance) {
@@ -36,13 +35,8 @@ double longest_run_s(const Rows& rows) {
 }
 
 NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
-  return noise_of(rows, residual, row_noise(rows, residual));
-}
-
-NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual, const RowNoise& single) {
-  const Eigen::VectorXd values = bridged(residual, single.counted);
-  const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, values);
-  if (quiet.empty()) return white_noise_of(values, rows.row_s, longest_run_s(rows));
+  const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, residual);
+  if (quiet.empty()) return white_noise_of(residual, rows.row_s, longest_run_s(rows));
   return fit_noise(noise_samples(quiet), rows.row_s, longest_run_s(rows));
 }
 
@@ -59,21 +53,10 @@ Eigen::VectorXd relative_scale(const Rows& rows, const Eigen::VectorXd& scale) {
   return count > 0 ? scale / std::sqrt(square / count) : scale;
 }
 
-// Rows that stand out from the others count less the further out they are. "Others" by the median,
-// so that where the model itself does not fit, its misfit is no outlier.
-Eigen::VectorXd outlier_weights(const Eigen::VectorXd& whitened_residual) {
-  const double typical = sigma_by_median({whitened_residual.begin(), whitened_residual.end()});
-  const double most = kOutlier * std::max(1.0, typical);
-  return whitened_residual.unaryExpr([most](double e) {
-    const double beyond = std::abs(e) / most;
-    return beyond <= 1 ? 1.0 : 1 / (beyond * beyond);
-  });
-}
-
 }  // namespace
 
 double NoiseWeightedFit::misfit() const {
-  const auto freedom = static_cast<double>(residual_dph.size() - whitened.cols());
+  const auto freedom = static_cast<double>((row_weights.array() > 0).count() - whitened.cols());
   return std::sqrt(whitened_residual.squaredNorm() / std::max(1.0, freedom));
 }
 
@@ -82,22 +65,24 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
   const Rows& rows = series.rows();
   const Eigen::VectorXd kept =
       settings.kept.size() > 0 ? settings.kept : Eigen::VectorXd::Ones(rows.size());
+  const Eigen::VectorXd counted = counted_rows(rows);
   NoiseWeightedFit fit;
+  fit.robust = kept.cwiseProduct(counted);
+  fit.outliers = static_cast<std::size_t>((counted.array() <= 0 && kept.array() > 0).count());
+  fit.row_weights = rows.weights.cwiseProduct(fit.robust);
   fit.terms = terms;
   fit.shapes = shape_parameters(terms);
   fit.columns = all_columns(series, terms, nuisance);
   const LinearFit first =
-      solve_linear(kept.asDiagonal() * fit.columns, kept.cwiseProduct(rows.drift_dph));
+      solve_linear(fit.robust.asDiagonal() * fit.columns, fit.robust.cwiseProduct(rows.drift_dph));
   fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
-  fit.robust = kept;
   for (int round = 0; round < kRounds; ++round) {
-    const RowNoise single = row_noise(rows, fit.residual_dph, kept);
-    fit.noise = settings.noise ? *settings.noise : noise_of(rows, fit.residual_dph, single);
+    fit.noise =
+        settings.noise ? *settings.noise : noise_of(rows, bridged(fit.residual_dph, fit.robust));
     fit.noise.white_variance = std::max(std::pow(rows.rounding_dph, 2), fit.noise.white_variance);
-    fit.noise_scale = relative_scale(rows, single.scale);
-    fit.robust = fit.robust.cwiseProduct(single.counted);
-    const Eigen::VectorXd full_weights = rows.weights.cwiseQuotient(fit.noise_scale.cwiseAbs2());
-    fit.row_weights = full_weights.cwiseProduct(fit.robust);
+    fit.noise_scale = relative_scale(rows, noise_scale(rows, fit.residual_dph, fit.robust));
+    fit.row_weights =
+        rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
     const Whitening whitening(fit.noise, rows, fit.row_weights);
     WhitenedProblem problem(series, whitening, fit.terms, nuisance);
     search_shapes(problem, fit.shapes, [&](double done) {
@@ -112,10 +97,7 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
     if (round + 1 == kRounds) fit.covariance = problem.solve(fit.shapes).covariance;
     if (!fit.shapes.empty()) fit.columns = all_columns(series, fit.terms, nuisance);
     fit.residual_dph = rows.drift_dph - fit.columns * fit.coefficients;
-    const Whitening plain(fit.noise, rows, full_weights.cwiseProduct(single.counted));
-    fit.robust = outlier_weights(plain.apply(fit.residual_dph)).cwiseProduct(single.counted);
   }
-  fit.outliers = static_cast<std::size_t>((fit.robust.array() < 1 && kept.array() > 0).count());
   return fit;
 }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "identification/noise_model.hpp"
-#include "identification/row_noise.hpp"
 #include "identification/shape_search.hpp"
 #include "identification/signal_series.hpp"
 #include "numerics/least_squares.hpp"
@@ -17,13 +16,11 @@ namespace fogcomp {
 struct NoiseWeightedFit {
   std::vector<EffectTerm> terms;       ///< as given, shape parameters where the cost is least
   std::vector<ShapeParameter> shapes;  ///< those that were moved
-  NoiseModel noise;  ///< what the rows were weighted with; at least what rounding makes
-  /// 1, less for rows far out, 0 for those that stand out of their neighbours (row_noise.hpp) and
-  /// those that are left out.
-  Eigen::VectorXd robust;
-  Eigen::VectorXd noise_scale;  ///< RowNoise::scale, relative to the rows of `noise`
+  NoiseModel noise;             ///< what the rows were weighted with; at least what rounding makes
+  Eigen::VectorXd robust;       ///< 1; 0 for outliers and rows that are left out
+  Eigen::VectorXd noise_scale;  ///< noise_scale(), relative to the rows of `noise`
   Eigen::VectorXd row_weights;  ///< time behind a row, times that, by its own noise's variance
-  std::size_t outliers = 0;     ///< rows weighted down
+  std::size_t outliers = 0;     ///< rows left out as such (outlier_rows.hpp)
 
   Eigen::MatrixXd columns;       ///< rows x linear: regressors of all terms, then the nuisance
   Eigen::VectorXd coefficients;  ///< linear
@@ -48,8 +45,8 @@ struct RowSettings {
 
 /// Solves for the coefficients of `terms` and of the nuisance columns (rows x any), and for those
 /// shape parameters that the terms mark. Three rounds of: noise from the quiet parts of what is
-/// left, weights of outliers, shapes by variable projection. Columns that depend on each other are
-/// no error here: see `covariance`.
+/// left, shapes by variable projection. Outliers count for nothing. Columns that depend on each
+/// other are no error here: see `covariance`.
 NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTerm>& terms,
                           const Eigen::MatrixXd& nuisance, const RowSettings& settings = {});
 
@@ -63,9 +60,8 @@ NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<Ef
 double longest_run_s(const Rows& rows);
 
 /// The noise of a residual: from its quiet parts, or where there are none white, from neighbouring
-/// rows. Rows that stand out of their neighbours do not count.
+/// rows. Outliers are to be bridged before.
 NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual);
-NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual, const RowNoise& single);
 
 /// 1 from a row to the end of its recording, else 0.
 Eigen::VectorXd step_column(const Rows& rows, std::size_t row);

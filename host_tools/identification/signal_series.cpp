@@ -51,20 +51,26 @@ struct RowSums {
   double time = 0;
   double drift = 0;
   fog::Signals<RealNumbers> signals;
+  fog::BlockMeans<RealNumbers> inputs;
 };
 
 namespace {
+
+void add_weighted(double weight, const fog::BlockMeans<RealNumbers>& means,
+                  fog::BlockMeans<RealNumbers>& sum) {
+  sum.temperature += weight * means.temperature;
+  sum.input_rate += weight * means.input_rate;
+  sum.elapsed += weight * means.elapsed;
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    sum.extension[i] += weight * means.extension[i];
+  }
+}
 
 void add_weighted(double weight, const fog::Signals<RealNumbers>& signals,
                   fog::Signals<RealNumbers>& sum) {
   sum.temperature += weight * signals.temperature;
   sum.temperature_rate += weight * signals.temperature_rate;
-  sum.block.temperature += weight * signals.block.temperature;
-  sum.block.input_rate += weight * signals.block.input_rate;
-  sum.block.elapsed += weight * signals.block.elapsed;
-  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    sum.block.extension[i] += weight * signals.block.extension[i];
-  }
+  add_weighted(weight, signals.block, sum.block);
 }
 
 }  // namespace
@@ -77,7 +83,7 @@ class RowCollector {
 
   void take(const BlockSeries::Block& block, SignalSeries::Block& current) {
     if (sums_.empty() || sums_.back().number != block.number / per_row_) {
-      sums_.push_back({block.number / per_row_, 0, 0, 0, {}});
+      sums_.push_back({block.number / per_row_, 0, 0, 0, {}, {}});
     }
     current.row = first_row_ + static_cast<std::int32_t>(sums_.size()) - 1;
     current.samples = block.samples;
@@ -86,6 +92,7 @@ class RowCollector {
     row.time += current.samples * block.time_s;
     row.drift += current.samples * (block.rate_dph - block.means.input_rate);
     add_weighted(current.samples, current.signals, row.signals);
+    add_weighted(current.samples, block.means, row.inputs);
   }
   const std::vector<RowSums>& sums() const { return sums_; }
 
@@ -97,6 +104,10 @@ class RowCollector {
 
 std::int64_t blocks_per_row(double average_s, double block_s) {
   return std::max(1LL, std::llround(average_s / block_s));
+}
+
+double row_length_s(double average_s, double block_s) {
+  return static_cast<double>(blocks_per_row(average_s, block_s)) * block_s;
 }
 
 void SignalSeries::add(const BlockSeries& series) {
@@ -148,6 +159,8 @@ void SignalSeries::append_rows(const std::vector<RowSums>& sums, double sample_s
     rows_.time_s.push_back(row.time / row.samples);
     rows_.signals.emplace_back();
     add_weighted(1 / row.samples, row.signals, rows_.signals.back());
+    rows_.inputs.emplace_back();
+    add_weighted(1 / row.samples, row.inputs, rows_.inputs.back());
   }
   rows_.weights = seconds_ / rows_.row_s;
 }

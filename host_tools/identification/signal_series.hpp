@@ -18,8 +18,9 @@ struct Rows {
   double row_s = 0;           ///< of a full row; the longest where recordings differ
   double rounding_dph = 0;    ///< standard deviation that the rate's rounding makes in a full row
   std::vector<double> time_s;
-  std::vector<fog::Signals<RealNumbers>> signals;  ///< means
-  std::vector<std::size_t> run_starts;             ///< first row of each recording
+  std::vector<fog::Signals<RealNumbers>> signals;    ///< means, as late as the board has them
+  std::vector<fog::BlockMeans<RealNumbers>> inputs;  ///< means of what was measured meanwhile
+  std::vector<std::size_t> run_starts;               ///< first row of each recording
 
   Eigen::Index size() const { return drift_dph.size(); }
   /// The rows of each recording.
@@ -105,5 +106,7 @@ class SignalSeries {
 
 /// Blocks that make one row of `average_s` seconds, at least one.
 std::int64_t blocks_per_row(double average_s, double block_s);
+/// The length of that row, seconds.
+double row_length_s(double average_s, double block_s);
 
 }  // namespace fogcomp

@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "identification/row_noise.hpp"
 #include "identification/undetermined.hpp"
 
 namespace fogcomp {
@@ -25,13 +24,11 @@ Eigen::MatrixXd with_column(const Eigen::MatrixXd& columns, const Eigen::VectorX
 // The best place for a step in what a fit leaves, with that fit's noise. The first `columns` of its
 // matrix are the model beside the step; whatever comes after them is put back into the residual.
 std::optional<ChangePoint> locate(const Rows& rows, const NoiseWeightedFit& fit,
-                                  Eigen::Index columns, const Eigen::VectorXd& kept) {
+                                  Eigen::Index columns) {
   const Eigen::Index others = fit.linear() - columns;
   const Eigen::VectorXd residual =
       fit.residual_dph + fit.columns.rightCols(others) * fit.coefficients.segment(columns, others);
-  // A single wild row must not pass for two jumps.
-  const Eigen::VectorXd counted = row_noise(rows, residual, kept).counted;
-  const Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(counted));
+  const Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(fit.robust));
   const Eigen::MatrixXd slow = slow_columns(rows, kSlowSeconds);
   Eigen::MatrixXd model(rows.size(), columns + slow.cols());
   model << fit.columns.leftCols(columns), slow;
@@ -63,13 +60,13 @@ FitWithSteps fit_with_steps(const SignalSeries& series, const std::vector<Effect
   FitWithSteps result;
   result.fit = fit_determined(series, terms, columns, kept, progress);
   while (result.steps.size() < kMostSteps) {
-    const auto seen = locate(rows, result.fit, result.fit.linear(), kept);
+    const auto seen = locate(rows, result.fit, result.fit.linear());
     if (!seen || !earns(*seen, kWorthALook)) break;
     const NoiseWeightedFit tried = fit_rows(
         series, terms, with_column(columns, step_column(rows, static_cast<std::size_t>(seen->row))),
         {kept, std::nullopt, {}});
     if (!is_determined(tried)) break;
-    const auto found = locate(rows, tried, tried.linear() - 1, kept);
+    const auto found = locate(rows, tried, tried.linear() - 1);
     if (!found || !earns(*found, kEarned)) break;
     const Eigen::MatrixXd more =
         with_column(columns, step_column(rows, static_cast<std::size_t>(found->row)));

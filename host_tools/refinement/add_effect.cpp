@@ -20,10 +20,14 @@ class RiseTest {
   void add(const Comparison& before, const Comparison& after) {
     const std::size_t first = rise_.size();
     for (std::size_t i = 0; i < before.rows.size(); ++i) {
-      rise_.push_back(std::pow(after.rows[i].residual_dph(), 2) -
-                      std::pow(before.rows[i].residual_dph(), 2));
-      before_ += std::pow(before.rows[i].residual_dph(), 2);
-      after_ += std::pow(after.rows[i].residual_dph(), 2);
+      if (before.rows[i].outlier) continue;
+      const double weight = before.rows[i].weight;
+      const double square_before = std::pow(before.rows[i].residual_dph(), 2);
+      const double square_after = std::pow(after.rows[i].residual_dph(), 2);
+      rise_.push_back(square_after - square_before);
+      before_ += weight * square_before;
+      after_ += weight * square_after;
+      weight_ += weight;
     }
     runs_.push_back({first, rise_.size()});
   }
@@ -40,8 +44,7 @@ class RiseTest {
     return sum > kOneIn100 * std::sqrt(variance * correlated_values(rise_, runs_));
   }
   HistoryEntry::Holdout rms_dph() const {
-    const auto rows = static_cast<double>(rise_.size());
-    return {std::sqrt(before_ / rows), std::sqrt(after_ / rows)};
+    return {std::sqrt(before_ / weight_), std::sqrt(after_ / weight_)};
   }
 
  private:
@@ -49,6 +52,7 @@ class RiseTest {
   std::vector<RowRange> runs_;
   double before_ = 0;
   double after_ = 0;
+  double weight_ = 0;
 };
 
 FitSettings fit_settings(const Model& model, const AddSettings& settings) {

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "identification/outlier_rows.hpp"
 #include "wavelet/denoise_parts.hpp"
 
 namespace fogcomp {
 namespace {
 
-double weighted_std(const Rows& rows) {
-  const double mean = rows.drift_dph.dot(rows.weights) / rows.weights.sum();
-  const Eigen::ArrayXd deviation = rows.drift_dph.array() - mean;
-  return std::sqrt((deviation.square() * rows.weights.array()).sum() / rows.weights.sum());
+// n - 1 in the denominator, as everywhere.
+double weighted_std(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+  const Eigen::ArrayXd deviation = values.array() - values.dot(weights) / weights.sum();
+  return std::sqrt((deviation.square() * weights.array()).sum() / std::max(weights.sum() - 1, 1.0));
 }
 
 // What the network is trained on, without its noise, as the reference paper does it. Rows further
@@ -44,39 +45,13 @@ RealNetwork as_model(const TrainedNetwork& trained, std::vector<RealInput> input
 
 }  // namespace
 
-double delay_error_dph(const Model& model, const std::vector<RunInBlocks>& runs) {
-  double square = 0;
-  double weight = 0;
-  // Run by run: after a start or a gap the two have different rows, which are matched by their
-  // time.
-  for (const RunInBlocks& run : runs) {
-    SignalSeries board(model);
-    SignalSeries coil(model, Phase::zero);
-    board.add(run.blocks);
-    coil.add(run.blocks);
-    const Eigen::VectorXd late = board.drift_dph(model.terms);
-    const Eigen::VectorXd exact = coil.drift_dph(model.terms);
-    const Rows& rows = board.rows();
-    Eigen::Index at = 0;
-    for (Eigen::Index row = 0; row < rows.size(); ++row) {
-      const double time_s = rows.time_s[static_cast<std::size_t>(row)];
-      while (at + 1 < exact.size() &&
-             coil.rows().time_s[static_cast<std::size_t>(at)] < time_s - rows.row_s / 2) {
-        ++at;
-      }
-      square += rows.weights[row] * std::pow(late[row] - exact[at], 2);
-      weight += rows.weights[row];
-    }
-  }
-  return std::sqrt(square / std::max(weight, 1e-300));
-}
-
 FitResult fit_model(Model& model, const SignalSeries& series, const FitSettings& settings) {
   const Rows& rows = series.rows();
   FitResult result;
-  result.raw_std_dph = weighted_std(rows);
   model.network = RealNetwork();
   result.identified = identify(model, series, settings.identify);
+  result.raw_std_dph =
+      weighted_std(rows.drift_dph, counted_weights(rows, result.identified.row_weights));
   result.effects_rms_dph = model.residual_rms_dph;
   if (settings.network.hidden == 0) return result;
 

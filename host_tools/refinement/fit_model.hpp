@@ -29,11 +29,6 @@ struct FitResult {
   std::optional<OutOfSample> network_judged;  ///< nothing without a network, or where it is forced
 };
 
-/// How much of a fit's error is the board's delay: rms over all rows, deg/h, of what the effects
-/// make of signals as the board has them (block means, causal derivative) less what they make of
-/// signals without delay.
-double delay_error_dph(const Model& model, const std::vector<RunInBlocks>& runs);
-
 /// Both stages on all rows of `series`: the effects of model.terms, all together, then a new
 /// network on what they leave, which is kept if it helps out of sample (residual_network.hpp). The
 /// model's network, trained range and residual are replaced; its

@@ -7,6 +7,7 @@
 #include "evaluation/autocorrelation.hpp"
 #include "evaluation/comparison.hpp"
 #include "identification/noise_weighted_fit.hpp"
+#include "identification/outlier_rows.hpp"
 #include "identification/shape_search.hpp"
 #include "identification/whitening.hpp"
 #include "numerics/least_squares.hpp"
@@ -28,12 +29,14 @@ double weighted_rms(const Eigen::VectorXd& values, const Eigen::VectorXd& weight
   return std::sqrt(values.cwiseAbs2().dot(weights) / weights.sum());
 }
 
-// The residuals of both, a row each, as no fit has seen them.
+// The residuals of both, a row each, as no fit has seen them. `weights`: 0 for rows that do not
+// count.
 OutOfSample judge(const Rows& rows, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
                   const NoiseModel& noise, const Eigen::VectorXd& weights) {
   OutOfSample result;
-  result.rms_before_dph = weighted_rms(before, rows.weights);
-  result.rms_after_dph = weighted_rms(after, rows.weights);
+  const Eigen::VectorXd counted = counted_weights(rows, weights);
+  result.rms_before_dph = weighted_rms(before, counted);
+  result.rms_after_dph = weighted_rms(after, counted);
   const Whitening whitening(noise, rows, weights);
   Eigen::VectorXd white_before = whitening.apply(before);
   Eigen::VectorXd white_after = whitening.apply(after);
@@ -289,7 +292,7 @@ std::vector<HalfTest> judge_halves(const SignalSeries& series,
     HalfTest test;
     test.identified_on = on_first ? "first" : "second";
     test.determined = without.determined && tells_all(added, all);
-    Eigen::VectorXd weights = rows.weights;
+    Eigen::VectorXd weights = counted_weights(rows, with.row_weights);
     for (const RowRange& range : on_first ? first : second) segment(weights, range).setZero();
     test.rms_before_dph = weighted_rms(without.residual_dph, weights);
     test.rms_after_dph = weighted_rms(added.residual_dph, weights);
@@ -304,9 +307,9 @@ OutOfSample judge_on_holdouts(const Model& before, const Model& after,
   SignalSeries series(after);
   for (const RunInBlocks& run : holdouts) series.add(run.blocks);
   const Rows& rows = series.rows();
-  OutOfSample result =
-      judge(rows, residual_of_effects(before, holdouts, run_offsets),
-            residual_of_effects(after, holdouts, run_offsets), noise, rows.weights);
+  OutOfSample result = judge(rows, residual_of_effects(before, holdouts, run_offsets),
+                             residual_of_effects(after, holdouts, run_offsets), noise,
+                             rows.weights.cwiseProduct(counted_rows(rows)));
   result.how =
       holdouts.size() == 1 ? "on the holdout" : "on " + counted(holdouts.size(), "holdout");
   return result;

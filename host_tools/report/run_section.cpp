@@ -71,6 +71,9 @@ void add_words(Report& report, const Models& models, std::size_t run) {
     report.sentence(name + error_text(comparison) + ". " +
                     words(as_sentence(structure_words(models[i]->runs[run]))) +
                     input_words(models[i]->runs[run]));
+    for (const std::string& remark : remarks(models[i]->runs[run])) {
+      report.sentence(name + words(remark) + ".");
+    }
     for (const std::string& warning : range_warnings(comparison, models[i]->model)) {
       report.sentence("Warning: " + name + words(warning) + ".");
     }
@@ -275,7 +278,7 @@ void add_autocorrelation(Report& report, const Models& models, std::size_t run) 
   plot.y_label = "correlation";
   for (std::size_t i = models.size(); i-- > 0;) {
     const Comparison& comparison = on_run(*models[i], run);
-    const std::vector<double> residual = comparison.residuals_dph();
+    const std::vector<double> residual = comparison.bridged(comparison.residuals_dph());
     Curve curve{names[i], residual_colour(i), {}, {}, {}, look_of(i)};
     for (std::size_t lag = 1; lag <= std::min(kLags, residual.size() / 4); ++lag) {
       curve.x.push_back(static_cast<double>(lag) * comparison.row_s);

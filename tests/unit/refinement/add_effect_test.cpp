@@ -59,9 +59,9 @@ TEST(EffectChange, TakesOtherBoundsOfAParameterThatIsIdentified) {
 }
 
 TEST(OutOfSample, HelpsWhereItGainsAndTheErrorDoesNotRise) {
-  EXPECT_TRUE((fogcomp::OutOfSample{1, 0.9, 20, ""}.helps()));
-  EXPECT_FALSE((fogcomp::OutOfSample{1, 0.9, 5, ""}.helps()));
-  EXPECT_FALSE((fogcomp::OutOfSample{1, 1.5, 20, ""}.helps()));  // missed by far somewhere
+  EXPECT_TRUE((fogcomp::OutOfSample{1, 0.9, 20, false, ""}.helps()));
+  EXPECT_FALSE((fogcomp::OutOfSample{1, 0.9, 5, false, ""}.helps()));
+  EXPECT_FALSE((fogcomp::OutOfSample{1, 1.5, 20, false, ""}.helps()));  // missed by far somewhere
 }
 
 TEST(AddEffect, IsJudgedOnHoldoutsWhereThereAreSome) {

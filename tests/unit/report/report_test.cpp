@@ -103,9 +103,14 @@ TEST(Report, AColumnWithASentenceMayBeBrokenAndFiguresMayNot) {
 }
 
 TEST(Report, NamesInAnotherEncodingLeaveThePageUtf8) {
-  Report report("Z\xFCrich.csv", "60\xB0");
-  report.table({{"60\xB0"}, {{"60\xB0"}}});
-  report.plot({"60\xB0", "", "", {{"60\xB0", "model", {1, 2}}}, {0, 1}, {}, ""});
+  const Text name = verbatim("60\xB0");
+  Report report("Z\xFCrich.csv", name);
+  report.table({{name}, {{name}}});
+  Plot plot;
+  plot.title = name;
+  plot.x = {0, 1};
+  plot.curves = {{name, "model", {1, 2}}};
+  report.plot(plot);
   EXPECT_EQ(valid_utf8(report.html()), report.html());
 }
 

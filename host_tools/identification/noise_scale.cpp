@@ -1,4 +1,4 @@
-#include "identification/row_noise.hpp"
+#include "identification/noise_scale.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,31 +9,28 @@
 namespace fogcomp {
 namespace {
 
-constexpr std::size_t kSide = 3;       // neighbours on either side
+constexpr std::size_t kNeighbours = 3;       // neighbours on either side
 constexpr double kNeighbourGap = 1.5;  // rows
-constexpr double kStandsOut = 4.4;     // standard deviations; of normal noise 4 in 100,000 do
 constexpr std::size_t kWindow = 64;    // rows
 constexpr double kBeyondChance = 3;    // standard errors
-// By simulation, of normal noise: the standard deviation of a row in that of its distance from the
-// median, taken from the median distance; and the variance of ln of that in a window of n rows,
-// times n (2.8 for Student's t with three degrees).
-constexpr double kRowSigma = 1.22;
+// By simulation: variance of ln of the median distance in a window of n rows, times n (2.6 for
+// normal noise, 2.8 for Student's t with three degrees).
 constexpr double kSamplingVariance = 2.6;
 
 // Distance of each row from the median of itself and its neighbours, in the noise of a full row; 0
 // at ends. A row beside a step has the step's level on one side at least.
 Eigen::VectorXd distances(const Rows& rows, const Eigen::VectorXd& residual,
-                          const Eigen::VectorXd& kept) {
+                          const Eigen::VectorXd& counted) {
   Eigen::VectorXd distance = Eigen::VectorXd::Zero(residual.size());
   const auto value = [&](std::size_t row) { return residual[static_cast<Eigen::Index>(row)]; };
-  const auto usable = [&](std::size_t row) { return kept[static_cast<Eigen::Index>(row)] > 0; };
-  const double reach_s = (static_cast<double>(kSide) + kNeighbourGap - 1) * rows.row_s;
+  const auto usable = [&](std::size_t row) { return counted[static_cast<Eigen::Index>(row)] > 0; };
+  const double reach_s = (static_cast<double>(kNeighbours) + kNeighbourGap - 1) * rows.row_s;
   std::vector<double> around;
   for (const RowRange& run : rows.runs()) {
     for (std::size_t row = run.first + 1; row + 1 < run.end; ++row) {
       if (!usable(row)) continue;
       around = {value(row)};
-      const std::size_t side = std::min({kSide, row - run.first, run.end - 1 - row});
+      const std::size_t side = std::min({kNeighbours, row - run.first, run.end - 1 - row});
       for (std::size_t away = 1; away <= side; ++away) {
         const bool near = rows.time_s[row] - rows.time_s[row - away] < reach_s &&
                           rows.time_s[row + away] - rows.time_s[row] < reach_s;
@@ -65,7 +62,7 @@ Windows windows_of(const Rows& rows, const Eigen::VectorXd& distance) {
                            run.first + (i + 1) * run.size() / count};
       const auto first = distance.begin() + static_cast<std::ptrdiff_t>(range.first);
       const double sigma =
-          kRowSigma * sigma_by_median({first, first + static_cast<std::ptrdiff_t>(range.size())});
+          sigma_by_median({first, first + static_cast<std::ptrdiff_t>(range.size())});
       windows.ranges.push_back(range);
       windows.log_sigma.push_back(sigma > 0 ? std::log(sigma) : -HUGE_VAL);
     }
@@ -95,32 +92,24 @@ double share_beyond_chance(const Windows& windows, double typical) {
 
 }  // namespace
 
-RowNoise row_noise(const Rows& rows, const Eigen::VectorXd& residual, const Eigen::VectorXd& kept) {
-  const Eigen::VectorXd distance = distances(rows, residual, kept);
-  const Windows windows = windows_of(rows, distance);
+Eigen::VectorXd noise_scale(const Rows& rows, const Eigen::VectorXd& residual,
+                            const Eigen::VectorXd& counted) {
+  const Windows windows = windows_of(rows, distances(rows, residual, counted));
   std::vector<double> known;
   for (const double value : windows.log_sigma) {
     if (std::isfinite(value)) known.push_back(value);
   }
-  RowNoise noise{Eigen::VectorXd::Ones(rows.size()), kept};
-  if (known.empty()) return noise;
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(rows.size());
+  if (known.empty()) return scale;
   const double typical = median(known);
   const double share = share_beyond_chance(windows, typical);
   for (std::size_t i = 0; i < windows.ranges.size(); ++i) {
+    if (!std::isfinite(windows.log_sigma[i])) continue;
     const RowRange& range = windows.ranges[i];
-    const double own = std::isfinite(windows.log_sigma[i]) ? windows.log_sigma[i] - typical : 0;
-    const double scale = std::exp(share * own);
-    for (std::size_t row = range.first; row < range.end; ++row) {
-      const auto at = static_cast<Eigen::Index>(row);
-      noise.scale[at] = scale;
-      if (std::abs(distance[at]) > kStandsOut * scale * std::exp(typical)) noise.counted[at] = 0;
-    }
+    scale.segment(static_cast<Eigen::Index>(range.first), static_cast<Eigen::Index>(range.size()))
+        .setConstant(std::exp(share * (windows.log_sigma[i] - typical)));
   }
-  return noise;
-}
-
-RowNoise row_noise(const Rows& rows, const Eigen::VectorXd& residual) {
-  return row_noise(rows, residual, Eigen::VectorXd::Ones(rows.size()));
+  return scale;
 }
 
 Eigen::VectorXd bridged(const Eigen::VectorXd& residual, const Eigen::VectorXd& counted) {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "identification/signal_series.hpp"
+
+namespace fogcomp {
+
+/// Standard deviation of each row's noise relative to the typical row's (1): a chamber's compressor
+/// or a hot detector makes more of it in parts of a run. From how far each row lies from the median
+/// of itself and its neighbours (three on either side, across no gap), so that what drifts beneath
+/// does not enter; in windows of 128 rows. As far as these differ by no more than chance, all are
+/// 1. `residual`: per row, deg/h. `counted`: 1 per row, 0 for rows that are left out.
+Eigen::VectorXd noise_scale(const Rows& rows, const Eigen::VectorXd& residual,
+                            const Eigen::VectorXd& counted);
+
+/// A row that does not count has the value of the nearest row before it that does.
+Eigen::VectorXd bridged(const Eigen::VectorXd& residual, const Eigen::VectorXd& counted);
+
+}  // namespace fogcomp
