@@ -61,6 +61,7 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
         .set("rms_after_dph", finding.rms_after_dph)
         .set("evidence", finding.evidence)
         .set("probability", finding.probability)
+        .set("lead", finding.lead)
         .set("parameters", parameters_json(finding.term()));
   });
   Json explanations =
@@ -107,6 +108,11 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
                           .set("slow_dph", diagnosis.noise.wander_dph())
                           .set("freedom", diagnosis.noise.freedom)
                           .set("from_quiet_parts", diagnosis.noise.from_quiet_parts));
+  result.set("random_walk", diagnosis.walk.chance > 0
+                                ? Json::object()
+                                      .set("coefficient", diagnosis.walk.coefficient)
+                                      .set("chance", diagnosis.walk.chance)
+                                : Json());
   result.set("network", network_json(diagnosis.network));
   result.set("chance", diagnosis.chance).set("notes", diagnosis.notes);
   return result;

@@ -10,15 +10,20 @@ constexpr std::size_t kMostCandidates = 6;
 
 std::string candidate_table(const Diagnosis& diagnosis) {
   std::string text =
-      "\n  candidate                  explains  rms after   ln odds  probability  shape\n";
+      "\n  candidate                  largest  among them  explains  rms after  shape\n";
   std::size_t shown = 0;
   for (const CandidateFinding& finding : diagnosis.candidates) {
     if (shown >= kMostCandidates && !finding.is_expression()) continue;
     ++shown;
-    text += format("  %-26s %7.0f%% %10.4g %9.1f %12.3f  %s\n", finding.effect.c_str(),
-                   100 * finding.explained_fraction, finding.rms_after_dph, finding.evidence,
-                   finding.probability, shape_words(finding.term()).c_str());
+    text += format("  %-26s %7.3f %11.3f %8.0f%% %10.4g  %s\n", finding.effect.c_str(),
+                   finding.lead, finding.probability, 100 * finding.explained_fraction,
+                   finding.rms_after_dph, shape_words(finding.term()).c_str());
   }
+  text +=
+      "  (largest: probability that it is the largest of the effects that are missing, in this "
+      "order;\n"
+      "   among them: that it is one of them; explains: of what is above the noise, alone;\n"
+      "   rms after: deg/h, with it alone added)\n";
   return text;
 }
 

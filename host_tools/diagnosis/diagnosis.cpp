@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "diagnosis/explanation.hpp"
 #include "diagnosis/hypotheses.hpp"
@@ -198,9 +199,8 @@ class Diagnoser {
     const double fast_log_p = weigh_fast();
     result_.chance = std::exp(std::min({test.library_log_p, test.structure_log_p, fast_log_p}));
     result_.tests = {test.library_log_p, test.structure_log_p, fast_log_p};
-    const bool slow =
-        (test.library_log_p < kLibraryLogP || test.structure_log_p < kStructureLogP) &&
-        !may_be_a_walk(space, hypotheses);
+    const bool slow = test.library_log_p < kLibraryLogP || test.structure_log_p < kStructureLogP;
+    if (slow) result_.walk = weigh_walk(space, hypotheses);
     const bool something = slow || fast_log_p < kFastLogP;
 
     weigh_effects(space, hypotheses, explanation.excess, something);
@@ -210,8 +210,9 @@ class Diagnoser {
     const bool fast_left = fast_gain > kMostUnexplained[0] * (fast_gain + explanation.excess);
     if (!fast_left) result_.fast_kind = FastKind::none;
     if (fast_left && fast_gain > explanation.excess) result_.variable = "time_s";
-    if (explanation.enough && !fast_left && test.library_log_p < kLibraryLogP) {
-      name_effects(space, hypotheses);
+    const bool physical = result_.walk.chance < kMaxChanceOfWalk;
+    if (explanation.enough && !fast_left && physical && test.library_log_p < kLibraryLogP) {
+      name_effects();
     } else {
       result_.verdict = Verdict::unknown;
     }
@@ -224,20 +225,23 @@ class Diagnoser {
     return (fit_.robust.array() > 0).select(scaled, std::nan(""));
   }
 
-  // Whether all that is slow may be a random walk of the bias: then neither an effect nor smooth
-  // structure stands out of noise that walks, and no effect is far likelier.
-  bool may_be_a_walk(const ExplainedSpace& space, const std::vector<Hypothesis>& hypotheses) {
+  // How likely all that is slow is a random walk of the bias: no effect and no smooth structure
+  // stands out of noise that walks, and none is likelier.
+  Diagnosis::RandomWalk weigh_walk(const ExplainedSpace& space,
+                                   const std::vector<Hypothesis>& hypotheses) const {
+    // Without quiet parts nothing is known of slow noise, and anything could be a walk.
+    if (!fit_.noise.from_quiet_parts) return {};
     const WalkRival rival = find_walk(space, walk_, fit_.noise.walks);
-    if (rival.coefficient == 0) return false;
+    if (rival.coefficient == 0) return {};
     const NullTest test =
         test_against_noise(rival.space, library_, structure_, fit_.noise.freedom, settings_.seed);
-    if (test.library_log_p < kLibraryLogP || test.structure_log_p < kStructureLogP) return false;
-    const double chance =
-        chance_of_walk(rival, explanatory(hypotheses),
-                       explanatory(find_hypotheses(rival.space, candidates_, library_)));
-    if (chance < kMaxChanceOfWalk) return false;
-    result_.random_walk = rival.coefficient;
-    return true;
+    if (test.library_log_p < kLibraryLogP || test.structure_log_p < kStructureLogP) return {};
+    std::vector<Explanatory> alone = explanatory(hypotheses);
+    alone.push_back(
+        {log_evidence(space.gain({structure_}), static_cast<double>(structure_.count)), 0});
+    return {rival.coefficient,
+            chance_of_walk(rival, alone,
+                           explanatory(find_hypotheses(rival.space, candidates_, library_)))};
   }
 
   // One effect of the library is as likely to be missing as none.
@@ -318,6 +322,9 @@ class Diagnoser {
       for (const Hypothesis& hypothesis : hypotheses) {
         if (!hypothesis.has(i)) continue;
         finding.probability += hypothesis.probability;
+        if (leading_candidate(space, library_, hypothesis) == i) {
+          finding.lead += hypothesis.probability;
+        }
         if (!seen) {
           for (const Hypothesis::Part& part : hypothesis.parts) {
             if (part.candidate == i) shape = part.shape;
@@ -340,13 +347,17 @@ class Diagnoser {
       Refit completed = refit(std::move(terms), data_.series(), fit_);
       finding.rms_after_dph = rms(completed.residual_dph);
       finding.completed = std::move(completed.terms);
-      if (!something) finding.probability *= std::min(1.0, std::exp(finding.evidence) / 20);
+      if (!something) {
+        const double believed = std::min(1.0, std::exp(finding.evidence) / 20);
+        finding.probability *= believed;
+        finding.lead *= believed;
+      }
       result_.candidates.push_back(std::move(finding));
     }
     std::stable_sort(result_.candidates.begin(), result_.candidates.end(),
                      [](const CandidateFinding& a, const CandidateFinding& b) {
-                       return std::make_pair(a.probability, a.evidence) >
-                              std::make_pair(b.probability, b.evidence);
+                       return std::make_tuple(a.lead, a.probability, a.evidence) >
+                              std::make_tuple(b.lead, b.probability, b.evidence);
                      });
   }
 
@@ -375,31 +386,16 @@ class Diagnoser {
   }
 
   // Several effects may be missing at once; the question is which brings most.
-  void name_effects(const ExplainedSpace& space, const std::vector<Hypothesis>& hypotheses) {
-    std::vector<double> leads(candidates_.size(), 0);
-    for (const Hypothesis& hypothesis : hypotheses) {
-      leads[leading_candidate(space, library_, hypothesis)] += hypothesis.probability;
-    }
-    struct Rank {
-      double lead;
-      double probability;
-      std::string effect;
-    };
-    std::vector<Rank> ranks;
-    for (std::size_t i = 0; i < leads.size(); ++i) {
-      const std::string& effect = candidates_[i].effect;
-      ranks.push_back({leads[i], result_.find(effect)->probability, effect});
-    }
-    std::stable_sort(ranks.begin(), ranks.end(),
-                     [](const Rank& a, const Rank& b) { return a.lead > b.lead; });
-    if (ranks.front().probability >= kNamed) {
+  void name_effects() {
+    const CandidateFinding& first = result_.candidates.front();
+    if (first.probability >= kNamed) {
       result_.verdict = Verdict::missing_effect;
-      result_.effect = ranks.front().effect;
+      result_.effect = first.effect;
       return;
     }
     result_.verdict = Verdict::ambiguous;
-    for (const Rank& rank : ranks) {
-      if (rank.lead >= kConfusable) result_.confusable.push_back(rank.effect);
+    for (const CandidateFinding& finding : result_.candidates) {
+      if (finding.lead >= kConfusable) result_.confusable.push_back(finding.effect);
     }
     result_.experiment = experiment_for_rivals();
   }

@@ -39,6 +39,7 @@ struct CandidateFinding {
   double rms_after_dph = 0;          ///< rms of a row, this effect added and all refitted
   double evidence = 0;               ///< ln of the odds against "nothing is missing"
   double probability = 0;            ///< that this effect is among those that are missing
+  double lead = 0;                   ///< that it is the largest of them
 
   const EffectTerm& term() const { return completed.back(); }
   bool is_expression() const { return term().expression.has_value(); }
@@ -48,7 +49,7 @@ struct Diagnosis {
   Verdict verdict = Verdict::none;
   std::string effect;                        ///< the one named, "" unless missing_effect
   std::vector<std::string> confusable;       ///< best first, for ambiguous
-  std::vector<CandidateFinding> candidates;  ///< most probable first
+  std::vector<CandidateFinding> candidates;  ///< the likeliest to be the largest first
   std::vector<Untestable> untestable;
   /// Sets of effects that compete, most probable first.
   struct Explanation {
@@ -84,9 +85,12 @@ struct Diagnosis {
   double chance = 1;                ///< that noise alone would look like this
   /// ln of it by each test: an effect of the catalogue, smooth structure, fast structure.
   std::vector<double> tests;
-  /// Where slow structure is seen that a random walk of the bias explains as well as any effect:
-  /// the walk's coefficient, deg/h/sqrt(h); else 0.
-  double random_walk = 0;
+  /// A random walk of the bias instead of an effect or of any other slow structure.
+  struct RandomWalk {
+    double coefficient = 0;  ///< of the likeliest, deg/h/sqrt(h)
+    double chance = 0;       ///< 0 where something stands out of noise that walks
+  };
+  RandomWalk walk;
   NoiseModel noise;
   Eigen::Index rows = 0;
   double row_s = 0;
@@ -96,6 +100,10 @@ struct Diagnosis {
   /// What is said of an effect; nullptr where it cannot be tested.
   const CandidateFinding* find(const std::string& name) const;
 };
+
+/// The likeliest set of effects where only together they lower the error: the one named leads it
+/// and alone does not; else empty.
+std::vector<std::string> effects_together(const Diagnosis& diagnosis);
 
 /// What to add: the effect that is named; of those that cannot be told apart the likeliest, unless
 /// another clearly leaves less; where not everything is understood, an effect that surely is part

@@ -7,6 +7,7 @@
 
 #include "identification/outlier_rows.hpp"
 #include "identification/shape_limits.hpp"
+#include "identification/walk_rival.hpp"
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
@@ -62,6 +63,11 @@ std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
     case Verdict::none:
       return {"nothing is missing: what is left is noise, as far as these recordings can show", ""};
     case Verdict::missing_effect: {
+      const std::vector<std::string> together = effects_together(diagnosis);
+      if (!together.empty()) {
+        return {"several effects together are missing: " + joined(together, "and"),
+                "each alone hardly helps"};
+      }
       const CandidateFinding* finding = diagnosis.find(diagnosis.effect);
       const std::string described = shape_words(finding->term());
       return {format("missing effect: %s (%s)", diagnosis.effect.c_str(),
@@ -80,6 +86,19 @@ std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
         std::string("something is missing that no effect of the catalogue explains: ") +
             (diagnosis.fast_kind == FastKind::two_levels ? "jumps between two levels" : "cycles"),
         ""};
+  }
+  if (diagnosis.walk.chance >= kMaxChanceOfWalk) {
+    return {
+        format("slow changes are left; a random walk of the bias of %.2g deg/h/sqrt(h) explains "
+               "them as well as any effect",
+               diagnosis.walk.coefficient),
+        "the programme once more, or a recording at rest with --static, would tell"};
+  }
+  const std::string surely = effect_to_add(diagnosis);
+  if (!surely.empty()) {
+    return {surely + " is missing, and something more that no effect of the catalogue explains (" +
+                percent(diagnosis.unexplained_fraction) + " of all)",
+            ""};
   }
   const bool offered =
       std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
@@ -188,11 +207,15 @@ std::string network_words(const Diagnosis& diagnosis) {
 void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::string& model,
               const std::string& runs) {
   const std::string effect = effect_to_add(diagnosis);
-  if (effect == kBiasStep) {
+  const std::vector<std::string> together = effects_together(diagnosis);
+  if (!together.empty()) {
+    words.next = "fit again with " + joined(together, "and") + " among the --effects";
+  } else if (effect == kBiasStep) {
     words.next = "fit again with bias_step among the --effects: it finds steps and masks them";
   } else if (!effect.empty()) {
     words.command = add_command_line(diagnosis, effect, model, runs) + " -o NEW.model";
-  } else if (diagnosis.verdict == Verdict::unknown && diagnosis.fast_kind == FastKind::none) {
+  } else if (diagnosis.verdict == Verdict::unknown && diagnosis.fast_kind == FastKind::none &&
+             diagnosis.walk.chance < kMaxChanceOfWalk) {
     words.next =
         "let a formula of your own compete: --effect-expr 'NAME = T*T*dTdt' "
         "(host_tools/README.md, Expressions)";

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "diagnosis/diagnosis.hpp"
+#include "identification/walk_rival.hpp"
 
 namespace fogcomp {
 
@@ -26,9 +27,21 @@ const CandidateFinding* Diagnosis::find(const std::string& name) const {
   return found == candidates.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> effects_together(const Diagnosis& diagnosis) {
+  if (diagnosis.verdict != Verdict::missing_effect) return {};
+  if (diagnosis.find(diagnosis.effect)->rms_after_dph < diagnosis.residual_rms_dph) return {};
+  for (const Diagnosis::Explanation& set : diagnosis.explanations) {
+    const bool has_it =
+        std::find(set.effects.begin(), set.effects.end(), diagnosis.effect) != set.effects.end();
+    if (has_it && set.effects.size() > 1) return set.effects;
+  }
+  return {};
+}
+
 std::string effect_to_add(const Diagnosis& diagnosis) {
   constexpr double kClearly = 0.97;  // of the rms
   constexpr double kMainPart = 0.5;
+  if (!effects_together(diagnosis).empty()) return "";
   if (diagnosis.verdict == Verdict::missing_effect) return diagnosis.effect;
   if (diagnosis.verdict == Verdict::ambiguous) {
     std::string best = diagnosis.confusable.front();
@@ -38,11 +51,13 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
     }
     return best;
   }
-  if (diagnosis.verdict == Verdict::unknown && !diagnosis.candidates.empty()) {
+  const bool walk = diagnosis.walk.chance >= kMaxChanceOfWalk;
+  if (diagnosis.verdict == Verdict::unknown && !walk && !diagnosis.candidates.empty()) {
     const auto most =
         std::max_element(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                          [](const auto& a, const auto& b) { return a.evidence < b.evidence; });
-    const bool main = most->probability >= kNamed && most->explained_fraction >= kMainPart;
+    const bool main = most->probability >= kNamed && most->explained_fraction >= kMainPart &&
+                      most->rms_after_dph < diagnosis.residual_rms_dph;
     if (main) return most->effect;
   }
   return "";

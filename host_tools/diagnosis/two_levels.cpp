@@ -122,20 +122,32 @@ std::vector<bool> likeliest_levels(const Eigen::VectorXd& values, const Shape& s
   return upper;
 }
 
-// Visits to a level that begin and end within the stretch and last several rows that count.
-std::size_t whole_visits(const Eigen::VectorXd& values, const std::vector<bool>& upper) {
-  std::size_t visits = 0;
-  std::size_t rows = 0;
-  bool begun = false;
+// Where the likeliest levels of a stretch change.
+struct Changes {
+  std::size_t whole_visits = 0;  // that begin and end within the stretch and last several rows
+  std::size_t up = 0;            // changes with an eighth of the stretch on either side
+  std::size_t down = 0;
+};
+
+Changes changes_of(const Eigen::VectorXd& values, const std::vector<bool>& upper) {
+  Changes changes;
+  std::vector<std::size_t> begins{0};
+  std::vector<std::size_t> rows{0};  // that count, of each visit
   for (std::size_t i = 0; i < upper.size(); ++i) {
     if (i > 0 && upper[i] != upper[i - 1]) {
-      if (begun && rows >= kLeastVisit_rows) ++visits;
-      begun = true;
-      rows = 0;
+      begins.push_back(i);
+      rows.push_back(0);
     }
-    if (!std::isnan(values[static_cast<Eigen::Index>(i)])) ++rows;
+    if (!std::isnan(values[static_cast<Eigen::Index>(i)])) ++rows.back();
   }
-  return visits;
+  for (std::size_t visit = 1; visit + 1 < begins.size(); ++visit) {
+    if (rows[visit] >= kLeastVisit_rows) ++changes.whole_visits;
+  }
+  for (std::size_t visit = 1; visit < begins.size(); ++visit) {
+    if (8 * std::min(rows[visit - 1], rows[visit]) < upper.size()) continue;
+    ++(upper[begins[visit]] ? changes.up : changes.down);
+  }
+  return changes;
 }
 
 }  // namespace
@@ -167,14 +179,19 @@ TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double 
     }
   }
   if (two_levels == -HUGE_VAL) return found;
-  std::size_t visits = 0;
+  Changes changes;
   for (const Eigen::VectorXd& values : scaled) {
     const double centre = best_centre(values, best, log_two_levels).second;
-    visits += whole_visits(values, likeliest_levels(values, best, centre));
+    const Changes here = changes_of(values, likeliest_levels(values, best, centre));
+    changes.whole_visits += here.whole_visits;
+    changes.up += here.up;
+    changes.down += here.down;
     for (const double value : values) found.gain += std::isnan(value) ? 0 : value * value;
   }
   found.gain += 2 * two_levels;
-  if (visits >= kLeastVisits) found.log_odds = two_levels - wander;
+  const bool to_and_fro =
+      changes.whole_visits >= kLeastVisits || (changes.up > 0 && changes.down > 0);
+  if (to_and_fro) found.log_odds = two_levels - wander;
   return found;
 }
 

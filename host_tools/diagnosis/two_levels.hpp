@@ -10,8 +10,9 @@ struct TwoLevels {
   double height_dph = 0;  ///< of the upper level above the lower
   double dwell_s = 0;     ///< how long a level lasts, on average
   /// ln of the odds against Gaussian wander. Its spectrum can be the same: a noise model cannot
-  /// tell them apart. 0 where the bias does not come and go: two visits to a level at least begin
-  /// and end within a stretch and last four rows.
+  /// tell them apart. 0 where the bias does not come and go: two visits to a level begin and end
+  /// within a stretch and last four rows, or one change up and one down have an eighth of their
+  /// stretch on either side.
   double log_odds = 0;
   double gain = 0;  ///< fall of the stretches' chi^2 from white noise alone
 };

@@ -19,20 +19,23 @@ constexpr double kLeastRatio = 0.25;
 constexpr double kRatioStep = 4;
 constexpr int kLevels = 10;
 
-// Slowly varying cosines over each recording, orthonormal, and the variance that flicker and a
-// random walk have along them, relative to the first mode of the longest recording.
+// Slowly varying cosines over each recording, orthonormal, and the variance that slow noise has
+// along them: that of the quiet parts, relative to white noise; flicker and a random walk, relative
+// to the first mode of the longest recording.
 struct SlowModes {
   Eigen::MatrixXd cosines;  // rows x modes
+  Eigen::ArrayXd quiet;
   Eigen::ArrayXd flicker;
   Eigen::ArrayXd walk;
 };
 
-SlowModes slow_modes(const Rows& rows) {
+SlowModes slow_modes(const Rows& rows, const NoiseModel& noise) {
   const std::vector<RowRange> runs = rows.runs();
   const auto count = static_cast<Eigen::Index>(runs.size());
   const Eigen::Index most = std::clamp(kAllModes / count, kMinModes, kModes);
   std::size_t longest = 0;
   for (const RowRange& run : runs) longest = std::max(longest, run.size());
+  std::vector<double> quiet;
   std::vector<double> flicker;
   std::vector<double> walk;
   std::vector<Eigen::MatrixXd> parts;
@@ -51,12 +54,14 @@ SlowModes slow_modes(const Rows& rows) {
       // The mean of a recording: a walk from 0 has pi^2/3 of the first mode. Of flicker what is
       // slower than the recording is its bias; what else moves the mean is about a third.
       const auto mode = static_cast<double>(k);
+      quiet.push_back(noise.slow_density(k == 0 ? kPi / static_cast<double>(size) : angle));
       flicker.push_back(relative * (k == 0 ? 1.0 / 3 : 1 / mode));
       walk.push_back(relative * relative * (k == 0 ? kPi * kPi / 3 : 1 / (mode * mode)));
     }
     parts.push_back(std::move(part));
   }
-  SlowModes all{side_by_side(parts, rows.size()), {}, {}};
+  SlowModes all{side_by_side(parts, rows.size()), {}, {}, {}};
+  all.quiet = Eigen::Map<const Eigen::ArrayXd>(quiet.data(), all.cosines.cols());
   all.flicker = Eigen::Map<const Eigen::ArrayXd>(flicker.data(), all.cosines.cols());
   all.walk = Eigen::Map<const Eigen::ArrayXd>(walk.data(), all.cosines.cols());
   return all;
@@ -69,11 +74,13 @@ struct Shown {
   double fast_square = 0;
   double fast_rows = 0;
   Eigen::ArrayXd white;
+  Eigen::ArrayXd quiet;
   Eigen::ArrayXd flicker;
   Eigen::ArrayXd walk;
 };
 
 struct Level {
+  double quiet = 0;    // of the slow noise of the quiet parts
   double flicker = 0;  // over white, along the first mode
   double walk = 0;
   double white = 0;            // variance of a full row
@@ -81,25 +88,28 @@ struct Level {
 };
 
 // The white level that suits best, and how likely that is.
-Level judge(const Shown& shown, double flicker, double walk) {
-  const Eigen::ArrayXd expected = shown.white + flicker * shown.flicker + walk * shown.walk;
+Level judge(const Shown& shown, double quiet, double flicker, double walk) {
+  const Eigen::ArrayXd expected =
+      shown.white + quiet * shown.quiet + flicker * shown.flicker + walk * shown.walk;
   const double squares = (shown.squares / expected).sum() + shown.fast_square;
   const double count = static_cast<double>(shown.squares.size()) + shown.fast_rows;
   const double white = squares / count;
-  return {flicker, walk, white, -(expected.log().sum() + count * std::log(white)) / 2};
+  return {quiet, flicker, walk, white, -(expected.log().sum() + count * std::log(white)) / 2};
 }
 
-// Beforehand every second gyro has flicker that counts, every fourth a random walk.
+// Beforehand every fourth gyro has flicker or a random walk beside what its quiet parts show.
 std::vector<Level> levels_of(const Shown& shown) {
   std::vector<double> ratios{0};
   for (int i = 0; i < kLevels; ++i) ratios.push_back(kLeastRatio * std::pow(kRatioStep, i));
   const double one_of_levels = -std::log(static_cast<double>(kLevels));
   std::vector<Level> levels;
-  for (const double flicker : ratios) {
-    for (const double walk : ratios) {
-      levels.push_back(judge(shown, flicker, walk));
-      if (flicker > 0) levels.back().log_probability += one_of_levels;
-      if (walk > 0) levels.back().log_probability += one_of_levels - std::log(3.0);
+  for (const double quiet : {0.0, 0.5, 1.0, 2.0}) {
+    for (const double flicker : ratios) {
+      for (const double walk : ratios) {
+        levels.push_back(judge(shown, quiet, flicker, walk));
+        if (flicker > 0) levels.back().log_probability += one_of_levels - std::log(3.0);
+        if (walk > 0) levels.back().log_probability += one_of_levels - std::log(3.0);
+      }
     }
   }
   return levels;
@@ -112,7 +122,7 @@ Eigen::MatrixXd coefficient_covariance(const Rows& rows, const NoiseWeightedFit&
   // Coefficients are estimator' * rows.
   const Whitening whitening(fit.noise, rows, fit.row_weights);
   const Eigen::MatrixXd estimator = whitening.apply_transposed(fit.whitened * fit.covariance);
-  const SlowModes modes = slow_modes(rows);
+  const SlowModes modes = slow_modes(rows, fit.noise);
   const Eigen::MatrixXd of_modes = estimator.transpose() * modes.cosines;
 
   const Eigen::ArrayXd counted = (fit.row_weights.array() > 0).cast<double>();
@@ -131,6 +141,7 @@ Eigen::MatrixXd coefficient_covariance(const Rows& rows, const NoiseWeightedFit&
   shown.fast_square =
       ((residual.array().square() * counted).sum() - shown.squares.sum()) / mean_variance;
   shown.white = mean_variance * share.rowwise().sum().array() + 1e-3 * mean_variance;
+  shown.quiet = mean_variance * (share * modes.quiet.matrix()).array();
   shown.flicker = mean_variance * (share * modes.flicker.matrix()).array();
   shown.walk = mean_variance * (share * modes.walk.matrix()).array();
 
@@ -145,12 +156,11 @@ Eigen::MatrixXd coefficient_covariance(const Rows& rows, const NoiseWeightedFit&
     sum += probability;
     white += probability * level.white;
     slow += probability * level.white * mean_variance *
-            (level.flicker * modes.flicker + level.walk * modes.walk);
+            (level.quiet * modes.quiet + level.flicker * modes.flicker + level.walk * modes.walk);
   }
-  const Eigen::MatrixXd by_rows = estimator.transpose() * row_variance.matrix().asDiagonal();
-  return (white * (by_rows * estimator) +
-          of_modes * slow.matrix().asDiagonal() * of_modes.transpose()) /
-         sum;
+  const Eigen::MatrixXd by_rows =
+      estimator.transpose() * row_variance.matrix().asDiagonal() * estimator;
+  return (white * by_rows + of_modes * slow.matrix().asDiagonal() * of_modes.transpose()) / sum;
 }
 
 }  // namespace fogcomp

@@ -1,5 +1,6 @@
 #include "identification/explained_space.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "numerics/decompositions.hpp"
@@ -68,7 +69,7 @@ double ExplainedSpace::gain(const std::vector<ColumnRange>& parts,
                             const Eigen::VectorXd& along) const {
   if (parts.size() == 1 && parts[0].count == 1) {
     const Eigen::Index column = parts[0].first;
-    return std::pow(along[column], 2) / (gram_(column, column) + kSystemRidge);
+    return std::pow(along[column], 2) / std::max(gram_(column, column), kSystemRidge);
   }
   const System all = system(parts, along);
   return all.right.dot(solve_definite(all.matrix, all.right));

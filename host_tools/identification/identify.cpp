@@ -24,6 +24,7 @@ constexpr double kRangeMarginDegc = 1;
 constexpr double kConfused = 0.95;  // correlation of two effects' coefficients worth a sentence
 constexpr double kVisible = 5;      // standard deviations
 constexpr double kRampDegcPerMin = 0.1;
+constexpr double kMaxCoefficientDph = 1e15;  // what a model file holds
 
 // Largest correlation between any coefficient of one effect and any of the other.
 double correlation(const Eigen::MatrixXd& covariance, const ColumnRange& a, const ColumnRange& b) {
@@ -158,6 +159,12 @@ Identification identify(Model& model, const SignalSeries& series,
     const auto values = fit.coefficients.segment(columns[i].first, columns[i].count);
     const auto sigmas = sigma.segment(columns[i].first, columns[i].count);
     term.coefficients_dph.assign(values.begin(), values.end());
+    if (values.cwiseAbs().maxCoeff() > kMaxCoefficientDph) {
+      throw InputError(term.name,
+                       format("its coefficient would be %.2g deg/h: the effect is next to "
+                              "nothing on these recordings; leave it out",
+                              values.cwiseAbs().maxCoeff()));
+    }
     term.sigma_dph.assign(sigmas.begin(), sigmas.end());
     const Eigen::MatrixXd part = fit.columns.middleCols(columns[i].first, columns[i].count);
     const Eigen::MatrixXd covariance = all_covariance.block(columns[i].first, columns[i].first,

@@ -145,6 +145,14 @@ double NoiseModel::wander_dph() const {
   return std::sqrt(variance);
 }
 
+double NoiseModel::slow_density(double angle) const {
+  double sum = 0;
+  for (const Component& component : components) {
+    sum += component.variance * density(std::exp(-row_s / component.tau_s), angle);
+  }
+  return sum / white_variance;
+}
+
 std::vector<NoiseSample> noise_samples(const std::vector<Eigen::VectorXd>& stretches) {
   std::vector<NoiseSample> samples;
   for (Eigen::VectorXd& part : parted_at_jumps(stretches)) samples.push_back({std::move(part)});

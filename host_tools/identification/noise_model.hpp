@@ -29,6 +29,9 @@ struct NoiseModel {
 
   double white_dph() const;
   double wander_dph() const;  ///< of all components together
+  /// Spectral density of all components together, relative to that of the white noise; `angle`: per
+  /// row, 0..pi.
+  double slow_density(double angle) const;
 };
 
 /// Rows without a gap, and the first frequency of their periodogram that holds noise alone.

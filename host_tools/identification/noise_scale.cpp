@@ -9,39 +9,26 @@
 namespace fogcomp {
 namespace {
 
-constexpr std::size_t kNeighbours = 3;       // neighbours on either side
 constexpr double kNeighbourGap = 1.5;  // rows
 constexpr std::size_t kWindow = 64;    // rows
 constexpr double kBeyondChance = 3;    // standard errors
-// By simulation: variance of ln of the median distance in a window of n rows, times n (2.6 for
-// normal noise, 2.8 for Student's t with three degrees).
-constexpr double kSamplingVariance = 2.6;
+// By simulation: variance of ln of the median distance in a window of n rows, times n, of normal
+// noise and of Student's t with three degrees.
+constexpr double kSamplingVariance = 2.2;
 
-// Distance of each row from the median of itself and its neighbours, in the noise of a full row; 0
-// at ends. A row beside a step has the step's level on one side at least.
+// Distance of each row from the middle between its neighbours, in the noise of a full row; 0 at
+// ends and gaps. A slope, however steep, does not enter.
 Eigen::VectorXd distances(const Rows& rows, const Eigen::VectorXd& residual,
                           const Eigen::VectorXd& counted) {
   Eigen::VectorXd distance = Eigen::VectorXd::Zero(residual.size());
-  const auto value = [&](std::size_t row) { return residual[static_cast<Eigen::Index>(row)]; };
-  const auto usable = [&](std::size_t row) { return counted[static_cast<Eigen::Index>(row)] > 0; };
-  const double reach_s = (static_cast<double>(kNeighbours) + kNeighbourGap - 1) * rows.row_s;
-  std::vector<double> around;
+  const double reach_s = 2 * kNeighbourGap * rows.row_s;
   for (const RowRange& run : rows.runs()) {
     for (std::size_t row = run.first + 1; row + 1 < run.end; ++row) {
-      if (!usable(row)) continue;
-      around = {value(row)};
-      const std::size_t side = std::min({kNeighbours, row - run.first, run.end - 1 - row});
-      for (std::size_t away = 1; away <= side; ++away) {
-        const bool near = rows.time_s[row] - rows.time_s[row - away] < reach_s &&
-                          rows.time_s[row + away] - rows.time_s[row] < reach_s;
-        // In pairs, so that a slope does not count.
-        if (!near || !usable(row - away) || !usable(row + away)) continue;
-        around.push_back(value(row - away));
-        around.push_back(value(row + away));
-      }
       const auto at = static_cast<Eigen::Index>(row);
+      const bool all = counted[at - 1] > 0 && counted[at] > 0 && counted[at + 1] > 0;
+      if (!all || rows.time_s[row + 1] - rows.time_s[row - 1] > reach_s) continue;
       const double weight = rows.weights.size() > 0 ? rows.weights[at] : 1;
-      distance[at] = (value(row) - median(around)) * std::sqrt(weight);
+      distance[at] = (residual[at] - (residual[at - 1] + residual[at + 1]) / 2) * std::sqrt(weight);
     }
   }
   return distance;

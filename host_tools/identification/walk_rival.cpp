@@ -28,9 +28,11 @@ WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
 
 WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
                     const std::vector<NoiseModel::Walk>& walks) {
+  constexpr double kRuledOut = -4.5;  // three standard deviations
   WalkRival best{0, 0, space};
   const double each = -std::log(std::max<double>(1, static_cast<double>(walks.size())));
   for (const NoiseModel::Walk& walk : walks) {
+    if (walk.log_odds < kRuledOut) continue;
     const ExplainedSpace::WithNoise with =
         space.with_noise(modes.columns, std::pow(walk.coefficient, 2) * modes.square);
     const double log_odds = each + walk.log_odds + with.log_likelihood;
@@ -41,17 +43,11 @@ WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
 
 double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& alone,
                       const std::vector<Explanatory>& beside) {
-  double most = rival.log_odds;
-  for (const Explanatory& one : alone) most = std::max(most, one.log_evidence);
-  for (const Explanatory& one : beside) most = std::max(most, rival.log_odds + one.log_evidence);
-  const double temper = 1 + 2 * kModelFormTolerance * most;
   double missing = 0;
   for (const Explanatory& one : alone) {
-    missing += std::exp((one.log_evidence - rival.log_odds) / temper + one.log_prior);
+    missing += std::exp(one.log_evidence - rival.log_odds + one.log_prior);
   }
-  for (const Explanatory& one : beside) {
-    missing += std::exp(one.log_evidence / temper + one.log_prior);
-  }
+  for (const Explanatory& one : beside) missing += std::exp(one.log_evidence + one.log_prior);
   return 1 / (1 + missing);
 }
 

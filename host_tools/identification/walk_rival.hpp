@@ -24,7 +24,8 @@ struct WalkModes {
 WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes);
 
 /// The walk that is likeliest by the quiet parts (`walks`) and by what `space` holds. Beforehand a
-/// walk is as likely as none, and each of `walks` as the others.
+/// walk is as likely as none, and each of `walks` as the others; what the quiet parts rule out is
+/// none.
 WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
                     const std::vector<NoiseModel::Walk>& walks);
 
@@ -35,8 +36,7 @@ struct Explanatory {
 };
 
 /// Chance that nothing is missing and all is noise with a random walk, 0..1, against effects
-/// without a walk, and beside the likeliest one. That no formula is exactly what a gyro does is
-/// reckoned with: what is said for either side counts the less the more there is to explain.
+/// without a walk, and beside the likeliest one.
 double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& alone,
                       const std::vector<Explanatory>& beside);
 

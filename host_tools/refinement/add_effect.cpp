@@ -148,7 +148,7 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
   if (!holdouts.empty()) step.holdout = on_holdouts.rms_dph();
   const OutOfSample& judged = result.out_of_sample;
   const bool rose = !holdouts.empty() && on_holdouts.rose();
-  if (judged.within_runs) {
+  if (judged.within_runs && result.fit.identified.noise.from_quiet_parts) {
     result.chance_of_walk = chance_of_walk_instead(before, result, series, settings.run_offsets);
   }
   const bool walk = result.chance_of_walk.value_or(0) >= kMaxChanceOfWalk;
@@ -167,7 +167,7 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
         "fitted decide, with --holdout";
   }
   const std::string doubt = doubt_of(result.model.terms[result.changed], model);
-  if (result.accepted && !doubt.empty()) {
+  if (judged.helps() && !rose && !doubt.empty()) {
     result.accepted = false;
     result.reason = doubt;
   }

@@ -27,7 +27,12 @@ Text significant(double value) {
 }
 
 Text number(double rate_dph) {
-  return std::isfinite(rate_dph) ? verbatim(rounded(rate_dph)) : Text("-");
+  constexpr int kDecimals = 6;
+  const double size = std::fabs(rate_dph);
+  if (!std::isfinite(rate_dph)) return "-";
+  if (size < 0.5e-6) return "0";
+  const int decimals = std::clamp(kSignificant - digits_before_point(size), 0, kDecimals);
+  return verbatim(format("%.*f", decimals, rate_dph));
 }
 
 Text dph(const std::optional<double>& value) {

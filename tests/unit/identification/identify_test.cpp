@@ -68,7 +68,8 @@ TEST(Identify, TakesSeveralRecordingsTogether) {
     series.add(fogcomp::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, seed)));
   }
   fogcomp::identify(both, series);
-  EXPECT_NEAR(both.terms[0].sigma_dph[0] / one.terms[0].sigma_dph[0], std::sqrt(0.5), 0.1);
+  // But for what slow noise may be in either.
+  EXPECT_NEAR(both.terms[0].sigma_dph[0] / one.terms[0].sigma_dph[0], std::sqrt(0.5), 0.2);
 }
 
 TEST(Identify, LetsEveryRecordingHaveABiasOfItsOwn) {
