@@ -106,8 +106,8 @@ struct Diagnosis {
 std::vector<std::string> effects_together(const Diagnosis& diagnosis);
 
 /// What to add: the effect that is named; of those that cannot be told apart the likeliest, unless
-/// another clearly leaves less; where not everything is understood, an effect that surely is part
-/// of it and the main one; else "".
+/// another that is nearly as likely clearly leaves less; where not everything is understood, an
+/// effect that surely is part of it, the main one, and lowers the error; else "".
 std::string effect_to_add(const Diagnosis& diagnosis);
 
 struct DiagnosisSettings {

@@ -41,15 +41,18 @@ std::vector<std::string> effects_together(const Diagnosis& diagnosis) {
 std::string effect_to_add(const Diagnosis& diagnosis) {
   constexpr double kClearly = 0.97;  // of the rms
   constexpr double kMainPart = 0.5;
+  constexpr double kNearlyAsLikely = 1.0 / 3;  // of the likeliest one's probability
   if (!effects_together(diagnosis).empty()) return "";
   if (diagnosis.verdict == Verdict::missing_effect) return diagnosis.effect;
   if (diagnosis.verdict == Verdict::ambiguous) {
-    std::string best = diagnosis.confusable.front();
+    const CandidateFinding* best = diagnosis.find(diagnosis.confusable.front());
+    const double alike = kNearlyAsLikely * best->lead;
     for (const std::string& effect : diagnosis.confusable) {
-      const double rms = diagnosis.find(effect)->rms_after_dph;
-      if (rms < kClearly * diagnosis.find(best)->rms_after_dph) best = effect;
+      const CandidateFinding* other = diagnosis.find(effect);
+      const bool leaves_less = other->rms_after_dph < kClearly * best->rms_after_dph;
+      if (other->lead >= alike && leaves_less) best = other;
     }
-    return best;
+    return best->effect;
   }
   const bool walk = diagnosis.walk.chance >= kMaxChanceOfWalk;
   if (diagnosis.verdict == Verdict::unknown && !walk && !diagnosis.candidates.empty()) {

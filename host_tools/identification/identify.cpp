@@ -24,6 +24,8 @@ constexpr double kRangeMarginDegc = 1;
 constexpr double kConfused = 0.95;  // correlation of two effects' coefficients worth a sentence
 constexpr double kVisible = 5;      // standard deviations
 constexpr double kRampDegcPerMin = 0.1;
+// Misfit of a model that lacks an effect: that would count as slow noise, of which there is less.
+constexpr double kLacksSomething = 1.05;
 constexpr double kMaxCoefficientDph = 1e15;  // what a model file holds
 
 // Largest correlation between any coefficient of one effect and any of the other.
@@ -148,7 +150,9 @@ Identification identify(Model& model, const SignalSeries& series,
   result.masked = found.masked;
   result.row_weights = fit.row_weights;
   result.outliers = fit.outliers;
-  const Eigen::MatrixXd all_covariance = coefficient_covariance(rows, fit);
+  const Eigen::MatrixXd of_noise = std::pow(std::max(1.0, result.misfit), 2) * fit.covariance;
+  const Eigen::MatrixXd all_covariance =
+      result.misfit < kLacksSomething ? coefficient_covariance(rows, fit) : of_noise;
   const Eigen::VectorXd sigma = all_covariance.diagonal().cwiseSqrt();
   const std::vector<ColumnRange> columns = columns_of(model.terms, rows.row_s);
   const Eigen::Index coefficients = columns.back().first + columns.back().count;
@@ -188,7 +192,7 @@ Identification identify(Model& model, const SignalSeries& series,
   for (const EffectTerm& term : model.terms) {
     for (const ShapeDoubt& doubt : shape_doubts(term)) result.warnings.push_back(doubt.sentence);
   }
-  judge_uncertainty(model, fit, all_covariance, rows, result.warnings);
+  judge_uncertainty(model, fit, of_noise, rows, result.warnings);
   for (EffectTerm& term : model.terms) set_expression_scale(term, series);
   const Eigen::VectorXd counted = counted_weights(rows, fit.row_weights);
   model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());

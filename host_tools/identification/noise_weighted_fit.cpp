@@ -42,7 +42,8 @@ NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
 
 namespace {
 
-// Relative to the rows that the noise model is of: the quiet ones, or where there are none all.
+// Relative to the rows that the noise model is of, the quiet ones. Without any, what differs from
+// part to part may be drift as well as noise.
 Eigen::VectorXd relative_scale(const Rows& rows, const Eigen::VectorXd& scale) {
   double square = 0;
   double count = 0;
@@ -50,7 +51,8 @@ Eigen::VectorXd relative_scale(const Rows& rows, const Eigen::VectorXd& scale) {
     square += stretch.squaredNorm();
     count += static_cast<double>(stretch.size());
   }
-  return count > 0 ? scale / std::sqrt(square / count) : scale;
+  if (count == 0) return Eigen::VectorXd::Ones(rows.size());
+  return scale / std::sqrt(square / count);
 }
 
 }  // namespace

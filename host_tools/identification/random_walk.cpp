@@ -9,13 +9,13 @@ namespace fogcomp {
 
 Eigen::MatrixXd random_walk_modes(const Rows& rows) {
   // The 24th mode of a run has 1/47 of the first one's size: white noise has long covered it.
-  constexpr Eigen::Index kModes = 24;
-  constexpr Eigen::Index kAllModes = 96;
-  constexpr Eigen::Index kMinModes = 8;
+  constexpr Eigen::Index kStrongest = 24;
+  constexpr Eigen::Index kOfAllRuns = 96;
+  constexpr Eigen::Index kAtLeast = 8;
   const std::vector<RowRange> runs = rows.runs();
   const auto count = static_cast<Eigen::Index>(runs.size());
   const Eigen::Index each =
-      std::clamp(kAllModes / std::max<Eigen::Index>(1, count), kMinModes, kModes);
+      std::clamp(kOfAllRuns / std::max<Eigen::Index>(1, count), kAtLeast, kStrongest);
   Eigen::MatrixXd modes = Eigen::MatrixXd::Zero(rows.size(), each * count);
   Eigen::Index column = 0;
   for (const RowRange& run : runs) {

@@ -44,7 +44,7 @@ Eigen::VectorXd gradient(const std::vector<EffectTerm>& terms, const NoiseWeight
   }
   for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
     const ShapeParameter& shape = fit.shapes[i];
-    const auto [first, count] = columns[shape.term];
+    const ColumnRange& range = columns[shape.term];
     EffectTerm moved = terms[shape.term];
     double& value = moved.parameters[shape.index];
     const double unit = shape.to_unit(value);
@@ -52,7 +52,8 @@ Eigen::VectorXd gradient(const std::vector<EffectTerm>& terms, const NoiseWeight
     const double down = std::max(unit - kStep, 0.0);
     const auto drift_at = [&](double place) {
       value = shape.from_unit(place);
-      return regressors(moved, signals, row_s).dot(fit.coefficients.segment(first, count));
+      return regressors(moved, signals, row_s)
+          .dot(fit.coefficients.segment(range.first, range.count));
     };
     const double above = drift_at(up);
     result[fit.linear() + static_cast<Eigen::Index>(i)] = (above - drift_at(down)) / (up - down);

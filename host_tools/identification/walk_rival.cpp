@@ -10,14 +10,14 @@
 namespace fogcomp {
 
 WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
-  constexpr double kLeastShare = 1e-9;
+  constexpr double kVisibleMode = 1e-9;
   const Eigen::VectorXd square = modes.colwise().squaredNorm();
   const double most = square.size() > 0 ? square.maxCoeff() : 0;
   Eigen::MatrixXd kept(modes.rows(), modes.cols());
   WalkModes walk{{}, Eigen::VectorXd(modes.cols())};
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < modes.cols(); ++i) {
-    if (square[i] <= kLeastShare * most) continue;
+    if (square[i] <= kVisibleMode * most) continue;
     kept.col(count) = modes.col(i) / std::sqrt(square[i]);
     walk.square[count++] = square[i];
   }
