@@ -273,12 +273,13 @@ void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes,
   Candidate::Shape& shape = shapes[index];
   double gain = gain_of(shape, residual);
   for (const ShapeParameter& parameter : shape_parameters({shape.term})) {
-    double& value = shape.term.parameters[parameter.index];
-    const double start = parameter.to_unit(value);
+    // The shape itself changes below.
+    const auto place = [&] { return parameter.to_unit(shape.term.parameters[parameter.index]); };
+    const double start = place();
     const double down = half_gap(shapes, parameter, start, -1);
     const double up = half_gap(shapes, parameter, start, +1);
     for (double share = 0.5; share > 0.05; share /= 2) {
-      const double middle = parameter.to_unit(value);
+      const double middle = place();
       for (const double unit : {middle - share * down, middle + share * up}) {
         EffectTerm moved = shape.term;
         moved.parameters[parameter.index] = parameter.from_unit(unit);
