@@ -35,6 +35,7 @@ const double kLibraryLogP = std::log(0.0001);
 const double kStructureLogP = std::log(0.01);
 const double kFastLogP = std::log(0.0005);
 
+constexpr double kLikelier = 0.5;        // than everything else together
 constexpr double kConfusable = 0.05;     // probability of an effect that it may be
 constexpr double kPossible = 9;          // fall of chi^2 by which a shape is not the best
 constexpr Eigen::Index kLeastRows = 60;  // for any opinion
@@ -199,8 +200,17 @@ class Diagnoser {
     const double fast_log_p = weigh_fast();
     result_.chance = std::exp(std::min({test.library_log_p, test.structure_log_p, fast_log_p}));
     result_.tests = {test.library_log_p, test.structure_log_p, fast_log_p};
-    const bool slow = test.library_log_p < kLibraryLogP || test.structure_log_p < kStructureLogP;
+    bool slow = test.library_log_p < kLibraryLogP || test.structure_log_p < kStructureLogP;
     if (slow) result_.walk = weigh_walk(space, hypotheses);
+    if (slow && test.structure_log_p >= kStructureLogP && result_.walk.chance > kLikelier) {
+      slow = false;
+      result_.chance = std::min(result_.walk.noise_alone, std::exp(fast_log_p));
+      result_.notes.push_back(format(
+          "slow changes are left that the quiet parts do not show: a random walk of the bias "
+          "of %.2g deg/h/sqrt(h) is likelier than any effect; the programme once more, or a "
+          "recording at rest with --static, would tell",
+          result_.walk.coefficient));
+    }
     const bool something = slow || fast_log_p < kFastLogP;
 
     weigh_effects(space, hypotheses, explanation.excess, something);
@@ -241,7 +251,8 @@ class Diagnoser {
         {log_evidence(space.gain({structure_}), static_cast<double>(structure_.count)), 0});
     return {rival.coefficient,
             chance_of_walk(rival, alone,
-                           explanatory(find_hypotheses(rival.space, candidates_, library_)))};
+                           explanatory(find_hypotheses(rival.space, candidates_, library_))),
+            std::exp(std::min(test.library_log_p, test.structure_log_p))};
   }
 
   // One effect of the library is as likely to be missing as none.
@@ -348,7 +359,8 @@ class Diagnoser {
       finding.rms_after_dph = rms(completed.residual_dph);
       finding.completed = std::move(completed.terms);
       if (!something) {
-        const double believed = std::min(1.0, std::exp(finding.evidence) / 20);
+        const double believed =
+            std::min(1.0, std::exp(finding.evidence) / 20) * (1 - result_.walk.chance);
         finding.probability *= believed;
         finding.lead *= believed;
       }

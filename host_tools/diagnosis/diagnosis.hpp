@@ -89,6 +89,7 @@ struct Diagnosis {
   struct RandomWalk {
     double coefficient = 0;  ///< of the likeliest, deg/h/sqrt(h)
     double chance = 0;       ///< 0 where something stands out of noise that walks
+    double noise_alone = 1;  ///< chance that such noise looks like this
   };
   RandomWalk walk;
   NoiseModel noise;

@@ -33,7 +33,11 @@ constexpr std::array<Lagging, 6> kLagging{{{0.1, 60, false},
                                            {0.2, 30, true},
                                            {0.2, 120, true},
                                            {0.2, 480, true}}};
-constexpr Eigen::Index kPriors = 2 + kLagging.size();
+constexpr Eigen::Index kTimings = 2 + kLagging.size();
+// The formula of an effect is what the gyro does but for such a share that bends with temperature:
+// of physics from first principles the catalogue's polynomials and cosines miss up to 4 %.
+constexpr double kBendingShare = 0.05;
+constexpr Eigen::Index kBends = 2;  // in T and T^2
 
 // What the model's coefficients of the temperature rate make of the drift.
 Eigen::VectorXd drift_of_rate_terms(const Rows& rows, const NoiseWeightedFit& fit) {
@@ -79,38 +83,67 @@ Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double
   return result;
 }
 
-Eigen::MatrixXd with_priors(const Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd longer = Eigen::MatrixXd::Zero(columns.rows() + kPriors, columns.cols());
-  longer.topRows(columns.rows()) = columns;
-  return longer;
+// What each term makes of the drift beside its mean, bent with temperature over the range of these
+// rows (Legendre's polynomials).
+Eigen::MatrixXd bent_terms(const Rows& rows, const NoiseWeightedFit& fit) {
+  Eigen::ArrayXd degc(rows.size());
+  for (Eigen::Index i = 0; i < degc.size(); ++i) {
+    degc[i] = rows.signals[static_cast<std::size_t>(i)].temperature;
+  }
+  const double half_range = std::max((degc.maxCoeff() - degc.minCoeff()) / 2, 1e-9);
+  const Eigen::ArrayXd u = (degc - (degc.maxCoeff() + degc.minCoeff()) / 2) / half_range;
+  const std::vector<ColumnRange> columns = columns_of(fit.terms, rows.row_s);
+  Eigen::MatrixXd bent(rows.size(), kBends * static_cast<Eigen::Index>(columns.size()));
+  Eigen::Index at = 0;
+  for (const auto& [first, count] : columns) {
+    Eigen::ArrayXd drift =
+        (fit.columns.middleCols(first, count) * fit.coefficients.segment(first, count)).array();
+    drift -= drift.mean();
+    bent.col(at++) = drift * u;
+    bent.col(at++) = drift * (3 * u.square() - 1) / 2;
+  }
+  return bent;
+}
+
+// How the model's terms may differ from what they stand for, each by one standard deviation.
+Eigen::MatrixXd inexact_terms(const Rows& rows, const NoiseWeightedFit& fit) {
+  const Eigen::VectorXd drift = fit.columns * fit.coefficients;
+  const Eigen::VectorXd of_rate = drift_of_rate_terms(rows, fit);
+  Eigen::MatrixXd timings(rows.size(), kTimings);
+  timings.col(0) = kSensorDelay_s * slope(rows, drift);
+  timings.col(1) = drift - smoothed(rows, drift, kRounding_s);
+  for (std::size_t i = 0; i < kLagging.size(); ++i) {
+    const Lagging& part = kLagging[i];
+    timings.col(static_cast<Eigen::Index>(i) + 2) =
+        part.share * behind_lag(rows, part.rate_terms_only ? of_rate : drift, part.lag_s);
+  }
+  return side_by_side({timings, kBendingShare * bent_terms(rows, fit)}, rows.size());
 }
 
 }  // namespace
 
 ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
     : whitening_(fit.noise, rows, fit.row_weights) {
-  const Eigen::VectorXd drift = fit.columns * fit.coefficients;
-  Eigen::MatrixXd inexact(rows.size(), kPriors);
-  inexact.col(0) = kSensorDelay_s * slope(rows, drift);
-  inexact.col(1) = drift - smoothed(rows, drift, kRounding_s);
-  const Eigen::VectorXd of_rate = drift_of_rate_terms(rows, fit);
-  for (std::size_t i = 0; i < kLagging.size(); ++i) {
-    const Lagging& part = kLagging[i];
-    inexact.col(static_cast<Eigen::Index>(i) + 2) =
-        part.share * behind_lag(rows, part.rate_terms_only ? of_rate : drift, part.lag_s);
-  }
+  const Eigen::MatrixXd inexact = inexact_terms(rows, fit);
+  priors_ = inexact.cols();
   Eigen::MatrixXd columns =
-      Eigen::MatrixXd::Zero(rows.size() + kPriors, fit.whitened.cols() + kPriors);
+      Eigen::MatrixXd::Zero(rows.size() + priors_, fit.whitened.cols() + priors_);
   columns.topLeftCorner(rows.size(), fit.whitened.cols()) = fit.whitened;
-  columns.topRightCorner(rows.size(), kPriors) = whitening_.apply(inexact);
+  columns.topRightCorner(rows.size(), priors_) = whitening_.apply(inexact);
   // Where far more than noise is left, the rows know less about these than their noise says.
   const auto size = static_cast<double>(rows.size());
   const double excess = std::max(0.0, fit.whitened_residual.squaredNorm() - size);
-  columns.bottomRightCorner(kPriors, kPriors)
+  columns.bottomRightCorner(priors_, priors_)
       .diagonal()
       .setConstant(std::sqrt(1 + kModelFormTolerance * excess));
   basis_ = orthonormal(columns, kRankThreshold);
   residual_ = without_model(with_priors(fit.whitened_measured));
+}
+
+Eigen::MatrixXd ModelRemover::with_priors(const Eigen::MatrixXd& columns) const {
+  Eigen::MatrixXd longer = Eigen::MatrixXd::Zero(columns.rows() + priors_, columns.cols());
+  longer.topRows(columns.rows()) = columns;
+  return longer;
 }
 
 Eigen::MatrixXd ModelRemover::without_model(Eigen::MatrixXd columns) const {

@@ -10,7 +10,8 @@ namespace fogcomp {
 
 /// Takes out of whitened columns what a fitted model could do itself: its coefficients, small
 /// changes of its shape parameters, and that its terms are not exactly what the coil does: a sensor
-/// a little early or late, layers that follow with other lags.
+/// a little early or late, layers that follow with other lags, a formula that bends a little more
+/// with temperature.
 class ModelRemover {
  public:
   ModelRemover(const Rows& rows, const NoiseWeightedFit& fit);
@@ -23,9 +24,11 @@ class ModelRemover {
   const Whitening& whitening() const { return whitening_; }
 
  private:
+  Eigen::MatrixXd with_priors(const Eigen::MatrixXd& columns) const;
   Eigen::MatrixXd without_model(Eigen::MatrixXd columns) const;
 
   Whitening whitening_;
+  Eigen::Index priors_ = 0;  // rows for what is known beforehand
   Eigen::MatrixXd basis_;  // orthonormal
   Eigen::VectorXd residual_;
 };

@@ -24,8 +24,6 @@ constexpr double kRangeMarginDegc = 1;
 constexpr double kConfused = 0.95;  // correlation of two effects' coefficients worth a sentence
 constexpr double kVisible = 5;      // standard deviations
 constexpr double kRampDegcPerMin = 0.1;
-// Misfit of a model that lacks an effect: that would count as slow noise, of which there is less.
-constexpr double kLacksSomething = 1.05;
 constexpr double kMaxCoefficientDph = 1e15;  // what a model file holds
 
 // Largest correlation between any coefficient of one effect and any of the other.
@@ -151,8 +149,7 @@ Identification identify(Model& model, const SignalSeries& series,
   result.row_weights = fit.row_weights;
   result.outliers = fit.outliers;
   const Eigen::MatrixXd of_noise = std::pow(std::max(1.0, result.misfit), 2) * fit.covariance;
-  const Eigen::MatrixXd all_covariance =
-      result.misfit < kLacksSomething ? coefficient_covariance(rows, fit) : of_noise;
+  const Eigen::MatrixXd all_covariance = coefficient_covariance(rows, fit);
   const Eigen::VectorXd sigma = all_covariance.diagonal().cwiseSqrt();
   const std::vector<ColumnRange> columns = columns_of(model.terms, rows.row_s);
   const Eigen::Index coefficients = columns.back().first + columns.back().count;

@@ -52,9 +52,7 @@ struct IdentifySettings {
 /// Noise-weighted: rows are whitened with white + Gauss-Markov noise taken from the soaks. Shape
 /// parameters by variable projection: a bounded grid each, then Gauss-Newton on all together.
 /// Smoothed temperatures as instruments keep the sensor's noise out of the coefficients. Outliers
-/// count for nothing. Standard deviations are those of
-/// coefficient_covariance(); where the misfit says that the model lacks something, of the whitened
-/// problem, times the misfit.
+/// count for nothing. Standard deviations are those of coefficient_covariance().
 ///
 /// `bias_step` without a time is searched for (step_search.hpp): any number of terms `bias_step`
 /// replace it in model.terms, each fitted to the recording in which it lies. Throws InputError for

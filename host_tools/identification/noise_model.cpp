@@ -3,7 +3,9 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "identification/jumps.hpp"
 #include "numerics/periodogram.hpp"
@@ -105,6 +107,28 @@ double freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
   return std::max(freedom, kLeast);
 }
 
+// Bands a sixteenth of an octave wide.
+QuietSpectrum in_bands(const Spectrum& spectrum, double white_variance) {
+  constexpr double kBandsPerOctave = 16;
+  std::map<int, std::array<double, 3>> bands;
+  for (std::size_t i = 0; i < spectrum.angle.size(); ++i) {
+    auto& [angle, power, count] =
+        bands[static_cast<int>(std::floor(kBandsPerOctave * std::log2(spectrum.angle[i])))];
+    angle += spectrum.angle[i];
+    power += spectrum.power[i] / white_variance;
+    ++count;
+  }
+  const auto size = static_cast<Eigen::Index>(bands.size());
+  QuietSpectrum quiet{Eigen::ArrayXd(size), Eigen::ArrayXd(size), Eigen::ArrayXd(size)};
+  Eigen::Index at = 0;
+  for (const auto& [band, sums] : bands) {
+    quiet.angle[at] = sums[0] / sums[2];
+    quiet.power[at] = sums[1] / sums[2];
+    quiet.count[at++] = sums[2];
+  }
+  return quiet;
+}
+
 // Coefficients of a random walk that drifts by 1/16 to 8 times the white noise of a row in a run.
 std::vector<NoiseModel::Walk> possible_walks(double white_dph, double run_s) {
   std::vector<NoiseModel::Walk> walks;
@@ -193,6 +217,7 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
   }
 
   noise.white_variance = variance[0];
+  noise.quiet_spectrum = in_bands(spectrum, noise.white_variance);
   noise.walks = possible_walks(noise.white_dph(), std::max(run_s, longest_s));
   Eigen::ArrayXd slow = variance;
   slow[0] = 0;

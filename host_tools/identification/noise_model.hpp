@@ -5,6 +5,18 @@
 
 namespace fogcomp {
 
+/// Mean power of the quiet parts over bands of frequency, relative to white noise.
+struct QuietSpectrum {
+  Eigen::ArrayXd angle;  ///< per row, 0..pi
+  Eigen::ArrayXd power;
+  Eigen::ArrayXd count;  ///< of the periodogram's values in each band
+
+  /// Whittle's, but for a constant; `density`: at each angle, relative to white noise.
+  double log_likelihood(const Eigen::ArrayXd& density) const {
+    return -(count * (density.log() + power / density)).sum();
+  }
+};
+
 /// Noise of a row: white, plus first-order Gauss-Markov components that stand for flicker and slow
 /// wander. Spectra of such components an octave or two apart add up to 1/f.
 struct NoiseModel {
@@ -17,6 +29,7 @@ struct NoiseModel {
   std::vector<Component> components;
   /// How well the level of slow noise is known: as many independent values as a variance from them.
   double freedom = 1000;
+  QuietSpectrum quiet_spectrum;  ///< empty without quiet parts
   bool from_quiet_parts = false;  ///< else from neighbouring rows alone: white, a lower bound
 
   /// A random walk of the bias beside all that, of a coefficient in deg/h/sqrt(h). Hours of it are
