@@ -112,7 +112,7 @@ std::optional<int> own_descriptor(const std::string& path) {
 }  // namespace
 
 void require_printable_name(const std::string& path) {
-  if (displayable(path) == valid_utf8(path)) return;
+  if (!has_control_character(path)) return;
   throw InputError(path, "has a control character in its name; rename it");
 }
 
