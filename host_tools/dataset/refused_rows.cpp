@@ -130,8 +130,8 @@ void name_refused_rows(const Recording& recording, const LineNumbers& lines,
       throw InputError(recording.file,
                        "the board would refuse every row: " + fault + "; " + likely_cause(why));
     }
-    std::fprintf(stderr, "%s: %zu row%s left out: %s; the board would refuse %s\n",
-                 recording.file.c_str(), rows.size(), rows.size() == 1 ? "" : "s", fault.c_str(),
+    std::fprintf(stderr, "%s: %s left out: %s; the board would refuse %s\n", recording.file.c_str(),
+                 counted(rows.size(), "row").c_str(), fault.c_str(),
                  rows.size() == 1 ? "it" : "them");
   }
   if (refused.size() == recording.rows()) {
