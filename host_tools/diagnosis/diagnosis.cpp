@@ -13,7 +13,6 @@
 #include "diagnosis/two_levels.hpp"
 #include "diagnosis/visible_part.hpp"
 #include "identification/explained_space.hpp"
-#include "identification/noise_scale.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/outlier_rows.hpp"
 #include "identification/quiet_rows.hpp"
@@ -129,8 +128,8 @@ class Diagnoser {
     std::vector<Eigen::MatrixXd> parts{fit_.columns};
     for (StructureGroup& group : structure_groups(rows_)) parts.push_back(std::move(group.columns));
     const LinearFit smooth = solve_linear(side_by_side(parts, rows_.size()), rows_.drift_dph);
-    const Eigen::VectorXd rest = bridged(smooth.residual, fit_.robust);
-    const Eigen::VectorXd residual = bridged(fit_.residual_dph, fit_.robust);
+    const Eigen::VectorXd rest = bridged(rows_, smooth.residual, fit_.robust);
+    const Eigen::VectorXd residual = bridged(rows_, fit_.residual_dph, fit_.robust);
     std::vector<NoiseSample> samples = noise_samples(quiet_stretches(rows_, residual));
     for (const RowRange& run : rows_.runs()) {
       samples.push_back({rest.segment(static_cast<Eigen::Index>(run.first),

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "identification/noise_scale.hpp"
+#include "identification/outlier_rows.hpp"
 #include "identification/whitening.hpp"
 #include "support/units.hpp"
 
@@ -128,7 +128,7 @@ Eigen::MatrixXd coefficient_covariance(const Rows& rows, const NoiseWeightedFit&
   const Eigen::ArrayXd counted = (fit.row_weights.array() > 0).cast<double>();
   const Eigen::ArrayXd row_variance =
       (fit.row_weights.array() > 0).select(fit.row_weights.array().max(1e-300).inverse(), 0.0);
-  const Eigen::VectorXd residual = bridged(fit.residual_dph, counted.matrix());
+  const Eigen::VectorXd residual = bridged(rows, fit.residual_dph, counted.matrix());
   const Eigen::MatrixXd left =
       Eigen::MatrixXd::Identity(modes.cosines.cols(), modes.cosines.cols()) -
       (modes.cosines.transpose() * fit.columns) * of_modes.topRows(fit.columns.cols());

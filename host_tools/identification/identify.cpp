@@ -12,6 +12,7 @@
 #include "identification/step_search.hpp"
 #include "identification/term_columns.hpp"
 #include "model/catalogue.hpp"
+#include "model/model_file.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -26,7 +27,6 @@ constexpr double kVisible = 5;      // standard deviations
 constexpr double kRampDegcPerMin = 0.1;
 // Misfit of a model that lacks an effect: that would count as slow noise, of which there is less.
 constexpr double kLacksSomething = 1.05;
-constexpr double kMaxCoefficientDph = 1e15;  // what a model file holds
 
 // Largest correlation between any coefficient of one effect and any of the other.
 double correlation(const Eigen::MatrixXd& covariance, const ColumnRange& a, const ColumnRange& b) {
@@ -163,7 +163,7 @@ Identification identify(Model& model, const SignalSeries& series,
     const auto values = fit.coefficients.segment(columns[i].first, columns[i].count);
     const auto sigmas = sigma.segment(columns[i].first, columns[i].count);
     term.coefficients_dph.assign(values.begin(), values.end());
-    if (values.cwiseAbs().maxCoeff() > kMaxCoefficientDph) {
+    if (values.cwiseAbs().maxCoeff() > kMaxModelDph) {
       throw InputError(term.name,
                        format("its coefficient would be %.2g deg/h: the effect is next to "
                               "nothing on these recordings; leave it out",
