@@ -300,6 +300,16 @@ refuses "^fogcomp fit: -o MODEL is missing; $proposal" fit good.csv
 refuses "^fogcomp fit: expects RUN\.\.\.; -o MODEL is missing; $proposal" fit
 refuses "^fogcomp batch: expects DIR; -o OUT is missing; $proposal" batch
 refuses '^fogcomp replay: expects MODEL.*; -o OUT is missing' replay
+# Whatever is missing is said together, files that are not there among it; alone they are left to who opens them.
+refuses "^fogcomp batch: -o OUT is missing; $proposal; missing does not exist; see" batch missing
+refuses "^fogcomp batch: $proposal; missing does not exist; see" batch missing -o results
+refuses "^fogcomp fit: $proposal; missing\.csv does not exist; see" fit missing.csv -o kept
+refuses '^fogcomp compare: missing\.model does not exist; missing\.csv does not exist; see' compare missing.model missing.csv
+refuses '^fogcomp add: -o MODEL is missing; missing\.csv does not exist; see' add good.model termal_lag missing.csv
+refuses '^fogcomp add: the arguments look swapped: fogcomp add good\.model thermal_lag good\.csv; -o MODEL is missing' \
+  add good.model good.csv thermal_lag
+refuses "^fogcomp fit: good\.model is a model, where fit expects RUN\.\.\.; -o MODEL is missing; $proposal" fit good.model
+refuses '^no_port: .*connected' health no_port
 refuses "effect 'biass': .*did you mean 'bias'" fit good.csv -o kept --effects biass
 refuses "effect 'bias': is listed twice" fit good.csv -o kept --effects bias,bias
 refuses "no parameter 'ordr' \(did you mean 'order'" fit good.csv -o kept --effects bias_temperature:ordr=2
