@@ -37,6 +37,24 @@ trap 'rm -rf "$scratch" "$scratch.out" "$scratch.err"' EXIT
 echo "kept" >kept
 fit=(fit -o kept --effects bias)
 
+# Rows so long that they average ramps and soaks together are fitted and judged, with a remark.
+remarks() {
+  "$fogcomp" "$@" >"$scratch.out" 2>"$scratch.err" || fail "$*: $(cat "$scratch.err")"
+  grep -qE '^note: good\.csv: rows of 3600 s average ramps and soaks together: 3 of its 7 parts are shorter than two rows \(soak 22: [0-9]+ s\); use an --average of 2700 or less$' \
+    "$scratch.err" || fail "$* -> $(cat "$scratch.err")"
+}
+remarks fit good.csv -o hour.model --effects bias,bias_temperature --average 3600
+remarks compare hour.model good.csv
+remarks add hour.model temperature_rate good.csv -o hour2.model
+for average in 10 2700; do
+  "$fogcomp" fit good.csv -o hour.model --effects bias --average "$average" 2>"$scratch.err" >"$scratch.out"
+  [[ ! -s $scratch.err ]] || fail "--average $average: $(cat "$scratch.err")"
+done
+rm hour.model hour2.model
+awk -F, -v OFS=, 'NR > 1 { $2 += 273.15 } 1' good.csv >kelvin.csv
+refuses '^kelvin\.csv: the board would refuse every row: temperature 293.* is outside -70 to 130 degC; is temperature_degc in kelvin\? subtract 273\.15' \
+  "${fit[@]}" kelvin.csv
+
 # Ports.
 refuses '^no_port: .*connected' health no_port
 refuses '^kept: .*neither a serial device nor a socket' health kept
