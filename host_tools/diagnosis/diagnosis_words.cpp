@@ -209,7 +209,8 @@ void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::stri
   const std::string effect = effect_to_add(diagnosis);
   const std::vector<std::string> together = effects_together(diagnosis);
   if (!together.empty()) {
-    words.next = "fit again with " + joined(together, "and") + " among the --effects";
+    words.next = "fit again with " + joined(together, "and") +
+                 " among the --effects: `add` takes one effect at a time, which hardly helps";
   } else if (effect == kBiasStep) {
     words.next = "fit again with bias_step among the --effects: it finds steps and masks them";
   } else if (!effect.empty()) {
