@@ -85,7 +85,7 @@ void print_run(const Addition::RunError& run) {
                 rounded(floor_removed(run.rms_after_dph, floor)).c_str());
   }
   if (run.after.outliers > 0) {
-    std::printf("; %zu row%s left out", run.after.outliers, run.after.outliers == 1 ? "" : "s");
+    std::printf("; %s left out", counted(run.after.outliers, "row").c_str());
   }
   if (run.outside_temperature > 0) {
     std::printf("; %.0f %% outside the trained temperatures", 100 * run.outside_temperature);

@@ -84,12 +84,7 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
     }
     values.push_back(value);
   }
-  require_all();
-  if (positionals_.size() > command.most_positionals) {
-    throw usage_error(command,
-                      "unexpected argument '" + positionals_[command.most_positionals] + "'");
-  }
-  check_order();
+  check_all();
   check_files();
 }
 
@@ -113,13 +108,11 @@ std::vector<Arguments::NamedFile> Arguments::files(ValueUse use) const {
 }
 
 // "MODEL [EFFECT] RUN...": whoever swaps them is shown the line to type.
-void Arguments::check_order() const {
+std::vector<Arguments::Fault> Arguments::order_faults() const {
   const bool model_first = command_.positionals.rfind("MODEL", 0) == 0;
   const auto rank = [&](const std::string& word) {
     if (is_model_or_header(word)) return 0;
-    const std::string effect = word.substr(0, word.find(':'));
-    const auto& words = command_.words;
-    return std::find(words.begin(), words.end(), effect) != words.end() ? 1 : 2;
+    return is_word(word) ? 1 : 2;
   };
   std::vector<std::string> sorted = positionals_;
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -129,13 +122,12 @@ void Arguments::check_order() const {
   if (models > (model_first ? 1U : 0U)) {
     const std::string& surplus = sorted[model_first ? 1 : 0];
     const Option* more = model_first ? find_option(command_, "model") : nullptr;
-    throw InputError(surplus, "is a model, where " + command_.name + " expects " +
-                                  (more ? "a recording; give further models as --model " + surplus
-                                        : command_.positionals));
+    return {{surplus, "is a model, where " + command_.name + " expects " +
+                          (more ? "a recording; give further models as --model " + surplus
+                                : command_.positionals)}};
   }
-  if (!model_first || models == 0 || sorted == positionals_) return;
-  throw InputError("fogcomp " + command_.name, "the arguments look swapped: fogcomp " +
-                                                   command_.name + " " + join(sorted, " "));
+  if (!model_first || models == 0 || sorted == positionals_) return {};
+  return {{"", "the arguments look swapped: fogcomp " + command_.name + " " + join(sorted, " ")}};
 }
 
 void Arguments::check_files() const {
@@ -172,19 +164,65 @@ void Arguments::check_output(const std::string& path) const {
   }
 }
 
-void Arguments::require_all() const {
-  std::vector<std::string> missing;
+std::vector<Arguments::Fault> Arguments::missing() const {
+  std::vector<Fault> missing;
   const std::size_t replaced = has(command_.stands_for_positional) ? 1 : 0;
   if (positionals_.size() + replaced < command_.least_positionals) {
-    missing.push_back("expects " + command_.positionals);
+    missing.push_back({"", "expects " + command_.positionals});
   }
   for (const auto& [name, unless, proposal] : command_.needs) {
     if (!text(name).empty() || has(unless)) continue;
-    missing.push_back(dashed(name) + " " + require_option(command_, name).value_name +
-                      " is missing");
-    if (!proposal.empty()) missing.back() += " (try " + dashed(name) + " " + proposal + ")";
+    std::string what =
+        dashed(name) + " " + require_option(command_, name).value_name + " is missing";
+    if (!proposal.empty()) what += " (try " + dashed(name) + " " + proposal + ")";
+    missing.push_back({"", what});
   }
-  if (!missing.empty()) throw usage_error(command_, join(missing, "; "));
+  return missing;
+}
+
+// Whether a positional is one of the command's words, such as an effect with its parameters.
+bool Arguments::is_word(const std::string& word) const {
+  const auto& words = command_.words;
+  return std::find(words.begin(), words.end(), word.substr(0, word.find(':'))) != words.end();
+}
+
+// Recordings, models and folders that are not there. A word where an effect is expected is none.
+std::vector<Arguments::Fault> Arguments::absent_inputs() const {
+  std::vector<Fault> absent;
+  for (std::size_t i = 0; i < positionals_.size(); ++i) {
+    const std::string& word = positionals_[i];
+    const bool effect = !command_.words.empty() && i == 1 && !has(command_.stands_for_positional);
+    std::error_code error;
+    if (!reads_positionals(command_) || effect || is_word(word)) continue;
+    if (!std::filesystem::exists(word, error)) absent.push_back({word, "does not exist"});
+  }
+  return absent;
+}
+
+// Everything that is wrong, in one message. A file that is not there and no other fault is left to
+// who opens it.
+void Arguments::check_all() const {
+  const std::vector<Fault> order = order_faults();
+  std::vector<Fault> faults = order;
+  const auto append = [&](const std::vector<Fault>& more) {
+    faults.insert(faults.end(), more.begin(), more.end());
+  };
+  append(missing());
+  if (positionals_.size() > command_.most_positionals) {
+    faults.push_back({"", "unexpected argument '" + positionals_[command_.most_positionals] + "'"});
+  }
+  const std::vector<Fault> absent = absent_inputs();
+  if (!faults.empty() || absent.size() > 1) append(absent);
+  if (faults.empty()) return;
+  if (faults.size() == order.size()) {  // says the line to type, without --help
+    const auto& [where, what] = order.front();
+    throw InputError(where.empty() ? "fogcomp " + command_.name : where, what);
+  }
+  std::vector<std::string> sentences;
+  for (const Fault& fault : faults) {
+    sentences.push_back(fault.where + (fault.where.empty() ? "" : " ") + fault.what);
+  }
+  throw usage_error(command_, join(sentences, "; "));
 }
 
 std::string Arguments::text(const std::string& name) const {

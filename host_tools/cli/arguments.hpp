@@ -12,9 +12,10 @@ namespace fogcomp::cli {
 /// The words after `fogcomp COMMAND`, checked against the command's description.
 class Arguments {
  public:
-  /// Throws InputError for an unknown option (naming the nearest), a missing value, the wrong
-  /// number of positionals, an output that is one of the inputs, two outputs that are one file, or
-  /// a file with a control character in its name.
+  /// Throws InputError for an unknown option (naming the nearest) or a missing value; for all of:
+  /// the wrong number or order of positionals, options that must be given, inputs that are not
+  /// there beside such a fault; for an output that is one of the inputs, two outputs that are one
+  /// file, or a file with a control character in its name.
   /// Options may stand anywhere; `--name=value` and `--name value` both work.
   Arguments(const Command& command, const std::vector<std::string>& words);
 
@@ -44,8 +45,15 @@ class Arguments {
     std::string option;  ///< dashed; "" for a positional
   };
   std::vector<NamedFile> files(ValueUse use) const;
-  void require_all() const;
-  void check_order() const;
+  struct Fault {
+    std::string where;  ///< a file, or ""
+    std::string what;
+  };
+  std::vector<Fault> missing() const;
+  std::vector<Fault> order_faults() const;
+  std::vector<Fault> absent_inputs() const;
+  bool is_word(const std::string& word) const;
+  void check_all() const;
   void check_files() const;
 
   const Command& command_;

@@ -65,6 +65,13 @@ const Command& find_command(const std::string& name) {
                                   "; fogcomp --help lists them");
 }
 
+bool reads_positionals(const Command& command) {
+  const auto names = [&](const char* file) {
+    return command.positionals.find(file) != std::string::npos;
+  };
+  return names("RUN") || names("MODEL") || names("DIR");
+}
+
 ValueUse value_use(const Option& option) {
   static const std::vector<std::string> read{"DIR", "FILE", "HEADER", "MODEL", "NAME|FILE", "RUN"};
   if (option.name == "o" || option.value_name.rfind("OUT", 0) == 0) return ValueUse::output;

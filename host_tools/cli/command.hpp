@@ -81,6 +81,9 @@ Command replay_command();
 Command simulate_command();
 Command stream_command();
 
+/// Whether its positionals are files or folders that are read, but for its words: by their names.
+bool reads_positionals(const Command& command);
+
 /// Every command, in the order in which a user meets them.
 const std::vector<Command>& all_commands();
 

@@ -49,6 +49,7 @@ int run_compare(const Arguments& arguments) {
       continue;
     }
     known.add(run.rows_hash, run.file);
+    print_notes(run.notes);
     for (ModelOnRuns& model : models) model.runs.push_back(try_model(model.model, run));
   }
   if (page.wanted()) page.write(report::compare_report(models));

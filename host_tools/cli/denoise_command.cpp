@@ -45,9 +45,9 @@ DenoiseReport denoise_bias(const Recording& recording, const DenoiseMethod& meth
   }
   DenoiseReport report = denoise_parts(parts, method, recording.file);
   if (report.shortened_values > 0) {
-    std::fprintf(stderr, "%s: %s between gaps too close for %d levels got fewer\n",
-                 recording.file.c_str(), counted(report.shortened_values, "row").c_str(),
-                 method.levels);
+    std::fprintf(stderr, "%s: %s between gaps too close for %s got fewer\n", recording.file.c_str(),
+                 counted(report.shortened_values, "row").c_str(),
+                 counted(static_cast<std::size_t>(method.levels), "level").c_str());
   }
   return report;
 }

@@ -39,6 +39,7 @@ int run_diagnose(const Arguments& arguments) {
   DiagnosisData data(model, offered(arguments, model));
   std::string runs;
   BoardError as_given;
+  std::vector<std::string> notes;
   for (std::size_t i = 1; i < files.size(); ++i) {
     const RunInBlocks run = run_in_blocks(read_recording(files[i], options), model.average_s);
     const std::string same = data.add(run);
@@ -46,6 +47,7 @@ int run_diagnose(const Arguments& arguments) {
       print_notes({same_rows_words(files[i], same)});
       continue;
     }
+    notes.insert(notes.end(), run.notes.begin(), run.notes.end());
     as_given.add(board_error(model, run, compare_with(model, run)));
     runs += (runs.empty() ? "" : " ") + files[i];
   }
@@ -59,6 +61,7 @@ int run_diagnose(const Arguments& arguments) {
     settings.progress = [&](double done) { progress.update(done); };
     ladder = walk_ladder(model, data, most_effects, settings);
   }
+  print_notes(notes);
   ladder.first.as_given = as_given;
   if (page.wanted()) {
     page.write(report::diagnose_report(ladder, most_effects > 0, data, files));

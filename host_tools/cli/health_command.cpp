@@ -45,12 +45,12 @@ void print_words(const fog::HealthRecord& r) {
               r.memory_good ? "good" : "FAILS: no rate is valid; replace the processor");
   std::printf("model         %s, CRC-32 %08x\n",
               r.model_good ? "good" : "REFUSED: no rate is valid; export it again", r.model);
-  std::printf("checked       image %u times, memory %u times since the start\n", r.image_passes,
-              r.memory_passes);
+  std::printf("checked       image %s, memory %s since the start\n",
+              counted(r.image_passes, "time").c_str(), counted(r.memory_passes, "time").c_str());
   std::printf("last start    %s\n", r.reset_cause.data());
   std::printf("samples       %u, %u without a valid rate, %u after a gap or late\n", r.samples,
               r.invalid_rates, r.sequence_gaps);
-  std::printf("sensor line   %u bytes that were no frame\n", r.discarded_bytes);
+  std::printf("sensor line   %s that were no frame\n", counted(r.discarded_bytes, "byte").c_str());
   std::printf("flags now     %s\n", in_words(flag_names(r.status_last)).c_str());
   std::printf("flags so far  %s\n", in_words(flag_names(r.status_seen)).c_str());
   std::printf("stack         %d of %d bytes never used\n", r.stack_unused_bytes, r.stack_bytes);

@@ -86,7 +86,7 @@ class Words {
   std::string reason(std::size_t row, Refusal why) const {
     switch (why) {
       case Refusal::impossible_temperature:
-        return "is outside -70 to 130 degC";
+        return format("is outside %g to %g degC", kColdestDegc, kWarmestDegc);
       case Refusal::power_on_temperature:
         return "is what a DS18B20 says before its first conversion";
       case Refusal::temperature_jump:
@@ -112,9 +112,13 @@ std::vector<std::size_t> rows_refused_for(const std::vector<RefusedRow>& refused
   return rows;
 }
 
-const char* likely_cause(Refusal why) {
-  const bool temperature = why != Refusal::rate_beyond_range && why != Refusal::rate_jump;
-  return temperature ? "is temperature_degc in degC?" : "is rate_dph in deg/h?";
+const char* likely_cause(const Recording& recording, Refusal why) {
+  if (why == Refusal::rate_beyond_range || why == Refusal::rate_jump) {
+    return "is rate_dph in deg/h?";
+  }
+  const auto [least, most] =
+      std::minmax_element(recording.temperature_degc.begin(), recording.temperature_degc.end());
+  return temperature_question(*least, *most);
 }
 
 void name_refused_rows(const Recording& recording, const LineNumbers& lines,
@@ -127,11 +131,11 @@ void name_refused_rows(const Recording& recording, const LineNumbers& lines,
     if (rows.empty()) continue;
     const std::string fault = words.fault(rows, why);
     if (rows.size() == recording.rows()) {
-      throw InputError(recording.file,
-                       "the board would refuse every row: " + fault + "; " + likely_cause(why));
+      throw InputError(recording.file, "the board would refuse every row: " + fault + "; " +
+                                           likely_cause(recording, why));
     }
-    std::fprintf(stderr, "%s: %zu row%s left out: %s; the board would refuse %s\n",
-                 recording.file.c_str(), rows.size(), rows.size() == 1 ? "" : "s", fault.c_str(),
+    std::fprintf(stderr, "%s: %s left out: %s; the board would refuse %s\n", recording.file.c_str(),
+                 counted(rows.size(), "row").c_str(), fault.c_str(),
                  rows.size() == 1 ? "it" : "them");
   }
   if (refused.size() == recording.rows()) {

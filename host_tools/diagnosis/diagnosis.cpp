@@ -13,7 +13,6 @@
 #include "diagnosis/two_levels.hpp"
 #include "diagnosis/visible_part.hpp"
 #include "identification/explained_space.hpp"
-#include "identification/noise_scale.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/outlier_rows.hpp"
 #include "identification/quiet_rows.hpp"
@@ -35,7 +34,9 @@ const double kLibraryLogP = std::log(0.0001);
 const double kStructureLogP = std::log(0.01);
 const double kFastLogP = std::log(0.0005);
 
-constexpr double kLikelier = 0.5;        // than everything else together
+// Of a row's noise variance: one recording cannot tell what is smaller, a fifth of the noise, from
+// noise that is slower than its soaks.
+constexpr double kSmallExcess = 0.2 * 0.2;
 constexpr double kConfusable = 0.05;     // probability of an effect that it may be
 constexpr double kPossible = 9;          // fall of chi^2 by which a shape is not the best
 constexpr Eigen::Index kLeastRows = 60;  // for any opinion
@@ -130,8 +131,8 @@ class Diagnoser {
     std::vector<Eigen::MatrixXd> parts{fit_.columns};
     for (StructureGroup& group : structure_groups(rows_)) parts.push_back(std::move(group.columns));
     const LinearFit smooth = solve_linear(side_by_side(parts, rows_.size()), rows_.drift_dph);
-    const Eigen::VectorXd rest = bridged(smooth.residual, fit_.robust);
-    const Eigen::VectorXd residual = bridged(fit_.residual_dph, fit_.robust);
+    const Eigen::VectorXd rest = bridged(rows_, smooth.residual, fit_.robust);
+    const Eigen::VectorXd residual = bridged(rows_, fit_.residual_dph, fit_.robust);
     std::vector<NoiseSample> samples = noise_samples(quiet_stretches(rows_, residual));
     for (const RowRange& run : rows_.runs()) {
       samples.push_back({rest.segment(static_cast<Eigen::Index>(run.first),
@@ -202,14 +203,10 @@ class Diagnoser {
     result_.tests = {test.library_log_p, test.structure_log_p, fast_log_p};
     bool slow = test.library_log_p < kLibraryLogP || test.structure_log_p < kStructureLogP;
     if (slow) result_.walk = weigh_walk(space, hypotheses);
-    if (slow && test.structure_log_p >= kStructureLogP && result_.walk.chance > kLikelier) {
+    const bool small = explanation.excess < kSmallExcess * static_cast<double>(rows_.size());
+    if (slow && small && result_.walk.chance >= kMaxChanceOfWalk) {
       slow = false;
       result_.chance = std::min(result_.walk.noise_alone, std::exp(fast_log_p));
-      result_.notes.push_back(format(
-          "slow changes are left that the quiet parts do not show: a random walk of the bias "
-          "of %.2g deg/h/sqrt(h) is likelier than any effect; the programme once more, or a "
-          "recording at rest with --static, would tell",
-          result_.walk.coefficient));
     }
     const bool something = slow || fast_log_p < kFastLogP;
 

@@ -57,10 +57,22 @@ std::string add_command_line(const Diagnosis& diagnosis, const std::string& effe
          expression.text + "'";
 }
 
+std::string walk_words(const Diagnosis& diagnosis) {
+  return format(
+      "a random walk of the bias of %.2g deg/h/sqrt(h) explains as well as any effect: the "
+      "programme once more, or a recording at rest with --static, would tell",
+      diagnosis.walk.coefficient);
+}
+
 // One sentence, then how certain it is.
 std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case Verdict::none:
+      if (diagnosis.walk.chance >= kMaxChanceOfWalk) {
+        return {"nothing is missing that these recordings can show",
+                "slow changes of less than a fifth of a row's noise are left, which " +
+                    walk_words(diagnosis)};
+      }
       return {"nothing is missing: what is left is noise, as far as these recordings can show", ""};
     case Verdict::missing_effect: {
       const std::vector<std::string> together = effects_together(diagnosis);
@@ -88,11 +100,8 @@ std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
         ""};
   }
   if (diagnosis.walk.chance >= kMaxChanceOfWalk) {
-    return {
-        format("slow changes are left; a random walk of the bias of %.2g deg/h/sqrt(h) explains "
-               "them as well as any effect",
-               diagnosis.walk.coefficient),
-        "the programme once more, or a recording at rest with --static, would tell"};
+    return {"slow changes are left, which no effect explains better than noise",
+            "they are what " + walk_words(diagnosis)};
   }
   const std::string surely = effect_to_add(diagnosis);
   if (!surely.empty()) {
@@ -209,7 +218,8 @@ void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::stri
   const std::string effect = effect_to_add(diagnosis);
   const std::vector<std::string> together = effects_together(diagnosis);
   if (!together.empty()) {
-    words.next = "fit again with " + joined(together, "and") + " among the --effects";
+    words.next = "fit again with " + joined(together, "and") +
+                 " among the --effects: `add` takes one effect at a time, which hardly helps";
   } else if (effect == kBiasStep) {
     words.next = "fit again with bias_step among the --effects: it finds steps and masks them";
   } else if (!effect.empty()) {

@@ -28,6 +28,7 @@ struct RunInBlocks {
   std::vector<TimedSegment> segments;     ///< in order of time, all of the run
   double average_s = 0;                   ///< wanted length of a row
   std::optional<double> noise_floor_dph;  ///< of such a row, from the recording alone
+  std::vector<std::string> notes;         ///< what such rows cannot show, a line each
 };
 
 /// `average_s` in seconds, > 0: the length of the rows that a model will be judged in. Throws

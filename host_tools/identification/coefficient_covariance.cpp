@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "identification/noise_scale.hpp"
+#include "identification/outlier_rows.hpp"
 #include "identification/whitening.hpp"
 #include "support/units.hpp"
 
@@ -105,10 +105,10 @@ struct Shown {
   Eigen::MatrixXd slow;  // modes x kinds
 };
 
-Shown shown_by(const NoiseWeightedFit& fit, const SlowModes& modes, const Eigen::MatrixXd& of_modes,
-               double mean_variance) {
+Shown shown_by(const Rows& rows, const NoiseWeightedFit& fit, const SlowModes& modes,
+               const Eigen::MatrixXd& of_modes, double mean_variance) {
   const Eigen::ArrayXd counted = (fit.row_weights.array() > 0).cast<double>();
-  const Eigen::VectorXd residual = bridged(fit.residual_dph, counted.matrix());
+  const Eigen::VectorXd residual = bridged(rows, fit.residual_dph, counted.matrix());
   // What the fit leaves of one in each mode, along every mode.
   const Eigen::MatrixXd left =
       Eigen::MatrixXd::Identity(modes.cosines.cols(), modes.cosines.cols()) -
@@ -241,8 +241,9 @@ Eigen::MatrixXd coefficient_covariance(const Rows& rows, const NoiseWeightedFit&
       (fit.row_weights.array() > 0).select(fit.row_weights.array().max(1e-300).inverse(), 0.0);
   const double mean_variance =
       row_variance.sum() / std::max<double>(1, static_cast<double>((row_variance > 0).count()));
-  const LikelyLevels likely_levels = likely(levels_of(shown_by(fit, modes, of_modes, mean_variance),
-                                                      fit.noise, modes.first_angle_of_longest));
+  const LikelyLevels likely_levels =
+      likely(levels_of(shown_by(rows, fit, modes, of_modes, mean_variance), fit.noise,
+                       modes.first_angle_of_longest));
 
   const Eigen::MatrixXd by_rows =
       estimator.transpose() * row_variance.matrix().asDiagonal() * estimator;

@@ -10,6 +10,10 @@
 namespace fogcomp {
 namespace {
 
+std::string trimmed(const std::string& text) {
+  return std::string(trim(text));
+}
+
 // The place of a parameter in its effect's list.
 std::size_t parameter_index(const std::string& where, const CatalogueEntry& entry,
                             const std::string& name) {
@@ -43,9 +47,10 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
     const std::size_t comma = range.find(',');
     const bool bracketed = range.front() == '[' && range.back() == ']' && range.size() > 2 &&
                            comma != std::string::npos;
-    const auto least = bracketed ? parse_number(range.substr(1, comma - 1)) : std::nullopt;
-    const auto most =
-        bracketed ? parse_number(range.substr(comma + 1, range.size() - comma - 2)) : std::nullopt;
+    const auto least = bracketed ? parse_number(trimmed(range.substr(1, comma - 1))) : std::nullopt;
+    const auto most = bracketed
+                          ? parse_number(trimmed(range.substr(comma + 1, range.size() - comma - 2)))
+                          : std::nullopt;
     if (!least || !most || !(bounds.least <= *least && *least < *most && *most <= bounds.most)) {
       throw InputError(
           where, format("bounds of %s must be ?[least,most] within %g to %g%s", description.name,
@@ -64,11 +69,11 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
 void set_parameter(EffectTerm& term, const CatalogueEntry& entry, const std::string& setting) {
   const std::string where = "effect '" + term.name + "'";
   const std::size_t equals = setting.find('=');
-  const std::string name = setting.substr(0, equals);
-  const std::string given = equals == std::string::npos ? "" : setting.substr(equals + 1);
+  const std::string name = trimmed(setting.substr(0, equals));
+  const std::string given = equals == std::string::npos ? "" : trimmed(setting.substr(equals + 1));
   const std::size_t index = parameter_index(where, entry, name);
   if (!given.empty() && given[0] == '?') {
-    identify_parameter(term, entry, index, given.substr(1));
+    identify_parameter(term, entry, index, trimmed(given.substr(1)));
     return;
   }
   const fog::ParameterDescription& description = entry.parameters[index];
@@ -98,7 +103,7 @@ std::vector<std::string> split_list(const std::string& list) {
       parts.back() += c;
     }
   }
-  for (std::string& part : parts) part = trim(part);
+  for (std::string& part : parts) part = trimmed(part);
   return parts;
 }
 
@@ -112,8 +117,8 @@ std::vector<std::vector<std::string>> split_effects(const std::string& list) {
       effects.back().push_back(part);
       continue;
     }
-    effects.push_back({part.substr(0, colon)});
-    if (colon != std::string::npos) effects.back().push_back(part.substr(colon + 1));
+    effects.push_back({trimmed(part.substr(0, colon))});
+    if (colon != std::string::npos) effects.back().push_back(trimmed(part.substr(colon + 1)));
   }
   return effects;
 }

@@ -12,6 +12,7 @@
 #include "identification/step_search.hpp"
 #include "identification/term_columns.hpp"
 #include "model/catalogue.hpp"
+#include "model/model_file.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -24,7 +25,6 @@ constexpr double kRangeMarginDegc = 1;
 constexpr double kConfused = 0.95;  // correlation of two effects' coefficients worth a sentence
 constexpr double kVisible = 5;      // standard deviations
 constexpr double kRampDegcPerMin = 0.1;
-constexpr double kMaxCoefficientDph = 1e15;  // what a model file holds
 
 // Largest correlation between any coefficient of one effect and any of the other.
 double correlation(const Eigen::MatrixXd& covariance, const ColumnRange& a, const ColumnRange& b) {
@@ -160,7 +160,7 @@ Identification identify(Model& model, const SignalSeries& series,
     const auto values = fit.coefficients.segment(columns[i].first, columns[i].count);
     const auto sigmas = sigma.segment(columns[i].first, columns[i].count);
     term.coefficients_dph.assign(values.begin(), values.end());
-    if (values.cwiseAbs().maxCoeff() > kMaxCoefficientDph) {
+    if (values.cwiseAbs().maxCoeff() > kMaxModelDph) {
       throw InputError(term.name,
                        format("its coefficient would be %.2g deg/h: the effect is next to "
                               "nothing on these recordings; leave it out",

@@ -99,12 +99,4 @@ Eigen::VectorXd noise_scale(const Rows& rows, const Eigen::VectorXd& residual,
   return scale;
 }
 
-Eigen::VectorXd bridged(const Eigen::VectorXd& residual, const Eigen::VectorXd& counted) {
-  Eigen::VectorXd values = residual;
-  for (Eigen::Index row = 1; row < values.size(); ++row) {
-    if (counted[row] <= 0) values[row] = values[row - 1];
-  }
-  return values;
-}
-
 }  // namespace fogcomp

@@ -14,7 +14,4 @@ namespace fogcomp {
 Eigen::VectorXd noise_scale(const Rows& rows, const Eigen::VectorXd& residual,
                             const Eigen::VectorXd& counted);
 
-/// A row that does not count has the value of the nearest row before it that does.
-Eigen::VectorXd bridged(const Eigen::VectorXd& residual, const Eigen::VectorXd& counted);
-
 }  // namespace fogcomp

@@ -34,28 +34,32 @@ double longest_run_s(const Rows& rows) {
   return longest_s;
 }
 
-NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
-  const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, residual);
-  if (quiet.empty()) return white_noise_of(residual, rows.row_s, longest_run_s(rows));
-  return fit_noise(noise_samples(quiet), rows.row_s, longest_run_s(rows));
-}
-
 namespace {
+
+NoiseModel noise_in(const std::vector<RowRange>& quiet, const Rows& rows,
+                    const Eigen::VectorXd& residual) {
+  if (quiet.empty()) return white_noise_of(residual, rows.row_s, longest_run_s(rows));
+  return fit_noise(noise_samples(parts_of(residual, quiet)), rows.row_s, longest_run_s(rows));
+}
 
 // Relative to the rows that the noise model is of, the quiet ones. Without any, what differs from
 // part to part may be drift as well as noise.
-Eigen::VectorXd relative_scale(const Rows& rows, const Eigen::VectorXd& scale) {
+Eigen::VectorXd relative_scale(const std::vector<RowRange>& quiet, const Eigen::VectorXd& scale) {
   double square = 0;
   double count = 0;
-  for (const Eigen::VectorXd& stretch : quiet_stretches(rows, scale)) {
+  for (const Eigen::VectorXd& stretch : parts_of(scale, quiet)) {
     square += stretch.squaredNorm();
     count += static_cast<double>(stretch.size());
   }
-  if (count == 0) return Eigen::VectorXd::Ones(rows.size());
+  if (count == 0) return Eigen::VectorXd::Ones(scale.size());
   return scale / std::sqrt(square / count);
 }
 
 }  // namespace
+
+NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
+  return noise_in(quiet_ranges(rows), rows, residual);
+}
 
 double NoiseWeightedFit::misfit() const {
   const auto freedom = static_cast<double>((row_weights.array() > 0).count() - whitened.cols());
@@ -68,6 +72,7 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
   const Eigen::VectorXd kept =
       settings.kept.size() > 0 ? settings.kept : Eigen::VectorXd::Ones(rows.size());
   const Eigen::VectorXd counted = counted_rows(rows);
+  const std::vector<RowRange> quiet = quiet_ranges(rows);
   NoiseWeightedFit fit;
   fit.robust = kept.cwiseProduct(counted);
   fit.outliers = static_cast<std::size_t>((counted.array() <= 0 && kept.array() > 0).count());
@@ -79,10 +84,10 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
       solve_linear(fit.robust.asDiagonal() * fit.columns, fit.robust.cwiseProduct(rows.drift_dph));
   fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
   for (int round = 0; round < kRounds; ++round) {
-    fit.noise =
-        settings.noise ? *settings.noise : noise_of(rows, bridged(fit.residual_dph, fit.robust));
+    fit.noise = settings.noise ? *settings.noise
+                               : noise_in(quiet, rows, bridged(rows, fit.residual_dph, fit.robust));
     fit.noise.white_variance = std::max(std::pow(rows.rounding_dph, 2), fit.noise.white_variance);
-    fit.noise_scale = relative_scale(rows, noise_scale(rows, fit.residual_dph, fit.robust));
+    fit.noise_scale = relative_scale(quiet, noise_scale(rows, fit.residual_dph, fit.robust));
     fit.row_weights =
         rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
     const Whitening whitening(fit.noise, rows, fit.row_weights);

@@ -244,13 +244,20 @@ void bridge_outliers(const std::vector<bool>& outlier, const std::vector<RowRang
   }
 }
 
+Eigen::VectorXd bridged(const Rows& rows, const Eigen::VectorXd& values,
+                        const Eigen::VectorXd& counted) {
+  std::vector<bool> outlier;
+  for (const double count : counted) outlier.push_back(count <= 0);
+  std::vector<double> bridge(values.begin(), values.end());
+  bridge_outliers(outlier, stretches_of(rows), bridge);
+  return Eigen::Map<const Eigen::VectorXd>(bridge.data(), values.size());
+}
+
 std::string outlier_words(std::size_t rows, double row_s) {
   if (rows == 0) return "";
-  const bool one = rows == 1;
   return format(
-      "%zu row%s of %.4g s left out: %s out of its neighbours by more than %g sigma of the "
-      "noise",
-      rows, one ? "" : "s", row_s, one ? "it stands" : "each stands", kMinSigmas);
+      "%s of %.4g s left out: %s out of its neighbours by more than %g sigma of the noise",
+      counted(rows, "row").c_str(), row_s, rows == 1 ? "it stands" : "each stands", kMinSigmas);
 }
 
 }  // namespace fogcomp

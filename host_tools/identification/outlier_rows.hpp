@@ -43,6 +43,9 @@ Eigen::VectorXd counted_weights(const Rows& rows, const Eigen::VectorXd& row_wei
 /// not; the nearest one at either end of a stretch.
 void bridge_outliers(const std::vector<bool>& outlier, const std::vector<RowRange>& stretches,
                      std::vector<double>& values);
+/// The same of a value per row; `counted`: 0 for each that does not count.
+Eigen::VectorXd bridged(const Rows& rows, const Eigen::VectorXd& values,
+                        const Eigen::VectorXd& counted);
 
 /// "3 rows of 10 s left out: each stands out of its neighbours by more than 4 sigma of the noise";
 /// "" for none.

@@ -63,17 +63,15 @@ class InputJumps {
 
 }  // namespace
 
-std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::VectorXd& residual) {
-  std::vector<Eigen::VectorXd> stretches;
+std::vector<RowRange> quiet_ranges(const Rows& rows) {
+  std::vector<RowRange> ranges;
   const auto size = static_cast<std::size_t>(rows.size());
-  if (size < kLeastQuietRows) return stretches;
+  if (size < kLeastQuietRows) return ranges;
   const double limit = rate_limit(rows);
   const InputJumps jumps(rows);
   std::size_t begin = 0;
   const auto finish = [&](std::size_t end) {
-    if (end - begin < kLeastQuietRows) return;
-    stretches.push_back(
-        residual.segment(static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end - begin)));
+    if (end - begin >= kLeastQuietRows) ranges.push_back({begin, end});
   };
   for (std::size_t row = 0; row < size; ++row) {
     const bool quiet = std::abs(rows.signals[row].temperature_rate) <= limit;
@@ -82,7 +80,21 @@ std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::Vect
     begin = quiet ? row : row + 1;
   }
   finish(size);
-  return stretches;
+  return ranges;
+}
+
+std::vector<Eigen::VectorXd> parts_of(const Eigen::VectorXd& values,
+                                      const std::vector<RowRange>& ranges) {
+  std::vector<Eigen::VectorXd> parts;
+  for (const RowRange& range : ranges) {
+    parts.push_back(values.segment(static_cast<Eigen::Index>(range.first),
+                                   static_cast<Eigen::Index>(range.size())));
+  }
+  return parts;
+}
+
+std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::VectorXd& residual) {
+  return parts_of(residual, quiet_ranges(rows));
 }
 
 }  // namespace fogcomp

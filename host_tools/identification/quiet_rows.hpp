@@ -7,9 +7,16 @@
 
 namespace fogcomp {
 
-/// The stretches of a residual in which the temperature stands still and has settled, so that what
-/// is left there is noise: |dT/dt| at most 5 % of what the ramps have (or 0.02 degC/min), without
-/// gaps, at least 32 rows. Where another input jumps, a new stretch begins.
+/// The rows in which the temperature stands still and has settled, so that what a model leaves
+/// there is noise: |dT/dt| at most 5 % of what the ramps have (or 0.02 degC/min), without gaps, at
+/// least 32 rows. Where another input jumps, a new stretch begins.
+std::vector<RowRange> quiet_ranges(const Rows& rows);
+
+/// The parts of a value per row.
+std::vector<Eigen::VectorXd> parts_of(const Eigen::VectorXd& values,
+                                      const std::vector<RowRange>& ranges);
+
+/// The parts of a residual in quiet_ranges().
 std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::VectorXd& residual);
 
 }  // namespace fogcomp

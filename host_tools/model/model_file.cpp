@@ -22,9 +22,6 @@ constexpr const char* kHistoryHoldout = "history_holdout_dph";
 constexpr const char* kHistoryForced = "history_forced";
 constexpr const char* kTitleLine = "fogcomp-model 2";
 
-// Beyond any drift, and far from where sums and products stop being finite. Recordings hold rates
-// up to 1e9 deg/h; coefficients of terms that nearly cancel are larger.
-constexpr double kMaxDph = 1e15;
 constexpr double kMaxWeight = 1e15;
 constexpr double kMaxDegc = 2000;
 
@@ -77,7 +74,7 @@ EffectTerm read_effect(ModelReader& in) {
   if (coefficients != make_effect(term, kAnyBlockS)->regressor_count()) {
     in.fail("wrong number of coefficients");
   }
-  term.coefficients_dph = in.numbers(coefficients, -kMaxDph, kMaxDph);
+  term.coefficients_dph = in.numbers(coefficients, -kMaxModelDph, kMaxModelDph);
   term.sigma_dph = in.numbers(coefficients);
   return term;
 }
@@ -88,7 +85,7 @@ EffectTerm read_expression(ModelReader& in) {
   const auto scale_log2 = static_cast<int>(in.integer(-1100, 1100));  // of any double
   const std::vector<double> parameters = in.numbers(in.count(16));
   const std::vector<double> sigma = in.numbers(parameters.size());
-  const double coefficient = in.number(-kMaxDph, kMaxDph);
+  const double coefficient = in.number(-kMaxModelDph, kMaxModelDph);
   const double coefficient_sigma = in.number();
   const std::vector<double> ranges = in.numbers(in.count(2 * kExpressionSignals));
   EffectTerm term;
@@ -191,18 +188,18 @@ void read_history(ModelReader& in, const std::string& key, std::vector<HistoryEn
   if (key == kHistory) {
     HistoryEntry entry;
     entry.data_hash = static_cast<std::uint32_t>(in.count(0xFFFFFFFFU));
-    entry.rms_before_dph = in.number(0, kMaxDph);
-    entry.rms_after_dph = in.number(0, kMaxDph);
+    entry.rms_before_dph = in.number(0, kMaxModelDph);
+    entry.rms_after_dph = in.number(0, kMaxModelDph);
     entry.action = displayable(in.rest_of_line());
     history.push_back(entry);
     return;
   }
   if (history.empty()) in.fail("'" + key + "' belongs behind a step of the history");
   if (key == kHistoryFloor) {
-    history.back().noise_floor_dph = in.number(0, kMaxDph);
+    history.back().noise_floor_dph = in.number(0, kMaxModelDph);
   } else if (key == kHistoryHoldout) {
-    const double before_dph = in.number(0, kMaxDph);
-    history.back().holdout = HistoryEntry::Holdout{before_dph, in.number(0, kMaxDph)};
+    const double before_dph = in.number(0, kMaxModelDph);
+    history.back().holdout = HistoryEntry::Holdout{before_dph, in.number(0, kMaxModelDph)};
   } else if (key == kHistoryForced) {
     history.back().forced = true;
   } else {
@@ -237,12 +234,12 @@ void read_line(ModelReader& in, Model& model) {
   } else if (key == "range_s") {
     model.time_range_s = read_range(in);
   } else if (key == "noise_dph_rthz") {
-    model.noise_dph_rthz = in.number(0, kMaxDph);
+    model.noise_dph_rthz = in.number(0, kMaxModelDph);
   } else if (key == "residual_rms_dph") {
-    model.residual_rms_dph = in.number(0, kMaxDph);
+    model.residual_rms_dph = in.number(0, kMaxModelDph);
   } else if (key == "uncertain_dph") {
-    const double sigma_dph = in.number(0, kMaxDph);
-    model.uncertain = Model::Uncertain{sigma_dph, in.number(0, kMaxDph)};
+    const double sigma_dph = in.number(0, kMaxModelDph);
+    model.uncertain = Model::Uncertain{sigma_dph, in.number(0, kMaxModelDph)};
   } else if (key == "average_s") {
     model.average_s = in.number(1e-6, 1e6);
   } else if (key == "denoise") {
@@ -262,8 +259,8 @@ void read_line(ModelReader& in, Model& model) {
   } else if (key == "output") {
     model.network.output = read_layer(in, model.network.hidden.biases.size());
   } else if (key == "network_drift_dph") {
-    model.network.centre_dph = in.number(-kMaxDph, kMaxDph);
-    model.network.amplitude_dph = in.number(-kMaxDph, kMaxDph);
+    model.network.centre_dph = in.number(-kMaxModelDph, kMaxModelDph);
+    model.network.amplitude_dph = in.number(-kMaxModelDph, kMaxModelDph);
   } else if (key.rfind(kHistory, 0) == 0) {
     read_history(in, key, model.history);
   } else {

@@ -6,6 +6,11 @@
 
 namespace fogcomp {
 
+/// What a model file holds at most, deg/h: beyond any drift, and far from where sums and products
+/// stop being finite. Recordings hold rates up to 1e9 deg/h; coefficients of terms that nearly
+/// cancel are larger.
+constexpr double kMaxModelDph = 1e15;
+
 /// A model as text, a fact per line, doubles in the shortest form that reads back to the same bits,
 /// a CRC-32 of everything before it at the end (host_tools/README.md, "Model file").
 std::string model_text(const Model& model);

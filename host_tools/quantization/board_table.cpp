@@ -61,15 +61,13 @@ void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
            "the derivative's decay");
   out.note("the same times blocks per minute: from the lags' distance to degC/min");
   out.real(thermal.derivative.rate_gain, 24, "the derivative's gain");
-  constexpr double kColdest_degc = -70;
-  constexpr double kWarmest_degc = 130;
-  const double least = std::max(model.least_degc, kColdest_degc);
-  const double most = std::min(model.most_degc, kWarmest_degc);
+  const double least = std::max(model.least_degc, kColdestDegc);
+  const double most = std::min(model.most_degc, kWarmestDegc);
   if (least > most) {
-    throw InputError("export",
-                     format("the trained range %.4g to %.4g degC lies outside %g to %g "
-                            "degC, what a board has; is temperature_degc in degC?",
-                            model.least_degc, model.most_degc, kColdest_degc, kWarmest_degc));
+    throw InputError("export", format("the trained range %.4g to %.4g degC lies outside %g to %g "
+                                      "degC, what a board has; %s and fit again",
+                                      model.least_degc, model.most_degc, kColdestDegc, kWarmestDegc,
+                                      temperature_question(model.least_degc, model.most_degc)));
   }
   out.note(format("trained range (%.4g to %.4g degC)", least, most));
   out.real<fog::Temperature>(least, "the coldest trained temperature");

@@ -41,6 +41,7 @@ TrainingRuns read_training_runs(const std::vector<std::string>& files, const Rea
       continue;
     }
     known.add(run.rows_hash, file);
+    training.notes.insert(training.notes.end(), run.notes.begin(), run.notes.end());
     training.data_hash = data_hash(recording, training.data_hash);
     noise_square += std::pow(white_noise_dph_rthz(recording), 2);
     training.runs.push_back(std::move(run));
@@ -69,6 +70,7 @@ Holdouts read_holdouts(const std::vector<std::string>& files, const ReadOptions&
       continue;
     }
     known.add(run.rows_hash, file);
+    holdouts.notes.insert(holdouts.notes.end(), run.notes.begin(), run.notes.end());
     holdouts.runs.push_back(std::move(run));
   }
   return holdouts;

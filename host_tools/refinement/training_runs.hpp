@@ -17,7 +17,8 @@ struct TrainingRuns {
   double noise_dph_rthz = 0;    ///< white noise density, rms of the runs'
   /// Of a row, rms of the runs' by their length; nothing where no run shows one.
   std::optional<double> noise_floor_dph;
-  std::vector<std::string> notes;  ///< a line for each file that is left out
+  std::vector<std::string>
+      notes;  ///< a line for each file that is left out, and what its rows lack
 };
 
 /// Reads `files` one after another; of each only the blocks stay in memory. A file with the rows of
@@ -28,7 +29,7 @@ TrainingRuns read_training_runs(const std::vector<std::string>& files, const Rea
 
 struct Holdouts {
   std::vector<RunInBlocks> runs;
-  std::vector<std::string> notes;  ///< a line for each file that is left out
+  std::vector<std::string> notes;  ///< as of the training runs
 };
 /// Reads the runs that judge what was fitted to `training`, in the same way. Throws InputError for
 /// one with the rows of a training run: what was fitted to them says nothing of others.

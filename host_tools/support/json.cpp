@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "support/text.hpp"
 
@@ -18,18 +17,18 @@ void print_number(Number value, std::string& out) {
 
 void print_string(const std::string& value, std::string& out) {
   out += '"';
-  for (const char character : valid_utf8(value)) {
-    const auto code = static_cast<unsigned char>(character);
-    if (character == '"' || character == '\\') {
+  const std::string valid = valid_utf8(value);
+  for (std::string_view rest = valid; !rest.empty();) {
+    const std::string_view character = rest.substr(0, utf8_length(rest));
+    if (character == "\"" || character == "\\") {
       out += '\\';
       out += character;
-    } else if (code < 0x20U || code == 0x7FU) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(code));
-      out += escape;
+    } else if (has_control_character(character)) {  // its last byte is its number, in both sets
+      out += format("\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(character.back())));
     } else {
       out += character;
     }
+    rest.remove_prefix(character.size());
   }
   out += '"';
 }

@@ -21,6 +21,8 @@ namespace fogcomp {
 namespace {
 
 constexpr std::size_t kBufferBytes = 1U << 20U;
+constexpr mode_t kNewFileMode = 0644;  // less the umask
+constexpr const char* kOwnDescriptors = "/proc/self/fd/";
 
 // Temporary files in being, for the signal handler: an interrupted command leaves no half file.
 // A fixed array, because a signal handler may neither lock nor allocate.
@@ -101,7 +103,7 @@ class SignalsHeld {
 // N where the path is one of this process' own descriptors (/dev/stdout leads to
 // /proc/self/fd/1): opened anew, a file behind it would be written over from its start.
 std::optional<int> own_descriptor(const std::string& path) {
-  for (const std::string folder : {"/proc/self/fd/", "/dev/fd/"}) {
+  for (const std::string folder : {kOwnDescriptors, "/dev/fd/"}) {
     if (path.rfind(folder, 0) != 0) continue;
     const auto number = parse_number(path.substr(folder.size()));
     if (number) return static_cast<int>(*number);
@@ -112,7 +114,7 @@ std::optional<int> own_descriptor(const std::string& path) {
 }  // namespace
 
 void require_printable_name(const std::string& path) {
-  if (displayable(path) == valid_utf8(path)) return;
+  if (!has_control_character(path)) return;
   throw InputError(path, "has a control character in its name; rename it");
 }
 
@@ -173,21 +175,54 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(resol
   buffer_.reserve(kBufferBytes);
 }
 
-// Under a name that nobody can have prepared, and never through a link.
+// Without a name where the file system has such files and /proc can name them later: then nothing
+// is left of a process that is killed, however that is done.
 void OutputFile::open_temporary() {
+  if (::access(kOwnDescriptors, X_OK) == 0) {
+    const std::string folder = std::filesystem::path(target_).parent_path().string();
+    descriptor_ = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC,
+                         kNewFileMode);
+    nameless_ = descriptor_ >= 0;
+  }
+  if (nameless_) return;
+  name_temporary([&](const char* name) {
+    descriptor_ = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kNewFileMode);
+    return descriptor_ >= 0;
+  });
+}
+
+// A name that nobody can have prepared: `make` makes the file of that name, or fails with EEXIST.
+bool OutputFile::name_temporary(const std::function<bool(const char*)>& make) {
   constexpr int kMaxAttempts = 100;
   std::random_device random;
   const SignalsHeld held;
   for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
     const std::string candidate = target_ + format(".part-%08x", random());
-    constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-    descriptor_ = ::open(candidate.c_str(), kFlags, 0644);
-    if (descriptor_ < 0 && errno == EEXIST) continue;
-    if (descriptor_ < 0) return;
-    temporary_path_ = candidate;
-    remember_unfinished(temporary_path_);
-    return;
+    if (make(candidate.c_str())) {
+      temporary_path_ = candidate;
+      remember_unfinished(temporary_path_);
+      return true;
+    }
+    if (errno != EEXIST) return false;
   }
+  return false;
+}
+
+// A link cannot replace a file, a name can: so a file without one gets a temporary one first.
+bool OutputFile::give_name() {
+  if (nameless_) {
+    const std::string own = kOwnDescriptors + std::to_string(descriptor_);
+    nameless_ = !name_temporary([&](const char* name) {
+      return ::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+    });
+    if (nameless_) return false;
+  }
+  const int closed = ::close(descriptor_);
+  descriptor_ = -1;
+  if (closed != 0 || temporary_path_.empty()) return closed == 0;  // a pipe has its name
+  if (std::rename(temporary_path_.c_str(), target_.c_str()) != 0) return false;
+  forget_unfinished(temporary_path_);
+  return true;
 }
 
 OutputFile::~OutputFile() {
@@ -224,14 +259,8 @@ void OutputFile::flush() {
 
 void OutputFile::commit() {
   flush();
-  const int closed = ::close(descriptor_);
-  descriptor_ = -1;
-  const bool in_place = temporary_path_.empty();
-  const bool named =
-      closed == 0 && (in_place || std::rename(temporary_path_.c_str(), target_.c_str()) == 0);
+  if (give_name()) return;
   const int error = errno;
-  if (named && !in_place) forget_unfinished(temporary_path_);
-  if (named) return;
   discard_temporary();
   throw InputError(path_, std::string("cannot be written (") + std::strerror(error) + ")");
 }

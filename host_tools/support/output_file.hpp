@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,11 +21,12 @@ std::string resolve_links(const std::string& path);
 /// same.
 bool same_file(const std::string& a, const std::string& b);
 
-/// A file that appears whole or not at all: written under a temporary name beside its own and
-/// renamed by commit(). Without commit() (an error, a signal) the temporary file is removed and
-/// whatever had the name before is untouched. A file that is replaced keeps its permissions; a
-/// symbolic link stays one, and its target is replaced. What is no regular file, a pipe or a
-/// device, is written to as it is.
+/// A file that appears whole or not at all: written without a name in the folder of its own, or
+/// under a temporary one where the file system has no such files, and named by commit(). Without
+/// commit() (an error, a signal) nothing is left of it, except of one with a temporary name when
+/// SIGKILL ends the process, and whatever had the name before is untouched. A file that is replaced
+/// keeps its permissions; a symbolic link stays one, and its target is replaced. What is no regular
+/// file, a pipe or a device, is written to as it is.
 class OutputFile {
  public:
   /// Opens the temporary file. Throws InputError where the folder cannot be written, or `path` is a
@@ -49,11 +51,14 @@ class OutputFile {
 
  private:
   void open_temporary();
+  bool name_temporary(const std::function<bool(const char*)>& make);
+  bool give_name();
   void discard_temporary();
 
   std::string path_;
   std::string target_;          ///< `path_` with its links resolved
-  std::string temporary_path_;  ///< empty where a pipe or device is written in place
+  std::string temporary_path_;  ///< empty as long as there is none
+  bool nameless_ = false;       ///< a file that has no name yet
   int descriptor_ = -1;
   std::vector<char> buffer_;
 };

@@ -40,6 +40,26 @@ bool abbreviates(std::string_view word, const std::string& candidate) {
   return !beginnings.empty() && next == beginnings.size();
 }
 
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+
+// Of characters of UTF-8 and, each alone, of bytes that are none.
+template <class Use>
+void for_each_character(std::string_view text, const Use& use) {
+  while (!text.empty()) {
+    const std::size_t length = std::max<std::size_t>(utf8_length(text), 1);
+    use(text.substr(0, length));
+    text.remove_prefix(length);
+  }
+}
+
+// U+0080 to U+009F, which some terminals obey, are C2 80 to C2 9F.
+bool is_control(std::string_view character) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  const auto second_set = [](unsigned char code) { return code >= 0x80U && code < 0xA0U; };
+  if (character.size() == 1) return byte(0) < 0x20U || byte(0) == 0x7FU || second_set(byte(0));
+  return byte(0) == 0xC2U && second_set(byte(1));
+}
+
 }  // namespace
 
 std::string format(const char* pattern, ...) {
@@ -129,27 +149,24 @@ std::size_t utf8_length(std::string_view text) {
 }
 
 std::string valid_utf8(std::string_view text) {
-  constexpr const char* kReplacement = "\xEF\xBF\xBD";
   std::string valid;
-  while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
-    if (length == 0) valid += kReplacement;
-    valid += text.substr(0, length);
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
+  for_each_character(text, [&](std::string_view character) {
+    valid += utf8_length(character) == 0 ? kReplacement : character;
+  });
   return valid;
 }
 
+bool has_control_character(std::string_view text) {
+  bool found = false;
+  for_each_character(text, [&](std::string_view character) { found |= is_control(character); });
+  return found;
+}
+
 std::string displayable(std::string_view text) {
-  const std::string valid = valid_utf8(text);
   std::string shown;
-  for (std::size_t i = 0; i < valid.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(valid[i]);
-    // U+0080 to U+009F, which some terminals obey, are C2 80 to C2 9F.
-    const bool second_set = byte == 0xC2U && static_cast<unsigned char>(valid[i + 1]) < 0xA0U;
-    if (second_set) ++i;
-    shown += byte < 0x20U || byte == 0x7FU || second_set ? '?' : valid[i];
-  }
+  for_each_character(text, [&](std::string_view character) {
+    shown += is_control(character) ? "?" : valid_utf8(character);
+  });
   return shown;
 }
 

@@ -37,8 +37,12 @@ std::size_t utf8_length(std::string_view text);
 /// `text` with U+FFFD for each byte that is no UTF-8: what JSON and HTML must be.
 std::string valid_utf8(std::string_view text);
 
-/// What a terminal can show in one line without obeying it: valid_utf8() with '?' for every control
-/// character, line ends and tabs included.
+/// Whether something in it is a command to a terminal: a control character, line ends and tabs
+/// included, or a bare byte of 80 to 9F, which is one where text is not taken for UTF-8.
+bool has_control_character(std::string_view text);
+
+/// What a terminal can show in one line without obeying it: valid_utf8() with '?' for each that
+/// has_control_character() finds.
 std::string displayable(std::string_view text);
 
 /// The candidate that `word` most likely means (Damerau-Levenshtein distance at most a third of its

@@ -31,9 +31,10 @@ DenoiseReport denoise_parts(const std::vector<fog::Span<double>>& parts,
   for (const fog::Span<double>& part : parts) longest = std::max(longest, part.size);
   const int possible = possible_levels(longest, method);
   if (possible < method.levels) {
-    throw InputError(where, format("%s without a gap: at most %d levels of %s, not %d; use "
+    throw InputError(where, format("%s without a gap: at most %s of %s, not %d; use "
                                    "fewer --levels or a shorter --wavelet",
-                                   counted(longest, "row").c_str(), possible,
+                                   counted(longest, "row").c_str(),
+                                   counted(static_cast<std::size_t>(possible), "level").c_str(),
                                    method.wavelet.c_str(), method.levels));
   }
   DenoiseReport all;

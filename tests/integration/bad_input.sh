@@ -37,6 +37,24 @@ trap 'rm -rf "$scratch" "$scratch.out" "$scratch.err"' EXIT
 echo "kept" >kept
 fit=(fit -o kept --effects bias)
 
+# Rows so long that they average ramps and soaks together are fitted and judged, with a remark.
+remarks() {
+  "$fogcomp" "$@" >"$scratch.out" 2>"$scratch.err" || fail "$*: $(cat "$scratch.err")"
+  grep -qE '^note: good\.csv: rows of 3600 s average ramps and soaks together: 3 of its 7 parts are shorter than two rows \(soak 22: [0-9]+ s\); use an --average of 2700 or less$' \
+    "$scratch.err" || fail "$* -> $(cat "$scratch.err")"
+}
+remarks fit good.csv -o hour.model --effects bias,bias_temperature --average 3600
+remarks compare hour.model good.csv
+remarks add hour.model temperature_rate good.csv -o hour2.model
+for average in 10 2700; do
+  "$fogcomp" fit good.csv -o hour.model --effects bias --average "$average" 2>"$scratch.err" >"$scratch.out"
+  [[ ! -s $scratch.err ]] || fail "--average $average: $(cat "$scratch.err")"
+done
+rm hour.model hour2.model
+awk -F, -v OFS=, 'NR > 1 { $2 += 273.15 } 1' good.csv >kelvin.csv
+refuses '^kelvin\.csv: the board would refuse every row: temperature 293.* is outside -70 to 130 degC; is temperature_degc in kelvin\? subtract 273\.15' \
+  "${fit[@]}" kelvin.csv
+
 # Ports.
 refuses '^no_port: .*connected' health no_port
 refuses '^kept: .*neither a serial device nor a socket' health kept
@@ -300,6 +318,16 @@ refuses "^fogcomp fit: -o MODEL is missing; $proposal" fit good.csv
 refuses "^fogcomp fit: expects RUN\.\.\.; -o MODEL is missing; $proposal" fit
 refuses "^fogcomp batch: expects DIR; -o OUT is missing; $proposal" batch
 refuses '^fogcomp replay: expects MODEL.*; -o OUT is missing' replay
+# Whatever is missing is said together, files that are not there among it; alone they are left to who opens them.
+refuses "^fogcomp batch: -o OUT is missing; $proposal; missing does not exist; see" batch missing
+refuses "^fogcomp batch: $proposal; missing does not exist; see" batch missing -o results
+refuses "^fogcomp fit: $proposal; missing\.csv does not exist; see" fit missing.csv -o kept
+refuses '^fogcomp compare: missing\.model does not exist; missing\.csv does not exist; see' compare missing.model missing.csv
+refuses '^fogcomp add: -o MODEL is missing; missing\.csv does not exist; see' add good.model termal_lag missing.csv
+refuses '^fogcomp add: the arguments look swapped: fogcomp add good\.model thermal_lag good\.csv; -o MODEL is missing' \
+  add good.model good.csv thermal_lag
+refuses "^fogcomp fit: good\.model is a model, where fit expects RUN\.\.\.; -o MODEL is missing; $proposal" fit good.model
+refuses '^no_port: .*connected' health no_port
 refuses "effect 'biass': .*did you mean 'bias'" fit good.csv -o kept --effects biass
 refuses "effect 'bias': is listed twice" fit good.csv -o kept --effects bias,bias
 refuses "no parameter 'ordr' \(did you mean 'order'" fit good.csv -o kept --effects bias_temperature:ordr=2

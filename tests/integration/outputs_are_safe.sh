@@ -45,16 +45,55 @@ for words in "simulate -o kept" "simulate -o kept --hide truth.csv" "denoise run
   [[ $(cat kept) == kept && ! -e page.html && ! -e truth.csv ]] || fail "written beyond the limit: $words"
 done
 
-# Every signal that ends the program removes the temporary file.
-for signal in INT TERM HUP QUIT PIPE ALRM XCPU USR1 USR2 ABRT SEGV BUS; do
-  env --default-signal "$fogcomp" simulate -o kept --rate 1000 >said.txt 2>&1 &
+# Every signal that ends the program leaves the old file and no half one. Where files without a name can be had, so does
+# SIGKILL; where they cannot (without /proc), a temporary file is removed.
+# is_writing: whether the tool has an output open, with a temporary name or without one.
+is_writing() {
+  [[ -n $(find . -name 'kept.part-*') ]] || find "/proc/$tool/fd" -lname "$PWD/*(deleted)" 2>/dev/null | grep -q .
+}
+# ended_by SIGNAL WORDS...: the tool, started by these words, is ended while it writes.
+ended_by() {
+  local signal=$1
+  shift
+  "$@" env --default-signal "$fogcomp" simulate -o kept --rate 1000 >said.txt 2>&1 &
   tool=$!
-  until [[ -n $(find . -name 'kept.part-*') ]]; do sleep 0.01; done
+  until is_writing; do
+    kill -0 "$tool" || fail "ended before SIG$signal: $(cat said.txt)"
+    sleep 0.01
+  done
+  named=$(find . -name 'kept.part-*')
   kill -"$signal" "$tool"
   wait "$tool" 2>/dev/null && fail "SIG$signal does not end it"
-  no_parts "SIG$signal"
   [[ $(cat kept) == kept ]] || fail "SIG$signal: the old file is gone"
+}
+signals=(INT TERM HUP QUIT PIPE ALRM XCPU USR1 USR2 ABRT SEGV BUS)
+for signal in "${signals[@]}"; do
+  ended_by "$signal"
+  no_parts "SIG$signal"
 done
+ended_by KILL
+if [[ -z $named ]]; then
+  no_parts SIGKILL
+else
+  case $(stat -f -c %T .) in
+    ext2/ext3 | xfs | btrfs | tmpfs) fail "a temporary name where the file system needs none: $named" ;;
+  esac
+  echo "no file without a name in $PWD: SIGKILL not tested"
+  rm kept.part-*
+fi
+# shellcheck disable=SC2016
+without_proc=(unshare --user --map-root-user --mount bash -c 'mount -t tmpfs none /proc && exec "$@"' -)
+if "${without_proc[@]}" true 2>/dev/null; then
+  for signal in "${signals[@]}"; do
+    ended_by "$signal" "${without_proc[@]}"
+    [[ -n $named ]] || fail "a file without a name, and no /proc to name it"
+    no_parts "SIG$signal without /proc"
+  done
+  "${without_proc[@]}" "$fogcomp" simulate -o unnamed >said.txt
+  cmp run.csv unnamed
+else
+  echo "no /proc can be hidden here: named temporary files not tested"
+fi
 
 # A link stays one, and what it names is replaced, with its permissions; where it leads nowhere, a file is made there.
 mkdir -p there

@@ -52,7 +52,9 @@ void expect_true_intervals(const std::vector<EffectTerm>& terms, const std::stri
   }
   std::printf("%s: truth within 95 %% interval in", effects.c_str());
   for (const int count : covered) std::printf(" %.1f", 100.0 * count / gyros);
-  std::printf(" %% of %d gyros\n", gyros);
+  std::printf(" %% of %d gyros; errors in their own sigma", gyros);
+  for (const double square : squares) std::printf(" %.2f", std::sqrt(square / gyros));
+  std::printf("\n");
   // Slow noise that nobody could know from one run is reckoned with: intervals are rather too wide,
   // that of the bias most, but by less than three times.
   for (const int count : covered) EXPECT_GE(count, 0.90 * gyros);

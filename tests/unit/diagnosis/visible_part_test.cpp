@@ -65,6 +65,19 @@ TEST_F(VisiblePartTest, DoesNotDependOnTheColumnsSizeAndIsAdditive) {
             1e-9 * sum.columns.norm());
 }
 
+// No formula of the catalogue is exactly what a gyro does: a twentieth of a term that bends with
+// temperature is no more than one sigma, and five times as much is an effect that is missing.
+TEST_F(VisiblePartTest, OfATermThatBendsALittleIsNotSeen) {
+  Eigen::VectorXd bent = fit_.columns.rightCols(1) * fit_.coefficients.tail(1);
+  for (Eigen::Index i = 0; i < bent.size(); ++i) {
+    const auto& signals = series_.rows().signals[static_cast<std::size_t>(i)];
+    bent[i] *= signals.temperature / 50;
+  }
+  const double seen = (*remover_)(bent).columns.norm();
+  EXPECT_LT(0.05 * seen, 1);
+  EXPECT_GT(0.25 * seen, 3);
+}
+
 TEST_F(VisiblePartTest, OfNothingIsNothing) {
   const VisiblePart part = (*remover_)(Eigen::MatrixXd::Zero(series_.rows().size(), 1));
   EXPECT_EQ(part.visible[0], 0);

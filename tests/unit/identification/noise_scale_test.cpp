@@ -64,10 +64,4 @@ TEST(NoiseScale, OfRowsWithoutNoiseIsOne) {
             Eigen::VectorXd::Ones(kSizeOfRun));
 }
 
-TEST(NoiseScale, BridgesWhatDoesNotCount) {
-  Eigen::VectorXd counted = Eigen::VectorXd::Ones(4);
-  counted[2] = 0;
-  EXPECT_EQ(fogcomp::bridged(Eigen::Vector4d(1, 2, 50, 3), counted), Eigen::Vector4d(1, 2, 2, 3));
-}
-
 }  // namespace

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "unit/identification/made_rows.hpp"
+
 namespace {
 
 using fogcomp::ValuesInTime;
@@ -177,6 +179,16 @@ TEST(OutlierRows, ABridgeIsAStraightLine) {
   std::vector<double> values{9, 1, 2, 9, 9, 5, 9};
   fogcomp::bridge_outliers({true, false, false, true, true, false, true}, {{0, 7}}, values);
   EXPECT_EQ(values, (std::vector<double>{1, 1, 2, 3, 4, 5, 5}));
+}
+
+TEST(OutlierRows, ABridgeLeadsNowhereFromOneRecordingToTheNext) {
+  fogcomp::Rows rows = fog::test::made_rows(6, [](double) { return 20; });
+  rows.run_starts = {0, 3};
+  Eigen::VectorXd values(6), counted(6), bridge(6);
+  values << 1, 2, 50, 50, 8, 9;
+  counted << 1, 1, 0, 0, 1, 1;
+  bridge << 1, 2, 2, 8, 8, 9;
+  EXPECT_EQ(fogcomp::bridged(rows, values, counted), bridge);
 }
 
 }  // namespace

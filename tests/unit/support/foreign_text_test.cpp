@@ -34,6 +34,9 @@ TEST(ForeignText, IsNotObeyedByATerminal) {
   EXPECT_EQ(displayable("a\xC2\x9B"
                         "31m"),
             "a?31m");  // CSI in one character
+  EXPECT_EQ(displayable("a\x9B"
+                        "31m\x80"),
+            "a?31m?");  // and in one byte, to a terminal of 8 bits
   EXPECT_EQ(displayable("60 \xC2\xB0"
                         "C"),
             "60 \xC2\xB0"
@@ -42,11 +45,16 @@ TEST(ForeignText, IsNotObeyedByATerminal) {
 
 TEST(ForeignText, IsValidJson) {
   EXPECT_EQ(fogcomp::Json("\xB0\x1B\x7F\"").text(), "\"" + kReplaced + "\\u001b\\u007f\\\"\"");
+  EXPECT_EQ(fogcomp::Json("60 \xC2\xB0\xC2\x9B").text(), "\"60 \xC2\xB0\\u009b\"");
+  EXPECT_EQ(fogcomp::Json("\xE2\x88\x9A").text(), "\"\xE2\x88\x9A\"");
 }
 
 TEST(ForeignText, IsNoNameOfAFile) {
   EXPECT_NO_THROW(fogcomp::require_printable_name("Z\xFCrich/60 \xC2\xB0.csv"));
-  EXPECT_THROW(fogcomp::require_printable_name("a\nb.csv"), fogcomp::InputError);
+  EXPECT_NO_THROW(fogcomp::require_printable_name("\xE2\x88\x9A.csv"));  // 9A in a character
+  for (const std::string name : {"a\nb.csv", "a\x9B.csv", "a\xC2\x9B.csv"}) {
+    EXPECT_THROW(fogcomp::require_printable_name(name), fogcomp::InputError);
+  }
 }
 
 TEST(Rounded, HasTheDigitsThatDeserveIt) {
