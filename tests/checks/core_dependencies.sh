@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # core_dependencies.sh ROOT: who may include whom (firmware/DESIGN.md, "Dependencies"), by include scan:
 # core only core and the freestanding part of the standard library; hal nothing of ours; platform hal,
-# the CRC and the thermometers; the generated header only app and tests. And no floating point in core.
+# the CRC, the size of the output frames and the thermometers; the generated header only app and tests. And no floating point in core.
 set -euo pipefail
 root=${1:?usage: core_dependencies.sh ROOT}
 cd "$root/firmware"
@@ -24,7 +24,7 @@ forbid() {
 standard='<(array|cstddef|cstdint|initializer_list|limits|new|tuple|type_traits|utility)>'
 forbid core "\"core/|$standard"
 forbid hal "$standard"
-forbid platform "\"(core/protocol/crc.hpp|core/thermometer/|hal/|platform/)|$standard"
+forbid platform "\"(core/bytes/crc.hpp|core/frames/output_bytes.hpp|core/thermometer/|hal/|platform/)|$standard"
 forbid app "\"(app|core|hal|platform)/|\"fog_model.h\"|$standard"
 
 # No type and no number of the core is a floating-point one. Looked for in a copy without comments, strings and

@@ -2,9 +2,9 @@
 
 #include <limits>
 
+#include "core/bytes/byte_order.hpp"
+#include "core/bytes/crc.hpp"
 #include "core/pipeline/table_reader.hpp"
-#include "core/protocol/byte_order.hpp"
-#include "core/protocol/crc.hpp"
 
 namespace fog {
 namespace {

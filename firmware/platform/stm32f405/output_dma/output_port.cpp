@@ -1,5 +1,6 @@
 #include <array>
 
+#include "core/frames/output_bytes.hpp"
 #include "hal/rate_sink.hpp"
 #include "platform/line_rates.hpp"
 #include "platform/ports.hpp"
@@ -19,10 +20,11 @@ constexpr std::uint32_t kUsart1TxChannel = 4;
 constexpr std::size_t kHighFlags = 1;
 constexpr std::uint32_t kAllFlags = 0x3DU << 22U;
 
-// The frames of a sample, both selected: 64 bytes. They last 117,000 cycles of 168 MHz; a poll
-// takes at least 5.
-[[gnu::section(".dma_buffers")]] std::array<std::uint8_t, 64> outgoing;
+// The frames of a sample, both selected. A byte at 921600 baud lasts 1,823 cycles of 168 MHz, a
+// poll takes at least 5: twice the time that the buffer needs.
+[[gnu::section(".dma_buffers")]] std::array<std::uint8_t, kMostOutputBytes> outgoing;
 constexpr std::uint32_t kPolls = 50'000;
+static_assert(kPolls >= 2 * kMostOutputBytes * 1823 / 5);
 
 DmaStream& stream() {
   return dma2().stream[kStream];
