@@ -8,10 +8,10 @@
 
 #include "core/effects/effect.hpp"
 #include "core/effects/registry.hpp"
-#include "core/effects/weighted_sum.hpp"
 #include "core/fixed_point/fixed.hpp"
 #include "core/signal/quantities.hpp"
 #include "core/signal/span.hpp"
+#include "core/signal/weighted_sum.hpp"
 
 namespace fog {
 
