@@ -24,7 +24,7 @@ forbid() {
 standard='<(array|cstddef|cstdint|initializer_list|limits|new|tuple|type_traits|utility)>'
 forbid core "\"core/|$standard"
 forbid hal "$standard"
-forbid platform "\"(core/bytes/crc.hpp|core/frames/output_bytes.hpp|core/thermometer/|hal/|platform/)|$standard"
+forbid platform "\"(core/bytes/crc.hpp|core/frames/output_bytes.hpp|core/thermometer/|hal/|platform/|wiring.hpp\")|$standard"
 forbid app "\"(app|core|hal|platform)/|\"fog_model.h\"|$standard"
 
 # No type and no number of the core is a floating-point one. Looked for in a copy without comments, strings and
