@@ -19,8 +19,6 @@ class NoiseGain {
   static constexpr std::uint32_t kMost =
       4 * power_of_two<std::uint32_t>(kFraction);  ///< kMostThresholdGain
 
-  std::uint32_t raw() const { return gain_; }
-
   /// The universal threshold of a level of which the table expected this; below 2^30.
   std::uint32_t of(std::uint32_t expected_universal) const {
     return static_cast<std::uint32_t>(
