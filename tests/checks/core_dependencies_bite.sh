@@ -38,8 +38,8 @@ refuses() {
 }
 # Upwards in the order of the folders; what would be a circle; a folder without a place.
 refuses frames/new.hpp '#include "core/health/image_seal.hpp"'
-refuses network/new.hpp '#include "core/effects/effect.hpp"
-#include "core/expression/expression_program.hpp"'
+refuses network/new.hpp '#include "core/effects/effect.hpp"'
+refuses expression/new.hpp '#include "core/effects/thermal_hysteresis.hpp"'
 refuses fixed_point/new.hpp '#include "core/pipeline/compensator.hpp"'
 mkdir "$copy/firmware/core/another"
 refuses another/new.hpp '#include <cstdint>'

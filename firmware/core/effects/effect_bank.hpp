@@ -44,7 +44,7 @@ struct EffectsParameters {
 };
 
 /// The effects of a model and their sum. Only effects in kCompiled exist in the image; a model
-/// table that enables another one is refused before this is built (ModelParameters::read).
+/// table that enables another one is refused before this is built (read_model).
 template <EffectMask kCompiled>
 class EffectBank {
  public:

@@ -18,7 +18,7 @@ namespace fog {
 
 /// Runs the expressions of a model, once per block. Operations and signals that are not in
 /// kCompiled have no code in the image; a table with one is refused before this is built
-/// (ModelParameters::read).
+/// (read_model).
 template <ExpressionMask kCompiled>
 class ExpressionBank {
  public:
