@@ -52,7 +52,7 @@ class NoiseGain {
 };
 
 /// Chooses one level's threshold by Stein's unbiased estimate of the risk, over blocks of its
-/// latest details. Counts in add(), a few instructions; decides in choose(), some 250.
+/// latest details. Counts in add(), a few instructions; decides in choose(), some 200.
 class RiskHistogram {
  public:
   static constexpr std::uint32_t kWhole = 16;

@@ -10,7 +10,7 @@
 #include "core/signal/quantities.hpp"
 
 // The inner loops of the filter bank, unrolled for the number of taps. For filter_bank.cpp only,
-// which is compiled with options that suit it (firmware/CMakeLists.txt) and change no result:
+// which is compiled with options that suit it (core/CMakeLists.txt) and change no result:
 // -fno-tree-ter and -fno-tree-coalesce-vars leave reads of neighbours together as they are written
 // here, which become one instruction (LDRD); -fno-if-conversion2 leaves rare cases in branches
 // instead of passing through them conditionally. Each loop is a function of its own, because only

@@ -33,7 +33,7 @@ bool sum_fits(std::uint64_t weights, std::int32_t bias) {
 }
 
 // The output's sum. Weights are read two at a time and in this order, which the compiler keeps
-// (firmware/CMakeLists.txt has its options): one instruction for both. A fourth input would cost
+// (core/CMakeLists.txt has its options): one instruction for both. A fourth input would cost
 // those that do not have it a tenth of the time, mostly because there are no registers for it.
 template <std::size_t kInputs>
 std::int64_t output_sum(const NetworkParameters& network, const ScaledInputs& inputs) {
