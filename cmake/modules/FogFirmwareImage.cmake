@@ -2,10 +2,27 @@
 
 set(FOG_PLATFORM
     ""
-    CACHE STRING "Board that the images are for: a folder of firmware/platform")
+    CACHE STRING "Chip or machine that the images are for: a folder of firmware/platform")
 if(NOT EXISTS "${PROJECT_SOURCE_DIR}/linker/${FOG_PLATFORM}.ld")
   message(FATAL_ERROR "FOG_PLATFORM is '${FOG_PLATFORM}', for which there is no linker script: "
                       "use a preset (cmake --list-presets)")
+endif()
+
+include("${PROJECT_SOURCE_DIR}/firmware/platform/${FOG_PLATFORM}/platform.cmake")
+
+set(FOG_BOARD
+    "${FOG_DEFAULT_BOARD}"
+    CACHE STRING "How the chip's pins are wired: a folder of firmware/platform/boards")
+if(FOG_BOARD)
+  set(fog_board_folder "${PROJECT_SOURCE_DIR}/firmware/platform/boards/${FOG_BOARD}")
+  set(wiring "${fog_board_folder}/wiring.hpp")
+  if(EXISTS "${wiring}")
+    file(STRINGS "${wiring}" of_this_chip REGEX "#include \"platform/${FOG_PLATFORM}/")
+  endif()
+  if(NOT of_this_chip)
+    message(FATAL_ERROR "FOG_BOARD is '${FOG_BOARD}', which is no board with a ${FOG_PLATFORM}: "
+                        "choose one of firmware/platform/boards")
+  endif()
 endif()
 
 # -Os, as measured: a sixth less flash than -O2, and bulk replay is no slower. At 200 samples a second
@@ -29,7 +46,7 @@ target_compile_options(
             $<$<COMPILE_LANGUAGE:CXX>:-fno-threadsafe-statics>)
 
 # fog_firmware_image(NAME SOURCES...): NAME.elf, .bin, .hex and .map in the root of the build folder,
-# for the board FOG_PLATFORM, sealed with their CRC. Linking prints the flash and RAM used, stack reserve included.
+# for FOG_PLATFORM, sealed with their CRC. Linking prints the flash and RAM used, stack reserve included.
 function(fog_firmware_image name)
   set(linker_folder "${PROJECT_SOURCE_DIR}/linker")
   set(linker_script "${linker_folder}/${FOG_PLATFORM}.ld")

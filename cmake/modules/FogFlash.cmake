@@ -3,10 +3,15 @@
 set(FOG_OPENOCD_INTERFACE
     interface/stlink.cfg
     CACHE STRING "OpenOCD's file of the debug adapter")
-set(flash_address 0x08000000) # where linker/stm32f405.ld starts
+
+# Where the image starts: what its linker script says.
+set(linker_script "${PROJECT_SOURCE_DIR}/linker/${FOG_PLATFORM}.ld")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${linker_script}")
+file(STRINGS "${linker_script}" flash_memory REGEX "^ *FLASH .*ORIGIN = 0x")
+string(REGEX REPLACE ".*ORIGIN = (0x[0-9A-Fa-f]+).*" "\\1" flash_address "${flash_memory}")
 
 function(fog_flash_targets image)
-  set(openocd openocd -f ${FOG_OPENOCD_INTERFACE} -f target/stm32f4x.cfg)
+  set(openocd openocd -f ${FOG_OPENOCD_INTERFACE} -f ${FOG_OPENOCD_TARGET})
   add_custom_target(
     flash
     COMMAND ${openocd} -c "program ${image}.elf verify reset exit"
@@ -17,11 +22,11 @@ function(fog_flash_targets image)
     DEPENDS ${image} WORKING_DIRECTORY "${PROJECT_BINARY_DIR}" USES_TERMINAL VERBATIM)
   add_custom_target(
     flash_dfu
-    COMMAND dfu-util -d 0483:df11 -a 0 -s ${flash_address}:leave -D ${image}.bin
+    COMMAND dfu-util -d ${FOG_DFU_DEVICE} -a 0 -s ${flash_address}:leave -D ${image}.bin
     DEPENDS ${image} WORKING_DIRECTORY "${PROJECT_BINARY_DIR}" USES_TERMINAL VERBATIM)
   add_custom_target(
     brown_out_reset
-    COMMAND ${openocd} -f "${PROJECT_SOURCE_DIR}/firmware/platform/stm32f405/brown_out.cfg"
+    COMMAND ${openocd} -f "${PROJECT_SOURCE_DIR}/firmware/platform/${FOG_PLATFORM}/brown_out.cfg"
             -c "init; set_brown_out_level; shutdown"
     USES_TERMINAL VERBATIM)
 endfunction()

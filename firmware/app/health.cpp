@@ -3,7 +3,7 @@
 #include <array>
 
 #include "app/pipeline.hpp"
-#include "core/health/health_request.hpp"
+#include "core/frames/health_request.hpp"
 #include "hal/rate_sink.hpp"
 #include "hal/request_source.hpp"
 #include "hal/reset_report.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/health/health_record.hpp"
+#include "core/frames/health_record.hpp"
 
 namespace fog::app {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 #include "hal/thermometer.hpp"
 
 namespace fog::app {

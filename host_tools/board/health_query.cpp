@@ -4,7 +4,7 @@
 #include <chrono>
 #include <vector>
 
-#include "core/health/health_request.hpp"
+#include "core/frames/health_request.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "board/board_port.hpp"
-#include "core/health/health_record.hpp"
+#include "core/frames/health_record.hpp"
 
 namespace fogcomp {
 

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 #include "dataset/input_columns.hpp"
 
 namespace fogcomp {

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 #include "dataset/fixed_decimal.hpp"
 #include "dataset/input_columns.hpp"
 #include "support/units.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/acquisition/extension_frame.hpp"
+#include "core/frames/extension_frame.hpp"
 #include "support/output_file.hpp"
 
 namespace fogcomp {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "core/acquisition/sequence_monitor.hpp"
-#include "core/acquisition/stream_parser.hpp"
 #include "core/acquisition/temperature_monitor.hpp"
+#include "core/frames/stream_parser.hpp"
 #include "dataset/board_limits.hpp"
 #include "dataset/input_columns.hpp"
 #include "support/input_error.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/bytes/crc.hpp"
 #include "core/denoise/denoise_parameters.hpp"
-#include "core/protocol/crc.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_lines.hpp"
 #include "support/input_error.hpp"

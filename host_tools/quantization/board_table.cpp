@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 #include "dataset/board_limits.hpp"
 #include "dataset/input_columns.hpp"
 #include "identification/block_series.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 #include "dataset/data_hash.hpp"
 #include "evaluation/white_noise.hpp"
 #include "support/input_error.hpp"

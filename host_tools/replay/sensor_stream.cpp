@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 #include "dataset/input_columns.hpp"
 #include "dataset/recording_writer.hpp"
 #include "identification/block_series.hpp"

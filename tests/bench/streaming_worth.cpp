@@ -1,5 +1,5 @@
 // What the board's denoiser does to noise and to a real rotation at 200 Hz: the tables of
-// firmware/core/denoise/README.md. `streaming_worth [MEMS.csv]` adds a real recording.
+// firmware/core/denoise/SPEC.md. `streaming_worth [MEMS.csv]` adds a real recording.
 #include <algorithm>
 #include <cmath>
 #include <complex>

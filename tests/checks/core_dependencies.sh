@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # core_dependencies.sh ROOT: who may include whom (firmware/DESIGN.md, "Dependencies"), by include scan:
 # core only core and the freestanding part of the standard library; hal nothing of ours; platform hal,
-# the CRC and the thermometers; the generated header only app and tests. And no floating point in core.
+# the CRC, the size of the output frames and the thermometers; the generated header only app and tests. Within the core a folder includes those before it in
+# a list. And no floating point in core; in denoise and network no shift but those that fixed_point names.
 set -euo pipefail
 root=${1:?usage: core_dependencies.sh ROOT}
 cd "$root/firmware"
@@ -24,8 +25,20 @@ forbid() {
 standard='<(array|cstddef|cstdint|initializer_list|limits|new|tuple|type_traits|utility)>'
 forbid core "\"core/|$standard"
 forbid hal "$standard"
-forbid platform "\"(core/protocol/crc.hpp|core/thermometer/|hal/|platform/)|$standard"
+forbid platform "\"(core/bytes/crc.hpp|core/frames/output_bytes.hpp|core/thermometer/|hal/|platform/|wiring.hpp\")|$standard"
 forbid app "\"(app|core|hal|platform)/|\"fog_model.h\"|$standard"
+
+# The folders of the core, each of which may know those before it and no other: so there is no circle.
+order=(fixed_point bytes signal thermal frames health acquisition thermometer network expression effects compensation
+  denoise pipeline)
+known=
+for folder in "${order[@]}"; do
+  known+="${known:+|}$folder"
+  forbid "core/$folder" "\"core/($known)/|<"
+done
+for folder in core/*/; do
+  [[ " ${order[*]} " == *" $(basename "$folder") "* ]] || { echo "$folder has no place in the order" >&2; status=1; }
+done
 
 # No type and no number of the core is a floating-point one. Looked for in a copy without comments, strings and
 # character constants: where several could begin, the first does.
@@ -39,6 +52,14 @@ decimal="[0-9][0-9']*\.|\.[0-9]|[0-9][0-9']*[eE][-+]?[0-9]"
 hexadecimal="0[xX][0-9a-fA-F'.]+[pP][-+]?[0-9]"
 if found=$(cd "$bare" && grep -rnE "${sources[@]}" "$type|(^|[^A-Za-z0-9_.'])($decimal|$hexadecimal)" core); then
   echo "floating point in core:" >&2
+  echo "$found" >&2
+  status=1
+fi
+
+# A 1 may become a mask. clang-format puts spaces around a shift, not around the ends of templates.
+if found=$(cd "$bare" && grep -rnE "${sources[@]}" '(<<|>>)' core/denoise core/network |
+  sed -E 's/\{1\} <</{1} MASK/g' | grep -E '\s(<<|>>)=?(\s|$)'); then
+  echo "a shift that core/fixed_point does not name:" >&2
   echo "$found" >&2
   status=1
 fi

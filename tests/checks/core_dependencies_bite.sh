@@ -28,4 +28,27 @@ done
 harmless=('// double, 0.5' $'/* float,\n   1.5e3 */' 'const char* s = "float, 0.5 \" 1e3";' "auto n = 1'000'000 + 0x1e5;"
   'int double_buffer = a.b5 + x1.e4;')
 accepts "$(printf '%s\n' "${harmless[@]}")" || { echo "refused in core: one of ${harmless[*]}" >&2; exit 1; }
+cp "$copy/original" "$file"
+
+# refuses FILE TEXT: whether the scan does, with the text at the end of a file of its own.
+refuses() {
+  echo "$2" >"$copy/firmware/core/$1"
+  ! "$here/core_dependencies.sh" "$copy" >/dev/null 2>&1 || { echo "accepted in core/$1: $2" >&2; exit 1; }
+  rm "$copy/firmware/core/$1"
+}
+# Upwards in the order of the folders; what would be a circle; a folder without a place.
+refuses frames/new.hpp '#include "core/health/image_seal.hpp"'
+refuses network/new.hpp '#include "core/effects/effect.hpp"'
+refuses expression/new.hpp '#include "core/effects/thermal_hysteresis.hpp"'
+refuses fixed_point/new.hpp '#include "core/pipeline/compensator.hpp"'
+mkdir "$copy/firmware/core/another"
+refuses another/new.hpp '#include <cstdint>'
+rmdir "$copy/firmware/core/another"
+for text in 'int f(int x) { return x >> 3; }' 'int f(int x, int y) { return (x + y) << 2; }' 'void f(int& x) { x >>= 1; }' \
+  'auto f(unsigned x) { return (x << 3) | (std::uint32_t{1} << 2); }'; do
+  refuses denoise/new.hpp "$text"
+  refuses network/new.cpp "$text"
+done
+echo 'using Pairs = Span<const Pair<int, int>>; constexpr auto kMask = std::uint32_t{1} << 7U;' >"$copy/firmware/core/denoise/new.hpp"
+"$here/core_dependencies.sh" "$copy" >/dev/null
 echo "every kind of trespass is refused, and nothing else"

@@ -1,10 +1,10 @@
 // The board's command port, and the host's reader of its answer.
 #include <algorithm>
 
-#include "core/health/health_record.hpp"
-#include "core/health/health_request.hpp"
-#include "core/protocol/byte_order.hpp"
-#include "core/protocol/crc.hpp"
+#include "core/bytes/byte_order.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/frames/health_record.hpp"
+#include "core/frames/health_request.hpp"
 #include "fuzzing.hpp"
 
 using fog::test::promise;

@@ -4,11 +4,11 @@
 #include <random>
 #include <string>
 
-#include "core/acquisition/extension_frame.hpp"
-#include "core/acquisition/sensor_frame.hpp"
-#include "core/health/health_record.hpp"
-#include "core/health/health_request.hpp"
-#include "core/protocol/byte_order.hpp"
+#include "core/bytes/byte_order.hpp"
+#include "core/frames/extension_frame.hpp"
+#include "core/frames/health_record.hpp"
+#include "core/frames/health_request.hpp"
+#include "core/frames/sensor_frame.hpp"
 #include "export/header.hpp"
 #include "model/model_file.hpp"
 #include "support/output_file.hpp"

@@ -2,7 +2,7 @@
 // as it was, and its table, where the board can have it, is one that the firmware takes.
 #include <string>
 
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 #include "fuzzing.hpp"
 #include "model/model_file.hpp"
 #include "quantization/board_table.hpp"

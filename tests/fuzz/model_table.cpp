@@ -3,7 +3,7 @@
 // words there are.
 #include <vector>
 
-#include "core/protocol/byte_order.hpp"
+#include "core/bytes/byte_order.hpp"
 #include "fuzzing.hpp"
 #include "replay/replay.hpp"
 #include "support/overflow_guard.hpp"

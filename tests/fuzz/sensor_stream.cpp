@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/acquisition/stream_parser.hpp"
+#include "core/frames/stream_parser.hpp"
 #include "fuzzing.hpp"
 
 using fog::StreamParser;

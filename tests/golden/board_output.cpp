@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 #include "golden/board_stream.hpp"
 #include "replay/replay.hpp"
 #include "support/text.hpp"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <random>
 
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 #include "quantization/board_table.hpp"
 #include "support/sample_models.hpp"
 

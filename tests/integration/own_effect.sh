@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# own_effect.sh SOURCE: carries out firmware/core/effects/README.md in a copy of the tree, block by block:
+# own_effect.sh SOURCE: carries out firmware/core/effects/TUTORIAL.md in a copy of the tree, block by block:
 # ```cpp file=PATH is written to PATH, ```sh is run.
 set -euo pipefail
 source=${1:?usage: own_effect.sh SOURCE}
-page=$source/firmware/core/effects/README.md
+page=$source/firmware/core/effects/TUTORIAL.md
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 cp -r "$source"/{CMakeLists.txt,CMakePresets.json,cmake,firmware,host_tools,linker,tests} "$copy"

@@ -4,9 +4,9 @@
 #include <new>
 
 #include "app/crash_line.hpp"
+#include "core/bytes/crc.hpp"
 #include "core/pipeline/compensator.hpp"
 #include "core/pipeline/model_parameters.hpp"
-#include "core/protocol/crc.hpp"
 #include "hal/rate_sink.hpp"
 #include "hal/reset_report.hpp"
 #include "on_target/checks.hpp"

@@ -1,9 +1,9 @@
-#include "core/acquisition/sensor_frame.hpp"
-#include "core/acquisition/stream_parser.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/frames/compact_frame.hpp"
+#include "core/frames/kvh_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
+#include "core/frames/stream_parser.hpp"
 #include "core/health/image_seal.hpp"
-#include "core/protocol/compact_frame.hpp"
-#include "core/protocol/crc.hpp"
-#include "core/protocol/kvh_frame.hpp"
 #include "on_target/checks.hpp"
 
 namespace fog::checks {

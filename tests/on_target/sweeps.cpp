@@ -1,9 +1,9 @@
+#include "core/bytes/crc.hpp"
 #include "core/fixed_point/exponential.hpp"
 #include "core/fixed_point/logarithm.hpp"
 #include "core/fixed_point/logistic.hpp"
 #include "core/fixed_point/sine.hpp"
-#include "core/protocol/crc.hpp"
-#include "core/protocol/rate_float.hpp"
+#include "core/frames/rate_float.hpp"
 #include "core/thermometer/platinum.hpp"
 #include "on_target/checks.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 #include "core/thermometer/ds18b20.hpp"
 #include "core/thermometer/platinum.hpp"
 #include "on_target/checks.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 #include "dataset/recording.hpp"
 #include "replay/replay.hpp"
 #include "support/sample_models.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 
 namespace fog::test {
 

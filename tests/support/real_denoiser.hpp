@@ -11,7 +11,7 @@
 namespace fog::test {
 
 /// The streaming denoiser in double precision, soft thresholds, written from
-/// firmware/core/denoise/README.md: what is to be computed, in deg/h, with no word about how.
+/// firmware/core/denoise/SPEC.md: what is to be computed, in deg/h, with no word about how.
 class RealDenoiser {
  public:
   static constexpr std::size_t kBlock = 128;

@@ -2,6 +2,7 @@
 # board_variants.sh SOURCE IMAGES FOGCOMP DS18B20 UART.in DIR: every choice of the STM32F405 build makes an image that keeps the
 # rules, and the default image holds nothing of those it did not choose. What the emulator lacks (DMA, converter) must
 # not stop a board: without its sensor it answers every sample, and marks none valid. A DS18B20 at USART 6 it believes.
+# Another board with the same chip sends the same bytes, on its own port; a board that is not there is refused.
 set -euo pipefail
 source=$1 images=$2 fogcomp=$3 ds18b20=$4 input=$5 folder=$6
 mkdir -p "$folder"
@@ -31,6 +32,11 @@ for sensor in ds18b20 pt1000; do
   [[ $validity =~ ^\ *$frames\ 0$ ]]
 done
 
+image=$folder/pyboard.elf
+"$source/tests/target/build_variant.sh" "$images" stm32f405 fogcomp "$image" -DFOG_BOARD=pyboard_v11
+FOG_OUTPUT_PORT=5 "$source/tests/target/run_uart.sh" netduinoplus2 "$image" "$input" "$folder/out.bin" $((36 * frames))
+cmp "$folder/expected.bin" "$folder/out.bin"
+
 # The stream says 20 degC; the sensor at the line 42. Rates are valid once it has been read, with its temperature.
 mkfifo "$folder/line.in" "$folder/line.out" 2>/dev/null || true
 "$ds18b20" "$folder/line.out" "$folder/line.in" 42 &
@@ -46,3 +52,11 @@ if cmake -S "$source" -B "$folder/refused" --preset mps2_an386 -DFOG_OUTPUT=dma 
   exit 1
 fi
 grep -q "has no output_dma" "$folder/refused.log"
+
+for platform in stm32f405 mps2_an386; do
+  if cmake -S "$source" -B "$folder/refused_$platform" --preset "$platform" -DFOG_BOARD=none >"$folder/refused.log" 2>&1; then
+    echo "$platform was built for a board that is not there" >&2
+    exit 1
+  fi
+  grep -q "no board with a $platform" "$folder/refused.log"
+done

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 
 namespace {
 

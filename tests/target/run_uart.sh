@@ -2,7 +2,7 @@
 # run_uart.sh MACHINE ELF IN.bin OUT.bin EXPECTED_BYTES [QEMU OPTION...]: boots the product image on QEMU's MACHINE,
 # plays the sensor stream IN.bin into its sensor port and collects its output stream in OUT.bin, its
 # console in OUT.bin.console. Ends when EXPECTED_BYTES have come out, and with exit code 1 if they have
-# not after FOG_QEMU_TIMEOUT_S (default 60).
+# not after FOG_QEMU_TIMEOUT_S (default 60). FOG_OUTPUT_PORT: QEMU's number of the output port, if it is not 0.
 set -euo pipefail
 (($# >= 5)) || { echo "usage: run_uart.sh MACHINE ELF IN.bin OUT.bin EXPECTED_BYTES [OPTION...]" >&2; exit 2; }
 machine=$1
@@ -42,14 +42,20 @@ wait_for() {
 is_ready() { grep -q ready "$output.console"; }
 is_complete() { (($(stat -c %s "$output") >= expected_bytes)); }
 
-# Serial ports 0, 1, 2 are USART 1, 2, 3 of the STM32 and UART 0, 1, 2 of the MPS2: output, sensor,
-# console. `timeout` ends QEMU even if this script is killed outright.
+# Serial ports 0 to 5 are USART 1 to 6 of the STM32, 0 to 2 UART 0 to 2 of the MPS2: output, sensor, console, or on another
+# board sensor, console and, further back, output. `timeout` ends QEMU even if this script is killed outright.
 mkfifo "$scratch/sensor.in" "$scratch/sensor.out"
 : >"$output"
 : >"$output.console"
+ports=(-serial "file:$output" -serial "pipe:$scratch/sensor" -serial "file:$output.console")
+if ((${FOG_OUTPUT_PORT:-0} > 0)); then
+  ports[1]=null
+  for ((port = 3; port < FOG_OUTPUT_PORT; ++port)); do ports+=(-serial null); done
+  ports+=(-serial "file:$output")
+fi
 timeout --kill-after=1 "$((timeout_s + 5))" \
   qemu-system-arm -M "$machine" -display none -monitor none \
-  -serial "file:$output" -serial "pipe:$scratch/sensor" -serial "file:$output.console" "${options[@]}" \
+  "${ports[@]}" "${options[@]}" \
   -kernel "$elf" </dev/null >"$scratch/qemu.log" 2>&1 &
 qemu=$!
 

@@ -3,10 +3,10 @@
 #include <cstdint>
 
 #include "core/acquisition/rate_monitor.hpp"
-#include "core/acquisition/sensor_frame.hpp"
 #include "core/acquisition/sequence_monitor.hpp"
 #include "core/acquisition/stuck_monitor.hpp"
 #include "core/acquisition/temperature_monitor.hpp"
+#include "core/frames/sensor_frame.hpp"
 
 namespace fog {
 

@@ -1,11 +1,10 @@
 #include "core/denoise/denoise_parameters.hpp"
 
+#include "core/fixed_point/shift.hpp"
+#include "core/fixed_point/words.hpp"
+
 namespace fog {
 namespace {
-
-std::uint32_t magnitude_of(std::int32_t half) {
-  return static_cast<std::uint32_t>(half < 0 ? -half : half);
-}
 
 // The larger sum of the magnitudes of every second synthesis tap: at most so much of a level's
 // input (times 2^15 / 2) comes out of it. The same for both filters, of which one is the other
@@ -28,11 +27,11 @@ bool noise_fits(const DenoiseParameters& parameters, std::uint32_t gain, int shi
   std::uint32_t noise = 0;
   for (std::size_t level = parameters.levels(); level-- > 0;) {
     auto threshold = static_cast<std::uint32_t>(parameters.thresholds[level]);
-    if (threshold >= std::uint32_t{1} << 30U) return false;
+    if (threshold >= power_of_two<std::uint32_t>(30)) return false;
     if (parameters.rule != ThresholdRule::fixed) threshold *= kMostThresholdGain;
-    const std::uint32_t removed = (threshold >> shift) + 1;
+    const std::uint32_t removed = floor_shift(threshold, shift) + 1;
     if (removed > kMost) return false;
-    noise = (gain * (noise + removed) >> (kSynthesisTapFraction - 1)) + 1;
+    noise = floor_shift(gain * (noise + removed), kSynthesisTapFraction - 1) + 1;
     if (noise > kMost) return false;
   }
   return true;

@@ -29,7 +29,7 @@ struct DenoiserOutput {
 /// reconstructs perfectly. In integers this form is the better one: with thresholds 0 the output is
 /// the delayed input, bit for bit; a rotation of any size passes with an error bounded by the
 /// thresholds, not by its size; full-scale input needs no head room; and noise is small, so that 16
-/// bits hold it. README.md beside this file says it all.
+/// bits hold it. SPEC.md beside this file says it all.
 template <std::size_t kTaps, std::size_t kLevels>
 class Denoiser {
   static_assert(kTaps % 2 == 0, "include core/denoise/any_denoiser.hpp for kAnyTaps");

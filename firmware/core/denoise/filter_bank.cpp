@@ -3,28 +3,16 @@
 #include "core/denoise/filter_kernels.hpp"
 #include "core/fixed_point/saturating_difference.hpp"
 #include "core/fixed_point/shift.hpp"
+#include "core/fixed_point/words.hpp"
 #include "core/signal/quantities.hpp"
 
 namespace fog {
 namespace {
 
-std::uint32_t magnitude_of(std::int32_t value) {
-  const auto bits = static_cast<std::uint32_t>(value);
-  return value < 0 ? 0U - bits : bits;
-}
-
-std::uint32_t pack(std::uint32_t coarser_noise, std::int32_t removed) {
-  return (static_cast<std::uint32_t>(removed) << 16U) | coarser_noise;
-}
-
-std::uint32_t lower_half(std::int32_t noise) {
-  return static_cast<std::uint16_t>(noise);
-}
-
 // The outlier gate's limit in LSB of Rate: twice the universal threshold of the finest level, which
 // is some five times the standard deviation of the samples.
 std::uint32_t outlier_limit(std::uint32_t finest_threshold) {
-  return finest_threshold >> (kDetailFraction - Rate::fractional_bits - 1);
+  return floor_shift(finest_threshold, kDetailFraction - Rate::fractional_bits - 1);
 }
 
 }  // namespace
@@ -36,7 +24,7 @@ FilterBank<kTaps>::FilterBank(const DenoiseParameters& parameters, const BankMem
       rule_(parameters.rule),
       mode_(parameters.mode),
       shift_(noise_shift(parameters)),
-      rounding_half_(static_cast<std::int32_t>((std::uint32_t{1} << shift_) / 2)),
+      rounding_half_(static_cast<std::int32_t>(power_of_two<std::uint32_t>(shift_) / 2)),
       coarser_(memory.coarser),
       coarser_end_(memory.coarser) {
   if (parameters.levels() == 0) return;
@@ -97,7 +85,7 @@ std::uint32_t FilterBank<kTaps>::adapt_threshold(LevelThreshold& threshold,
   threshold.now = universal;
   if (rule_ == ThresholdRule::heursure) {
     threshold.now = universal / RiskHistogram::kWhole * threshold.risk.sixteenths();
-    threshold.risk.add(magnitude >> shift_, universal >> shift_);
+    threshold.risk.add(floor_shift(magnitude, shift_), floor_shift(universal, shift_));
     if (threshold.risk.full()) choice_due_ = true;
   }
   return universal;
@@ -142,14 +130,14 @@ std::int32_t FilterBank<kTaps>::step(std::int32_t sample) {
 template <std::size_t kTaps>
 [[gnu::always_inline]] inline std::int32_t FilterBank<kTaps>::noise_of_pair(std::uint32_t number) {
   const std::int32_t* const filters = filters_;
-  Two found(split<kTaps>(filters, line_.newest(), line_.oldest(kTaps)));
+  RegisterPair found(split<kTaps>(filters, line_.newest(), line_.oldest(kTaps)));
   if (rule_ != ThresholdRule::fixed) adapt_finest(magnitude_of(found.second()));
   const std::int32_t finest_removed = removed(found.second(), finest_.threshold.now);
 
   CoarserLevel<kTaps>* level = coarser_;
   std::uint32_t noise = 0;
   for (; level != coarser_end_; ++level) {
-    number >>= 1U;
+    number /= 2U;
     if ((number & 1U) != 0U) {
       level->inputs[kTaps] = found.first();
       noise = lower_half(level->waiting_noise);
@@ -157,7 +145,7 @@ template <std::size_t kTaps>
     }
     std::int32_t* const inputs = level->inputs.data();
     push_pair<kTaps>(inputs, found.first(), inputs[kTaps]);
-    found = Two(split<kTaps>(filters, inputs, inputs));
+    found = RegisterPair(split<kTaps>(filters, inputs, inputs));
     if (rule_ != ThresholdRule::fixed) {
       adapt_threshold(level->threshold, magnitude_of(found.second()));
     }
@@ -167,11 +155,13 @@ template <std::size_t kTaps>
   const std::int32_t* const synthesis = filters + 2 * kTaps;
   while (level != coarser_) {
     --level;
-    const Two pair(merge<kTaps>(synthesis, level->noise.data(), pack(noise, level->removed())));
+    const RegisterPair pair(
+        merge<kTaps>(synthesis, level->noise.data(), pack_halves(noise, level->removed())));
     noise = lower_half(pair.first());
     level->waiting_noise = static_cast<std::int16_t>(pair.second());
   }
-  const Two pair(merge<kTaps>(synthesis, finest_.noise.data(), pack(noise, finest_removed)));
+  const RegisterPair pair(
+      merge<kTaps>(synthesis, finest_.noise.data(), pack_halves(noise, finest_removed)));
   finest_.waiting_noise = static_cast<std::int16_t>(pair.second());
   return pair.first();
 }

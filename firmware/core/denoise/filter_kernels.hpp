@@ -6,34 +6,16 @@
 #include "core/denoise/denoise_parameters.hpp"
 #include "core/fixed_point/dual_product.hpp"
 #include "core/fixed_point/shift.hpp"
+#include "core/fixed_point/words.hpp"
 #include "core/signal/quantities.hpp"
 
 // The inner loops of the filter bank, unrolled for the number of taps. For filter_bank.cpp only,
-// which is compiled with options that suit it (firmware/CMakeLists.txt) and change no result:
+// which is compiled with options that suit it (core/CMakeLists.txt) and change no result:
 // -fno-tree-ter and -fno-tree-coalesce-vars leave reads of neighbours together as they are written
 // here, which become one instruction (LDRD); -fno-if-conversion2 leaves rare cases in branches
 // instead of passing through them conditionally. Each loop is a function of its own, because only
 // there GCC has registers enough for all its sums.
 namespace fog {
-
-/// Two results as they come back in two registers; a struct of two would go through memory.
-class Two {
- public:
-  static std::uint64_t of(std::int32_t first, std::int32_t second) {
-    return (std::uint64_t{static_cast<std::uint32_t>(second)} << 32U) |
-           static_cast<std::uint32_t>(first);
-  }
-  explicit Two(std::uint64_t both) : both_(both) {}
-  std::int32_t first() const {
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(both_));
-  }
-  std::int32_t second() const {
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(both_ >> 32U));
-  }
-
- private:
-  std::uint64_t both_;
-};
 
 // Input and approximation have the format of Rate; a detail is held finer.
 constexpr int kDetailShift = kTapFraction + Rate::fractional_bits - kDetailFraction;
@@ -61,8 +43,8 @@ template <std::size_t kTaps>
     even_sum += std::int64_t{next_tap} * even;
     odd_sum += std::int64_t{tap} * odd;
   }
-  return Two::of(saturating_shift<kTapFraction>(low_sum),
-                 saturating_shift<kDetailShift>(even_sum - odd_sum));
+  return RegisterPair::of(saturating_shift<kTapFraction>(low_sum),
+                          saturating_shift<kDetailShift>(even_sum - odd_sum));
 }
 
 /// Takes two inputs into `window` (kTaps values, newest first).
@@ -110,7 +92,7 @@ template <std::size_t kTaps>
     even = add_crossed_product(mirrored, odd_taps, even);
     odd = add_crossed_product(even_taps, mirrored, odd);
   }
-  return Two::of(floor_shift(even, kDropped), floor_shift(odd, kDropped));
+  return RegisterPair::of(floor_shift(even, kDropped), floor_shift(odd, kDropped));
 }
 
 }  // namespace fog

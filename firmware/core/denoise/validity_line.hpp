@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/fixed_point/shift.hpp"
+
 namespace fog {
 
 /// Which of the latest samples, up to kMost, were valid. As long as all were and valid ones follow,
@@ -18,7 +20,7 @@ class ValidityLine {
 
   /// Notes whether the newest of `length` samples is valid, and tells whether the oldest was.
   bool exchange(bool valid, std::size_t length) {
-    const std::uint32_t bit = std::uint32_t{1} << (next_ % 32U);
+    const auto bit = power_of_two<std::uint32_t>(bit_of(next_));
     std::uint32_t& word = invalid_[next_ / 32U];
     if (valid) {
       word &= ~bit;
@@ -28,10 +30,12 @@ class ValidityLine {
       unsettled_ = length;
     }
     if (++next_ == length) next_ = 0;
-    return ((invalid_[next_ / 32U] >> (next_ % 32U)) & 1U) == 0U;
+    return (floor_shift(invalid_[next_ / 32U], bit_of(next_)) & 1U) == 0U;
   }
 
  private:
+  static int bit_of(std::size_t place) { return static_cast<int>(place % 32U); }
+
   std::array<std::uint32_t, kMost / 32U + 1U> invalid_{};
   std::size_t next_ = 0;       // where the oldest stands; any place, if settled
   std::size_t unsettled_ = 0;  // samples until all since the last fault have been found valid

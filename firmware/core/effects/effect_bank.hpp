@@ -8,10 +8,10 @@
 
 #include "core/effects/effect.hpp"
 #include "core/effects/registry.hpp"
-#include "core/effects/weighted_sum.hpp"
 #include "core/fixed_point/fixed.hpp"
 #include "core/signal/quantities.hpp"
 #include "core/signal/span.hpp"
+#include "core/signal/weighted_sum.hpp"
 
 namespace fog {
 
@@ -44,7 +44,7 @@ struct EffectsParameters {
 };
 
 /// The effects of a model and their sum. Only effects in kCompiled exist in the image; a model
-/// table that enables another one is refused before this is built (ModelParameters::read).
+/// table that enables another one is refused before this is built (read_model).
 template <EffectMask kCompiled>
 class EffectBank {
  public:

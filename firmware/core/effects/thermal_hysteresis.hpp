@@ -3,29 +3,9 @@
 #include <array>
 
 #include "core/effects/effect.hpp"
+#include "core/thermal/play.hpp"
 
 namespace fog::effects {
-
-/// Play operator: follows x only when x has moved it by more than the radius. Rate-independent:
-/// holds for ever at constant x, so it cannot drift; clamping is exact, so it cannot round away.
-template <class N>
-class Play {
- public:
-  using Value = typename N::template Number<22>;  ///< +-512 degC
-
-  explicit Play(Value radius) : radius_(radius) {}
-
-  void centre(Value x) { y_ = x; }
-  /// x - y after x: between - and + radius, the whole radius on the branches of a loop.
-  Value step(Value x) {
-    y_ = clamp(y_, x - radius_, x + radius_);
-    return x - y_;
-  }
-
- private:
-  Value radius_;
-  Value y_{};
-};
 
 /// Thermal hysteresis after Prandtl and Ishlinskii: one or two play operators on the temperature.
 /// The regressor is (T - play) / radius: +1 on the warming branch, -1 on the cooling one, so that

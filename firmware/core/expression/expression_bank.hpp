@@ -5,20 +5,20 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/effects/thermal_hysteresis.hpp"
-#include "core/effects/weighted_sum.hpp"
 #include "core/expression/expression_program.hpp"
 #include "core/fixed_point/exponential.hpp"
 #include "core/fixed_point/logistic.hpp"
 #include "core/fixed_point/sine.hpp"
+#include "core/signal/weighted_sum.hpp"
 #include "core/thermal/first_order_lag.hpp"
+#include "core/thermal/play.hpp"
 #include "core/thermal/signals.hpp"
 
 namespace fog {
 
 /// Runs the expressions of a model, once per block. Operations and signals that are not in
 /// kCompiled have no code in the image; a table with one is refused before this is built
-/// (ModelParameters::read).
+/// (read_model).
 template <ExpressionMask kCompiled>
 class ExpressionBank {
  public:
@@ -42,7 +42,7 @@ class ExpressionBank {
  private:
   using Op = ExpressionOp;
   using Lag = FirstOrderLag<BoardNumbers>;
-  using Play = effects::Play<BoardNumbers>;
+  using Play = fog::Play<BoardNumbers>;
 
   // Lag and play are homogeneous: whatever format the values have, these may take them for theirs,
   // which has 22 fractional bits.

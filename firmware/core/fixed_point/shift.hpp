@@ -8,11 +8,18 @@
 
 namespace fog {
 
+// Numbers are shifted by these; what else shifts moves bits (masks, bytes of a frame). Right shifts
+// of negative numbers are arithmetic on every compiler that C++20 allows, and on GCC.
+
+/// 2^bits. 0 <= bits < width of Int, one less if Int is signed.
+template <typename Int>
+constexpr Int power_of_two(int bits) {
+  return static_cast<Int>(Int{1} << bits);
+}
+
 /// value / 2^bits, rounded to the nearest integer, halves upwards (towards +infinity): add half,
-/// then shift arithmetically. The only lossy step of the core, but for the upper words inside the
-/// logistic function; the Cortex-M4 instruction SMMULR rounds the same way. 0 <= bits < width of
-/// Int; no overflow for any value. Right shifts of negative numbers are arithmetic on every
-/// compiler that C++20 allows, and on GCC.
+/// then shift arithmetically, as the Cortex-M4 instruction SMMULR does. 0 <= bits < width of Int;
+/// no overflow for any value.
 template <typename Int>
 constexpr Int round_shift(Int value, int bits) {
   static_assert(std::is_signed_v<Int>);
@@ -21,17 +28,17 @@ constexpr Int round_shift(Int value, int bits) {
   return static_cast<Int>((value >> bits) + ((value >> (bits - 1)) & 1));
 }
 
-/// value / 2^bits, rounded down: round_shift for a sum that began with the half, rounding_half().
+/// value / 2^bits, rounded down (towards -infinity). 0 <= bits < width of Int; no overflow. Of a
+/// sum that began with rounding_half() it is what round_shift is of the rest.
 template <typename Int>
 constexpr Int floor_shift(Int value, int bits) {
-  static_assert(std::is_signed_v<Int>);
   return static_cast<Int>(value >> bits);
 }
 
-/// What a sum begins with that floor_shift is to round. 1 <= bits.
+/// Half of 2^bits: what a sum begins with that floor_shift is to round. 1 <= bits.
 template <typename Int>
 constexpr Int rounding_half(int bits) {
-  return static_cast<Int>(Int{1} << (bits - 1));
+  return power_of_two<Int>(bits - 1);
 }
 
 /// value * 2^bits. Wraps; a checked build reports what does not fit.

@@ -3,15 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "core/protocol/crc.hpp"
-
-/// A function whose result the compiler may not foresee: what it computes from a proof must be
-/// computed. Clang, which only builds tests, has no word for it.
-#if defined(__clang__)
-#define FOG_OPAQUE [[gnu::noinline]]
-#else
-#define FOG_OPAQUE [[gnu::noipa]]
-#endif
+#include "core/bytes/crc.hpp"
 
 namespace fog {
 

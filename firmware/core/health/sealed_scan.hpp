@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/bytes/crc.hpp"
 #include "core/health/image_seal.hpp"
-#include "core/protocol/crc.hpp"
 #include "core/signal/span.hpp"
 
 namespace fog {

@@ -46,7 +46,7 @@ class InputLags<false> {
 
 /// The network of a model with the signals that it sees, once per block. Only inputs in kCompiled
 /// exist in the image; a model table with another one is refused before this is built
-/// (ModelParameters::read). Its parameters must outlive it.
+/// (read_model). Its parameters must outlive it.
 template <NetworkInputMask kCompiled>
 class DriftNetwork {
  public:

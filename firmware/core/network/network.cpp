@@ -1,67 +1,51 @@
 #include "core/network/network.hpp"
 
+#include "core/fixed_point/words.hpp"
+
 namespace fog {
 namespace {
-
-// A sum of products of raw weights and inputs, of which the upper half counts. The lower one begins
-// with half of the upper one's LSB, so that the upper one is rounded.
-std::int64_t sum_from(std::int32_t bias) {
-  const auto upper = static_cast<std::uint32_t>(bias);
-  return static_cast<std::int64_t>((std::uint64_t{upper} << 32U) | (std::uint64_t{1} << 31U));
-}
 
 std::int64_t product(std::int32_t weight, std::int32_t input) {
   return std::int64_t{weight} * input;
 }
 
-// Shifted unsigned: from a signed shift GCC would take the result to have 64 bits, and multiply so.
-std::int32_t upper_half(std::int64_t sum) {
-  return static_cast<std::int32_t>(static_cast<std::uint64_t>(sum) >> 32U);
-}
-
-// What makes a NodePlace of the upper half of a layer's sums. A product instead of a shift: count
+// What makes a NodePlace of the upper word of a layer's sums. A product instead of a shift: count
 // of nodes and distance come out in two registers.
 std::int32_t places_per_sum(int layer_shift) {
-  return std::int32_t{1} << (NodePlace::fractional_bits - ActivationInput::fractional_bits +
-                             layer_shift);
+  return power_of_two<std::int32_t>(NodePlace::fractional_bits - ActivationInput::fractional_bits +
+                                    layer_shift);
 }
 
 [[gnu::always_inline]] inline ActivationOutput activate(std::int64_t sum, std::int32_t places) {
-  return symmetric_logistic(NodePlace::from_raw(product(upper_half(sum), places)));
+  return symmetric_logistic(NodePlace::from_raw(product(upper_word(sum), places)));
 }
 
 ActivationOutput linear(std::int64_t sum, int layer_shift) {
   const int shift =
       layer_shift + ActivationOutput::fractional_bits - ActivationInput::fractional_bits;
   const std::int32_t most = floor_shift(INT32_MAX, shift);
-  return ActivationOutput::from_raw(shift_left(clip(upper_half(sum), most), shift));
+  return ActivationOutput::from_raw(shift_left(clip(upper_word(sum), most), shift));
 }
 
 // In raw.
 bool sum_fits(std::uint64_t weights, std::int32_t bias) {
-  const std::int64_t raw = bias;
-  return weights + 2 * static_cast<std::uint64_t>(raw < 0 ? -raw : raw) < UINT32_MAX;
-}
-
-std::uint32_t magnitude(std::int32_t weight) {
-  const auto bits = static_cast<std::uint32_t>(weight);
-  return weight < 0 ? 0U - bits : bits;
+  return weights + 2 * std::uint64_t{magnitude_of(bias)} < UINT32_MAX;
 }
 
 // The output's sum. Weights are read two at a time and in this order, which the compiler keeps
-// (firmware/CMakeLists.txt has its options): one instruction for both. A fourth input would cost
+// (core/CMakeLists.txt has its options): one instruction for both. A fourth input would cost
 // those that do not have it a tenth of the time, mostly because there are no registers for it.
 template <std::size_t kInputs>
 std::int64_t output_sum(const NetworkParameters& network, const ScaledInputs& inputs) {
   static_assert(kMostNetworkInputs == 4 && kNeuronWords == 6);
   const std::int32_t in[] = {inputs[0], inputs[1], inputs[2], inputs[3]};
-  std::int64_t output = sum_from(network.output_bias);
+  std::int64_t output = sum_of_upper_word(network.output_bias);
   const std::int32_t hidden = places_per_sum(network.hidden_shift);
   const std::int32_t* const end = network.neurons.end();
   for (const std::int32_t* word = network.neurons.begin(); word != end; word += kNeuronWords) {
     const std::int32_t bias = word[0];
     const std::int32_t weight0 = word[1];
-    std::int64_t sum = sum_from(bias) + product(weight0, in[0]);
+    std::int64_t sum = sum_of_upper_word(bias) + product(weight0, in[0]);
     const std::int32_t weight1 = word[2];
     const std::int32_t weight2 = word[3];
     sum += product(weight1, in[1]);
@@ -91,9 +75,9 @@ bool network_fits(const NetworkParameters& network) {
   for (const std::int32_t* word = network.neurons.begin(); word != network.neurons.end();
        word += kNeuronWords) {
     std::uint64_t weights = 0;
-    for (std::size_t i = 1; i <= kMostNetworkInputs; ++i) weights += magnitude(word[i]);
+    for (std::size_t i = 1; i <= kMostNetworkInputs; ++i) weights += magnitude_of(word[i]);
     fits = fits && sum_fits(weights, word[0]);
-    output_weights += magnitude(word[kNeuronWords - 1]);
+    output_weights += magnitude_of(word[kNeuronWords - 1]);
   }
   return fits && sum_fits(output_weights, network.output_bias);
 }

@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/effects/weighted_sum.hpp"
 #include "core/fixed_point/logistic.hpp"
 #include "core/fixed_point/saturating_difference.hpp"
 #include "core/network/network_input.hpp"
 #include "core/signal/quantities.hpp"
 #include "core/signal/span.hpp"
+#include "core/signal/weighted_sum.hpp"
 #include "core/thermal/first_order_lag.hpp"
 
 namespace fog {

@@ -6,22 +6,20 @@
 
 #include "core/acquisition/calibration.hpp"
 #include "core/acquisition/sample_monitor.hpp"
-#include "core/acquisition/stream_parser.hpp"
 #include "core/compensation/drift_model.hpp"
 #include "core/denoise/denoiser.hpp"
+#include "core/frames/compact_frame.hpp"
+#include "core/frames/kvh_frame.hpp"
+#include "core/frames/output_bytes.hpp"
+#include "core/frames/stream_parser.hpp"
 #include "core/health/image_proof.hpp"
 #include "core/health/image_seal.hpp"
 #include "core/pipeline/block_clock.hpp"
 #include "core/pipeline/model_parameters.hpp"
-#include "core/protocol/compact_frame.hpp"
-#include "core/protocol/kvh_frame.hpp"
 #include "core/signal/output_sample.hpp"
 #include "core/thermal/block_collector.hpp"
 
 namespace fog {
-
-/// Most bytes that one sensor sample causes to be sent.
-constexpr std::size_t kMostOutputBytes = kKvhFrameBytes + kCompactFrameBytes;
 
 /// The whole pipeline: bytes of the sensor stream in, bytes of the output stream out. The order of
 /// the stages is that of process(). Shape limits are template parameters so that an image holds

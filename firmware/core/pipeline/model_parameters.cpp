@@ -2,9 +2,9 @@
 
 #include <limits>
 
+#include "core/bytes/byte_order.hpp"
+#include "core/bytes/crc.hpp"
 #include "core/pipeline/table_reader.hpp"
-#include "core/protocol/byte_order.hpp"
-#include "core/protocol/crc.hpp"
 
 namespace fog {
 namespace {
@@ -90,7 +90,7 @@ void read_network(TableReader& table, NetworkParameters& network) {
     input.centre = table.next();
     input.reach = table.next(1, kMost32);
     input.shift = table.next(0, 30);
-    table.require(input.reach <= kMost32 >> input.shift);
+    table.require(input.reach <= floor_shift(kMost32, input.shift));
   }
   network.hidden_shift = table.next(0, kMostWeightShift);
   network.output_shift = table.next(0, kMostWeightShift);

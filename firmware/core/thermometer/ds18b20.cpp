@@ -1,7 +1,7 @@
 #include "core/thermometer/ds18b20.hpp"
 
+#include "core/bytes/crc.hpp"
 #include "core/fixed_point/shift.hpp"
-#include "core/protocol/crc.hpp"
 #include "core/signal/span.hpp"
 
 namespace fog {

@@ -14,8 +14,8 @@ using ResistanceRatio = Fixed<std::int32_t, 28>;
 /// B = -5.775e-7 /degC^2, below 0 degC also C = -4.183e-12 /degC^4).
 ///
 /// Newton's method on the standard's own polynomial, so there is no table to trust. Within
-/// 0.0001 degC of it over -100...+200 degC (tests/unit/core/platinum_test.cpp); ratios beyond those
-/// of that range are clipped to its ends.
+/// 0.0001 degC of it over -100...+200 degC (tests/unit/thermometer/platinum_test.cpp); ratios
+/// beyond those of that range are clipped to its ends.
 Temperature platinum_temperature(ResistanceRatio ratio);
 
 /// Ratio of a thermometer in a divider: supply (the ADC's reference) - `reference` - node -

@@ -10,19 +10,23 @@ namespace {
 
 using Mpu = MemoryProtectionUnit;
 
-/// 2^log2_bytes from `start`, which must be a multiple of that. Where regions overlap, the higher
+/// A region from `start`, which must be a multiple of its size. Where regions overlap, the higher
 /// number rules.
-void set_region(std::uint32_t number, const void* start, std::uint32_t log2_bytes,
-                std::uint32_t access) {
+void set_region(std::uint32_t number, const void* start, std::uint32_t attributes) {
   const auto address = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(start));
   memory_protection_unit().region_base.write(address | Mpu::kRegionValid | number);
-  memory_protection_unit().region_attributes.write(access | Mpu::kNormalMemory |
-                                                   Mpu::size_field(log2_bytes) | Mpu::kEnable);
+  memory_protection_unit().region_attributes.write(attributes);
 }
 
-// The sizes are upper bounds of what the parts have: flash 1 MiB, RAM 128 KiB (linker/*.ld).
-constexpr std::uint32_t kLog2FlashBytes = 20;
-constexpr std::uint32_t kLog2RamBytes = 17;
+constexpr std::uint32_t attributes(std::uint32_t access) {
+  return access | Mpu::kNormalMemory | Mpu::kEnable;
+}
+
+/// With the size of a memory of the linker script; an offset, so that the linker adds it.
+std::uint32_t attributes(std::uint32_t access, const std::uint8_t* region_size) {
+  return reinterpret_cast<std::uintptr_t>(region_size + attributes(access));
+}
+
 constexpr std::uint32_t kLog2GuardBytes = 5;  // the smallest region there is
 
 }  // namespace
@@ -30,9 +34,11 @@ constexpr std::uint32_t kLog2GuardBytes = 5;  // the smallest region there is
 // Peripherals keep the default map, which never executes from them. The trap handler runs without
 // protection (kEnable alone, not for hard faults), so that the guard cannot stop its report.
 void protect_memory() {
-  set_region(0, fog_image_start, kLog2FlashBytes, Mpu::kReadOnly);
-  set_region(1, fog_stack_guard, kLog2RamBytes, Mpu::kReadWrite | Mpu::kExecuteNever);
-  set_region(2, fog_stack_guard, kLog2GuardBytes, Mpu::kNoAccess | Mpu::kExecuteNever);
+  set_region(0, fog_image_start, attributes(Mpu::kReadOnly, fog_flash_region_size));
+  set_region(1, fog_stack_guard,
+             attributes(Mpu::kReadWrite | Mpu::kExecuteNever, fog_ram_region_size));
+  set_region(2, fog_stack_guard,
+             attributes(Mpu::kNoAccess | Mpu::kExecuteNever) | Mpu::size_field(kLog2GuardBytes));
   memory_protection_unit().control.write(Mpu::kEnable | Mpu::kDefaultMapElsewhere);
   asm volatile("dsb\n isb" ::: "memory");
 }

@@ -18,7 +18,6 @@ struct CmsdkUart {
 
   // state
   static constexpr std::uint32_t kTransmitFull = 1U << 0U;
-  static constexpr std::uint32_t kReceiveFull = 1U << 1U;
   // control
   static constexpr std::uint32_t kTransmitter = 1U << 0U;
   static constexpr std::uint32_t kReceiver = 1U << 1U;

@@ -2,12 +2,17 @@
 
 #include <cstdint>
 
-// What linker/common_sections.ld places. Only the addresses mean anything. All are word aligned.
+// What linker/common_sections.ld places. Only the addresses mean anything. All but the sizes are
+// word aligned.
 extern "C" {
 
 /// The image in flash, vector table to seal: what its CRC covers.
 extern const std::uint8_t fog_image_start[];
 extern const std::uint8_t fog_image_end[];
+
+/// The sizes of the memories: the address is the size field of a region of the memory protection.
+extern const std::uint8_t fog_flash_region_size[];
+extern const std::uint8_t fog_ram_region_size[];
 
 extern const std::uint32_t fog_data_load[];
 extern std::uint32_t fog_data_start[];

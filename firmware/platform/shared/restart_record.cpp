@@ -1,6 +1,6 @@
 #include "platform/shared/restart_record.hpp"
 
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 
 namespace fog::platform {
 namespace {

@@ -1,7 +1,7 @@
 #include "platform/stm32f405/clock_tree.hpp"
 
 #include "platform/stm32f405/peripherals.hpp"
-#include "platform/stm32f405/pins.hpp"
+#include "wiring.hpp"
 
 namespace fog::platform {
 namespace {
@@ -15,7 +15,8 @@ constexpr std::uint32_t kPllN = 168;
 constexpr std::uint32_t kPllP = 2;
 constexpr std::uint32_t kPllQ = 7;  // 48 MHz for USB and RNG: unused, but inside its limit
 static_assert(kPllInputHz * kPllN / kPllP == kCoreHz);
-static_assert(kCrystalHz % kPllInputHz == 0 && kInternalHz % kPllInputHz == 0);
+static_assert(kCrystalHz % kPllInputHz == 0 && kInternalHz % kPllInputHz == 0,
+              "the board's crystal must be a multiple of 2 MHz");
 
 // 2.7 V to 3.6 V, 150 MHz to 168 MHz (RM0090, table 10).
 constexpr std::uint32_t kFlashWaitStates = 5;

@@ -6,8 +6,8 @@ namespace fog::platform {
 
 struct ClockTree {
   std::uint32_t core_hz;
-  std::uint32_t apb1_hz;  ///< USART2, USART3
-  std::uint32_t apb2_hz;  ///< USART1
+  std::uint32_t apb1_hz;
+  std::uint32_t apb2_hz;
   const char* source;
   bool is_fallback;  ///< not the crystal at full speed
 };

@@ -2,20 +2,19 @@
 
 #include "platform/line_rates.hpp"
 #include "platform/ports.hpp"
-#include "platform/stm32f405/clock_tree.hpp"
 #include "platform/stm32f405/usart_line.hpp"
+#include "wiring.hpp"
 
 // The console. How the output stream leaves is chosen when building: output_polled or output_dma.
 namespace fog {
 
 void platform::open_console_port() {
-  enable_clock(rcc().apb1_enable, Rcc::kUsart3);
-  open_line(usart3(), kConsoleTx, Usart::kTransmitter, clock_tree().apb1_hz, kConsoleBaud);
+  open_line(kConsoleUsart, kConsoleTx, Usart::kTransmitter, kConsoleBaud);
 }
 
 void hal::write_console(const char* text) {
   for (; *text != '\0'; ++text) {
-    platform::send_byte(platform::usart3(), static_cast<std::uint8_t>(*text));
+    platform::send_byte(registers(platform::kConsoleUsart), static_cast<std::uint8_t>(*text));
   }
 }
 

@@ -53,10 +53,6 @@ struct Rcc {
   static constexpr std::uint32_t kGpioA = 1U << 0U;  // and so on, by port
   static constexpr std::uint32_t kDma2 = 1U << 22U;
   static constexpr std::uint32_t kTimer2 = 1U << 0U;
-  static constexpr std::uint32_t kUsart2 = 1U << 17U;
-  static constexpr std::uint32_t kUsart3 = 1U << 18U;
-  static constexpr std::uint32_t kUsart1 = 1U << 4U;
-  static constexpr std::uint32_t kUsart6 = 1U << 5U;
   static constexpr std::uint32_t kAdc1 = 1U << 8U;
 
   // status (7.3.21)
@@ -215,18 +211,6 @@ inline Flash& flash() {
 inline Gpio& gpio(std::uint32_t port) {
   return peripheral_at<Gpio>(0x40020000U + 0x400U * port);
 }
-inline Usart& usart1() {
-  return peripheral_at<Usart>(0x40011000U);
-}
-inline Usart& usart2() {
-  return peripheral_at<Usart>(0x40004400U);
-}
-inline Usart& usart3() {
-  return peripheral_at<Usart>(0x40004800U);
-}
-inline Usart& usart6() {
-  return peripheral_at<Usart>(0x40011400U);
-}
 inline Dma& dma2() {
   return peripheral_at<Dma>(0x40026400U);
 }
@@ -244,8 +228,6 @@ inline IndependentWatchdog& watchdog() {
 }
 
 constexpr std::size_t kInterruptLines = 82;
-constexpr std::uint32_t kUsart1Interrupt = 37;
-constexpr std::uint32_t kUsart2Interrupt = 38;
 
 /// Switches a peripheral's clock on. The read back gives it the two cycles it needs before its
 /// first access (ST ES0182, "Delay after an RCC peripheral clock enabling").

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "platform/stm32f405/pins.hpp"
+#include "platform/stm32f405/pin.hpp"
 
 namespace fog::platform {
 

@@ -5,6 +5,7 @@
 #include "platform/ports.hpp"
 #include "platform/ring_buffer.hpp"
 #include "platform/stm32f405/usart_line.hpp"
+#include "wiring.hpp"
 
 namespace fog {
 namespace platform {
@@ -15,14 +16,14 @@ RingBuffer<16> requested;
 }  // namespace
 
 void open_request_port() {
-  open_receiver(usart1(), kRequestRx);
-  enable_interrupt(kUsart1Interrupt);
+  open_receiver(registers(kOutputUsart), kRequestRx);
+  enable_interrupt(kOutputUsart.interrupt);
 }
 
 // Reading status, then data, also clears an overrun, which would otherwise interrupt for ever.
 void on_request_interrupt() {
-  const bool has_byte = usart1().status.any(Usart::kReceived);
-  const auto byte = static_cast<std::uint8_t>(usart1().data.read());
+  const bool has_byte = registers(kOutputUsart).status.any(Usart::kReceived);
+  const auto byte = static_cast<std::uint8_t>(registers(kOutputUsart).data.read());
   if (has_byte) requested.push(byte);
   signal_event();
 }

@@ -5,8 +5,8 @@
 #include "platform/line_rates.hpp"
 #include "platform/ports.hpp"
 #include "platform/ring_buffer.hpp"
-#include "platform/stm32f405/clock_tree.hpp"
 #include "platform/stm32f405/usart_line.hpp"
+#include "wiring.hpp"
 
 namespace fog {
 namespace platform {
@@ -18,10 +18,8 @@ RingBuffer<1024> received;
 }  // namespace
 
 void open_sensor_port() {
-  enable_clock(rcc().apb1_enable, Rcc::kUsart2);
-  open_line(usart2(), kSensorRx, Usart::kReceiver | Usart::kReceiveInterrupt, clock_tree().apb1_hz,
-            kSensorBaud);
-  enable_interrupt(kUsart2Interrupt);
+  open_line(kSensorUsart, kSensorRx, Usart::kReceiver | Usart::kReceiveInterrupt, kSensorBaud);
+  enable_interrupt(kSensorUsart.interrupt);
 }
 
 // Reading status, then data, also clears an overrun, which would otherwise interrupt for ever; the
@@ -29,11 +27,11 @@ void open_sensor_port() {
 // buffer is full the byte stays in the USART and the line is not served: the reader opens it again.
 void on_sensor_interrupt() {
   if (received.is_full()) {
-    disable_interrupt(kUsart2Interrupt);
+    disable_interrupt(kSensorUsart.interrupt);
     return;
   }
-  const bool has_byte = usart2().status.any(Usart::kReceived);
-  const auto byte = static_cast<std::uint8_t>(usart2().data.read());
+  const bool has_byte = registers(kSensorUsart).status.any(Usart::kReceived);
+  const auto byte = static_cast<std::uint8_t>(registers(kSensorUsart).data.read());
   if (has_byte) received.push(byte);
   signal_event();
 }
@@ -44,7 +42,7 @@ namespace hal {
 
 std::size_t read_sensor_stream(std::uint8_t* destination, std::size_t capacity) {
   const std::size_t count = platform::received.pop(destination, capacity);
-  if (count > 0) platform::enable_interrupt(platform::kUsart2Interrupt);
+  if (count > 0) platform::enable_interrupt(platform::kSensorUsart.interrupt);
   return count;
 }
 

@@ -4,14 +4,22 @@
 #include <cstdint>
 
 #include "platform/stm32f405/peripherals.hpp"
-#include "platform/stm32f405/pins.hpp"
+#include "platform/stm32f405/pin.hpp"
+#include "platform/stm32f405/usart_port.hpp"
 
 namespace fog::platform {
 
-/// Opens a USART on `pin`, 8N1. `control` is what control1 gets besides the enable bit: the
-/// direction and its interrupt. `bus_hz` is the clock of the bus that the USART is on.
+/// Opens a USART, whose clock is on, on `pin`, 8N1. `control` is what control1 gets besides the
+/// enable bit: the direction and its interrupt. `bus_hz` is the clock of the bus that it is on.
 void open_line(Usart& usart, const Pin& pin, std::uint32_t control, std::uint32_t bus_hz,
                std::uint32_t baud);
+
+/// The same with everything that it needs, its clock included.
+inline void open_line(const UsartPort& port, const Pin& pin, std::uint32_t control,
+                      std::uint32_t baud) {
+  enable_clock(port);
+  open_line(registers(port), pin, control, bus_hz(port), baud);
+}
 
 /// Adds the other direction to an open line: reception on `pin`, with its interrupt.
 void open_receiver(Usart& usart, const Pin& pin);

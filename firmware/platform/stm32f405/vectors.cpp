@@ -2,6 +2,7 @@
 #include "platform/cortex_m/vector_table.hpp"
 #include "platform/ports.hpp"
 #include "platform/stm32f405/peripherals.hpp"
+#include "wiring.hpp"
 
 namespace fog::platform {
 
@@ -10,8 +11,8 @@ const hal::ResetCause kNmiMeans = hal::ResetCause::clock_failure;
 
 namespace {
 
-constexpr InterruptHandler kHandlers[] = {{kUsart1Interrupt, on_request_interrupt},
-                                          {kUsart2Interrupt, on_sensor_interrupt}};
+constexpr InterruptHandler kHandlers[] = {{kOutputUsart.interrupt, on_request_interrupt},
+                                          {kSensorUsart.interrupt, on_sensor_interrupt}};
 
 [[gnu::section(".vectors"), gnu::used]] constexpr auto kVectors =
     make_vector_table<kInterruptLines>(kHandlers);

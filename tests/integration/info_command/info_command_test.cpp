@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 #include "dataset/recording.hpp"
 #include "unit/dataset/temporary_file.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 #include "emulated_board.hpp"
 
 namespace fogcomp::injection {

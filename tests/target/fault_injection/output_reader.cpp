@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/protocol/compact_frame.hpp"
-#include "core/protocol/crc.hpp"
-#include "core/protocol/kvh_frame.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/frames/compact_frame.hpp"
+#include "core/frames/kvh_frame.hpp"
 
 namespace fogcomp::injection {
 namespace {

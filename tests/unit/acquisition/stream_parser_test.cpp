@@ -1,4 +1,4 @@
-#include "core/acquisition/stream_parser.hpp"
+#include "core/frames/stream_parser.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/fixed_point/dual_product.hpp"
+#include "core/fixed_point/words.hpp"
 #include "support/overflow_guard.hpp"
 
 namespace {
@@ -32,6 +33,53 @@ TEST(RoundShift, DoesNotOverflowAtTheEndsOfTheRange) {
   EXPECT_EQ(round_shift(INT32_MIN, 1), -0x40000000);
   EXPECT_EQ(round_shift(INT64_MAX, 62), 2);
   EXPECT_EQ(round_shift(INT64_MIN, 63), -1);
+}
+
+TEST(FloorShift, RoundsDownForEverySixteenBitValueSignedAndUnsigned) {
+  for (int bits = 0; bits < 16; ++bits) {
+    for (std::int32_t value = -32768; value <= 32767; ++value) {
+      const double expected = std::floor(std::ldexp(value, -bits));
+      ASSERT_EQ(fog::floor_shift(value, bits), expected) << value << " >> " << bits;
+      if (value >= 0) {
+        ASSERT_EQ(fog::floor_shift(static_cast<std::uint32_t>(value), bits), expected) << value;
+      }
+    }
+  }
+  EXPECT_EQ(fog::floor_shift(UINT64_MAX, 63), 1U);
+}
+
+TEST(Words, AMagnitudeIsThatOfTheLowestNumberToo) {
+  EXPECT_EQ(fog::magnitude_of(INT32_MIN), 0x80000000U);
+  EXPECT_EQ(fog::magnitude_of(-5), 5U);
+  EXPECT_EQ(fog::magnitude_of(INT32_MAX), 0x7FFFFFFFU);
+}
+
+TEST(Words, HalvesAndPairsComeBackAsTheyWentIn) {
+  for (const std::int32_t upper : {0, 1, -1, 32767, -32768}) {
+    for (const std::int32_t lower : {0, 1, -1, 32767, -32768}) {
+      const std::uint32_t word = fog::pack_halves(fog::lower_half(lower), upper);
+      EXPECT_EQ(static_cast<std::int16_t>(word % 65536U), lower);
+      EXPECT_EQ(static_cast<std::int16_t>(word / 65536U), upper);
+    }
+  }
+  for (const std::int32_t first : {0, -1, INT32_MIN, INT32_MAX}) {
+    for (const std::int32_t second : {0, -1, INT32_MIN, INT32_MAX}) {
+      const fog::RegisterPair pair(fog::RegisterPair::of(first, second));
+      EXPECT_EQ(pair.first(), first);
+      EXPECT_EQ(pair.second(), second);
+    }
+  }
+}
+
+TEST(Words, AnUpperWordIsTheSumRoundedOnceWithHalvesUpwards) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100000; ++i) {
+    const auto upper = static_cast<std::int32_t>(random()) / 4;
+    const std::int64_t added = fog::floor_shift(static_cast<std::int64_t>(random()), 2 + i % 40);
+    ASSERT_EQ(fog::upper_word(fog::sum_of_upper_word(upper) + added),
+              upper + round_shift(added, 32))
+        << upper << " + " << added;
+  }
 }
 
 TEST(SaturatingShift, IsTheFloorOfTheShiftedValueClipped) {

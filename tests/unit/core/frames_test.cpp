@@ -5,10 +5,10 @@
 #include <random>
 #include <string>
 
+#include "core/frames/compact_frame.hpp"
+#include "core/frames/kvh_frame.hpp"
+#include "core/frames/rate_float.hpp"
 #include "core/health/image_seal.hpp"
-#include "core/protocol/compact_frame.hpp"
-#include "core/protocol/kvh_frame.hpp"
-#include "core/protocol/rate_float.hpp"
 
 namespace {
 

@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/health/health_record.hpp"
-#include "core/health/health_request.hpp"
+#include "core/frames/compact_frame.hpp"
+#include "core/frames/health_record.hpp"
+#include "core/frames/health_request.hpp"
+#include "core/frames/kvh_frame.hpp"
 #include "core/health/image_proof.hpp"
 #include "core/health/image_seal.hpp"
 #include "core/health/memory_scan.hpp"
 #include "core/health/sealed_scan.hpp"
-#include "core/protocol/compact_frame.hpp"
-#include "core/protocol/kvh_frame.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 #include "dataset/input_columns.hpp"
 
 namespace {

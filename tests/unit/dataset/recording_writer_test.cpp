@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 #include "dataset/fixed_decimal.hpp"
 #include "support/output_file.hpp"
 #include "temporary_file.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 #include "dataset/recording_writer.hpp"
 #include "support/input_error.hpp"
 #include "temporary_file.hpp"

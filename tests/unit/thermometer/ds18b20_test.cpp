@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 #include "support/ds18b20_model.hpp"
 
 namespace {

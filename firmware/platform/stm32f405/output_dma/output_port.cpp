@@ -1,28 +1,30 @@
 #include <array>
 
+#include "core/frames/output_bytes.hpp"
 #include "hal/rate_sink.hpp"
 #include "platform/line_rates.hpp"
 #include "platform/ports.hpp"
-#include "platform/stm32f405/clock_tree.hpp"
 #include "platform/stm32f405/usart_line.hpp"
+#include "wiring.hpp"
 
-// Frames are copied, and sent by DMA 2, stream 7, channel 4 (RM0090, table 43) while the core goes
-// on. It waits only where frames come faster than the line takes them.
+// Frames are copied, and sent by DMA 2, stream 7 (RM0090, table 43) while the core goes on. It
+// waits only where frames come faster than the line takes them.
 namespace fog {
 namespace platform {
 namespace {
 
 constexpr std::size_t kStream = 7;
-constexpr std::uint32_t kUsart1TxChannel = 4;
+static_assert(kOutputUsart.dma_channel != 0, "DMA 2, stream 7, serves USART 1 and 6 only");
 
 // Of streams 4 to 7; those of stream 7 (10.5.4).
 constexpr std::size_t kHighFlags = 1;
 constexpr std::uint32_t kAllFlags = 0x3DU << 22U;
 
-// The frames of a sample, both selected: 64 bytes. They last 117,000 cycles of 168 MHz; a poll
-// takes at least 5.
-[[gnu::section(".dma_buffers")]] std::array<std::uint8_t, 64> outgoing;
+// The frames of a sample, both selected. A byte at 921600 baud lasts 1,823 cycles of 168 MHz, a
+// poll takes at least 5: twice the time that the buffer needs.
+[[gnu::section(".dma_buffers")]] std::array<std::uint8_t, kMostOutputBytes> outgoing;
 constexpr std::uint32_t kPolls = 50'000;
+static_assert(kPolls >= 2 * kMostOutputBytes * 1823 / 5);
 
 DmaStream& stream() {
   return dma2().stream[kStream];
@@ -41,18 +43,18 @@ void send(std::size_t size) {
   dma2().clear[kHighFlags].write(kAllFlags);  // with one of them set the stream would not start
   stream().count.write(static_cast<std::uint32_t>(size));
   __atomic_thread_fence(__ATOMIC_RELEASE);  // the bytes are in memory before the DMA reads them
-  stream().configuration.write(DmaStream::channel(kUsart1TxChannel) | DmaStream::kIncrementMemory |
-                               DmaStream::kMemoryToPeripheral | DmaStream::kEnable);
+  stream().configuration.write(DmaStream::channel(kOutputUsart.dma_channel) |
+                               DmaStream::kIncrementMemory | DmaStream::kMemoryToPeripheral |
+                               DmaStream::kEnable);
 }
 
 }  // namespace
 
 void open_output_port() {
-  enable_clock(rcc().apb2_enable, Rcc::kUsart1);
   enable_clock(rcc().ahb1_enable, Rcc::kDma2);
-  open_line(usart1(), kOutputTx, Usart::kTransmitter, clock_tree().apb2_hz, kOutputBaud);
-  usart1().control3.set(Usart::kTransmitByDma);
-  stream().peripheral_address.write(bus::address_of(&usart1().data));
+  open_line(kOutputUsart, kOutputTx, Usart::kTransmitter, kOutputBaud);
+  registers(kOutputUsart).control3.set(Usart::kTransmitByDma);
+  stream().peripheral_address.write(bus::address_of(&registers(kOutputUsart).data));
   stream().memory_address.write(bus::address_of(outgoing.data()));
 }
 

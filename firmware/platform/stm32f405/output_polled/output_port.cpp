@@ -1,20 +1,20 @@
 #include "hal/rate_sink.hpp"
 #include "platform/line_rates.hpp"
 #include "platform/ports.hpp"
-#include "platform/stm32f405/clock_tree.hpp"
 #include "platform/stm32f405/usart_line.hpp"
+#include "wiring.hpp"
 
 // The core hands over every byte itself: 64 bytes at 921600 baud are 0.7 ms of the 5 ms of a
 // sample.
 namespace fog {
 
 void platform::open_output_port() {
-  enable_clock(rcc().apb2_enable, Rcc::kUsart1);
-  open_line(usart1(), kOutputTx, Usart::kTransmitter, clock_tree().apb2_hz, kOutputBaud);
+  open_line(kOutputUsart, kOutputTx, Usart::kTransmitter, kOutputBaud);
 }
 
 void hal::write_output_stream(const std::uint8_t* bytes, std::size_t size) {
-  for (std::size_t i = 0; i < size; ++i) platform::send_byte(platform::usart1(), bytes[i]);
+  for (std::size_t i = 0; i < size; ++i)
+    platform::send_byte(registers(platform::kOutputUsart), bytes[i]);
 }
 
 }  // namespace fog

@@ -1,11 +1,11 @@
 #include "hal/thermometer.hpp"
 #include "core/thermometer/ds18b20.hpp"
 #include "hal/clock.hpp"
-#include "platform/stm32f405/clock_tree.hpp"
 #include "platform/stm32f405/pin_modes.hpp"
 #include "platform/stm32f405/usart_line.hpp"
+#include "wiring.hpp"
 
-// A DS18B20 on USART 6 as a half-duplex line: the USART makes the time slots, so no interrupt can
+// A DS18B20 on a USART as a half-duplex line: the USART makes the time slots, so no interrupt can
 // spoil one and none has to be held off. A byte is a slot, and what is heard of it says what the
 // sensor did (Maxim, tutorial 214).
 namespace fog {
@@ -31,9 +31,10 @@ std::uint32_t sent_at_ms = 0;
 
 void send(OneWireSlot next, std::uint32_t now_ms) {
   const bool reset = next == OneWireSlot::reset;
-  usart6().baud_rate.write(baud_divisor(clock_tree().apb2_hz, reset ? kResetBaud : kSlotBaud));
+  registers(kOneWireUsart)
+      .baud_rate.write(baud_divisor(bus_hz(kOneWireUsart), reset ? kResetBaud : kSlotBaud));
   const std::uint8_t low = next == OneWireSlot::write_0 ? kLongLow : kShortLow;
-  usart6().data.write(reset ? kResetByte : low);
+  registers(kOneWireUsart).data.write(reset ? kResetByte : low);
   slot = next;
   sent_at_ms = now_ms;
 }
@@ -54,9 +55,9 @@ using namespace platform;
 void start_thermometer() {
   make_open_drain(kOneWire);
   connect(kOneWire);
-  enable_clock(rcc().apb2_enable, Rcc::kUsart6);
-  usart6().control3.set(Usart::kHalfDuplex);
-  usart6().control1.write(Usart::kEnable | Usart::kTransmitter | Usart::kReceiver);
+  enable_clock(kOneWireUsart);
+  registers(kOneWireUsart).control3.set(Usart::kHalfDuplex);
+  registers(kOneWireUsart).control1.write(Usart::kEnable | Usart::kTransmitter | Usart::kReceiver);
 }
 
 // The baud rate changes between slots, so the line must have been quiet before: complete, not only
@@ -65,8 +66,9 @@ void advance_thermometer() {
   const std::uint32_t now_ms = milliseconds();
   if (slot != OneWireSlot::none) {
     constexpr std::uint32_t kThrough = Usart::kReceived | Usart::kTransmitComplete;
-    if ((usart6().status.read() & kThrough) == kThrough) {
-      sensor.slot_made(shown(static_cast<std::uint8_t>(usart6().data.read())), now_ms);
+    if ((registers(kOneWireUsart).status.read() & kThrough) == kThrough) {
+      sensor.slot_made(shown(static_cast<std::uint8_t>(registers(kOneWireUsart).data.read())),
+                       now_ms);
     } else if (now_ms - sent_at_ms > kLostAfterMs) {
       sensor.line_failed();
     } else {

@@ -3,6 +3,7 @@
 #include "hal/clock.hpp"
 #include "platform/stm32f405/peripherals.hpp"
 #include "platform/stm32f405/pin_modes.hpp"
+#include "wiring.hpp"
 
 // A PT1000 in a divider on ADC 1, converted over and over: a reading of 512 codes twice a second
 // and more. The supply is also the converter's reference, so it drops out.

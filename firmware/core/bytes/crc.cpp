@@ -1,4 +1,4 @@
-#include "core/protocol/crc.hpp"
+#include "core/bytes/crc.hpp"
 
 namespace fog {
 namespace {

@@ -1,8 +1,8 @@
-#include "core/protocol/compact_frame.hpp"
+#include "core/frames/compact_frame.hpp"
 
-#include "core/health/image_seal.hpp"
-#include "core/protocol/byte_order.hpp"
-#include "core/protocol/crc.hpp"
+#include "core/bytes/byte_order.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/bytes/opaque.hpp"
 
 namespace fog {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/effects/weighted_sum.hpp"
+#include "core/signal/weighted_sum.hpp"
 
 namespace fog {
 

@@ -1,7 +1,7 @@
-#include "core/health/health_record.hpp"
+#include "core/frames/health_record.hpp"
 
-#include "core/protocol/byte_order.hpp"
-#include "core/protocol/crc.hpp"
+#include "core/bytes/byte_order.hpp"
+#include "core/bytes/crc.hpp"
 
 namespace fog {
 namespace {

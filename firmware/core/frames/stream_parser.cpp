@@ -1,4 +1,4 @@
-#include "core/acquisition/stream_parser.hpp"
+#include "core/frames/stream_parser.hpp"
 
 namespace fog {
 

@@ -1,10 +1,10 @@
-#include "core/protocol/kvh_frame.hpp"
+#include "core/frames/kvh_frame.hpp"
 
+#include "core/bytes/byte_order.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/bytes/opaque.hpp"
 #include "core/fixed_point/fixed.hpp"
-#include "core/health/image_seal.hpp"
-#include "core/protocol/byte_order.hpp"
-#include "core/protocol/crc.hpp"
-#include "core/protocol/rate_float.hpp"
+#include "core/frames/rate_float.hpp"
 
 namespace fog {
 namespace {

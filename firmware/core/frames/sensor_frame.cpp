@@ -1,7 +1,7 @@
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 
-#include "core/protocol/byte_order.hpp"
-#include "core/protocol/crc.hpp"
+#include "core/bytes/byte_order.hpp"
+#include "core/bytes/crc.hpp"
 
 namespace fog {
 namespace {

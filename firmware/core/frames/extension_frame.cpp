@@ -1,8 +1,8 @@
-#include "core/acquisition/extension_frame.hpp"
+#include "core/frames/extension_frame.hpp"
 
-#include "core/acquisition/sensor_frame.hpp"
-#include "core/protocol/byte_order.hpp"
-#include "core/protocol/crc.hpp"
+#include "core/bytes/byte_order.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/frames/sensor_frame.hpp"
 
 namespace fog {
 namespace {

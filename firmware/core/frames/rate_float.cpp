@@ -1,4 +1,4 @@
-#include "core/protocol/rate_float.hpp"
+#include "core/frames/rate_float.hpp"
 
 namespace fog {
 namespace {

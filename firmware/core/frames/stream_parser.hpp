@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/acquisition/extension_frame.hpp"
-#include "core/acquisition/sensor_frame.hpp"
+#include "core/frames/extension_frame.hpp"
+#include "core/frames/sensor_frame.hpp"
 
 namespace fog {
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include "platform/stm32f405/pin.hpp"
+#include "platform/stm32f405/usart_port.hpp"
+
+// Olimex STM32-H405.
+namespace fog::platform {
+
+constexpr std::uint32_t kCrystalHz = 8'000'000;
+
+constexpr UsartPort kOutputUsart = kUsart1;
+constexpr Pin kOutputTx{Port::kA, 9, 7};    ///< output frames to the user
+constexpr Pin kRequestRx{Port::kA, 10, 7};  ///< requests from the user
+
+constexpr UsartPort kSensorUsart = kUsart2;
+constexpr Pin kSensorRx{Port::kA, 3, 7};  ///< sensor stream from the demodulator
+
+constexpr UsartPort kConsoleUsart = kUsart3;
+constexpr Pin kConsoleTx{Port::kB, 10, 7};
+
+// Only in images that are built with FOG_TEMPERATURE=ds18b20: 4.7 kOhm to 3.3 V.
+constexpr UsartPort kOneWireUsart = kUsart6;
+constexpr Pin kOneWire{Port::kC, 6, 8};
+
+// Only with FOG_TEMPERATURE=pt1000: ADC1_IN10 at the middle of 3.3 V - resistor - PT1000 - ground.
+constexpr Pin kPlatinum{Port::kC, 0, 0};
+constexpr std::uint32_t kPlatinumChannel = 10;
+constexpr std::uint32_t kPlatinumOhmAt0Degc = 1000;
+constexpr std::uint32_t kPlatinumSeriesOhm = 1000;
+
+}  // namespace fog::platform

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "platform/stm32f405/pin.hpp"
+#include "platform/stm32f405/usart_port.hpp"
+
+// MicroPython's pyboard v1.1, by the names on its edge.
+namespace fog::platform {
+
+constexpr std::uint32_t kCrystalHz = 12'000'000;
+
+constexpr UsartPort kOutputUsart = kUsart6;
+constexpr Pin kOutputTx{Port::kC, 6, 8};   ///< Y1: output frames to the user
+constexpr Pin kRequestRx{Port::kC, 7, 8};  ///< Y2: requests from the user
+
+constexpr UsartPort kSensorUsart = kUsart2;
+constexpr Pin kSensorRx{Port::kA, 3, 7};  ///< X4: sensor stream from the demodulator
+
+constexpr UsartPort kConsoleUsart = kUsart3;
+constexpr Pin kConsoleTx{Port::kB, 10, 7};  ///< Y9
+
+// Only in images that are built with FOG_TEMPERATURE=ds18b20: X9, 4.7 kOhm to 3.3 V.
+constexpr UsartPort kOneWireUsart = kUsart1;
+constexpr Pin kOneWire{Port::kB, 6, 7};
+
+// Only with FOG_TEMPERATURE=pt1000: X19, ADC1_IN10 at the middle of 3.3 V - resistor - PT1000 -
+// ground.
+constexpr Pin kPlatinum{Port::kC, 0, 0};
+constexpr std::uint32_t kPlatinumChannel = 10;
+constexpr std::uint32_t kPlatinumOhmAt0Degc = 1000;
+constexpr std::uint32_t kPlatinumSeriesOhm = 1000;
+
+}  // namespace fog::platform

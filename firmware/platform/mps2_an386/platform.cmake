@@ -1,0 +1,2 @@
+# What the build needs to know of this machine.
+set(FOG_HAS_LINES ON)

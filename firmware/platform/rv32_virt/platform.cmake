@@ -1,0 +1,1 @@
+# A processor to replay on: no lines, no watchdog, nothing to choose.

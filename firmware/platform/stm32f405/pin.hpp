@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fog::platform {
+
+enum class Port : std::uint8_t { kA, kB, kC };
+
+/// A pin and the number of the alternate function that it is given (data sheet, table 9).
+struct Pin {
+  Port port;
+  std::uint8_t number;
+  std::uint8_t alternate_function;
+};
+
+}  // namespace fog::platform
