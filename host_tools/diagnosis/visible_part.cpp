@@ -34,9 +34,11 @@ constexpr std::array<Lagging, 6> kLagging{{{0.1, 60, false},
                                            {0.2, 120, true},
                                            {0.2, 480, true}}};
 constexpr Eigen::Index kTimings = 2 + kLagging.size();
-// The formula of an effect is what the gyro does but for such a share that bends with temperature:
-// of physics from first principles the catalogue's polynomials and cosines miss up to 4 %.
-constexpr double kBendingShare = 0.05;
+// The formula of an effect is what the gyro does but for such a share that bends with temperature.
+// Of physics from first principles polynomials and cosines of temperature miss up to 4 %; terms of
+// the temperature rate less, and an effect of its own may make them bend by a fifth.
+constexpr double kStaticBend = 0.05;
+constexpr double kRateBend = 0.02;
 constexpr Eigen::Index kBends = 2;  // in T and T^2
 
 // What the model's coefficients of the temperature rate make of the drift.
@@ -83,8 +85,14 @@ Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double
   return result;
 }
 
-// What each term makes of the drift beside its mean, bent with temperature over the range of these
-// rows (Legendre's polynomials).
+bool is_of_rate(const EffectTerm& term) {
+  const TermInfo info = info_of(term);
+  return std::any_of(info.coefficients.begin(), info.coefficients.end(),
+                     [](const auto& coefficient) { return of_temperature_rate(coefficient); });
+}
+
+// How each term may bend: what it makes of the drift beside its mean, bent with temperature over
+// the range of these rows (Legendre's polynomials).
 Eigen::MatrixXd bent_terms(const Rows& rows, const NoiseWeightedFit& fit) {
   Eigen::ArrayXd degc(rows.size());
   for (Eigen::Index i = 0; i < degc.size(); ++i) {
@@ -95,10 +103,12 @@ Eigen::MatrixXd bent_terms(const Rows& rows, const NoiseWeightedFit& fit) {
   const std::vector<ColumnRange> columns = columns_of(fit.terms, rows.row_s);
   Eigen::MatrixXd bent(rows.size(), kBends * static_cast<Eigen::Index>(columns.size()));
   Eigen::Index at = 0;
-  for (const auto& [first, count] : columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto [first, count] = columns[i];
     Eigen::ArrayXd drift =
         (fit.columns.middleCols(first, count) * fit.coefficients.segment(first, count)).array();
     drift -= drift.mean();
+    drift *= is_of_rate(fit.terms[i]) ? kRateBend : kStaticBend;
     bent.col(at++) = drift * u;
     bent.col(at++) = drift * (3 * u.square() - 1) / 2;
   }
@@ -117,7 +127,7 @@ Eigen::MatrixXd inexact_terms(const Rows& rows, const NoiseWeightedFit& fit) {
     timings.col(static_cast<Eigen::Index>(i) + 2) =
         part.share * behind_lag(rows, part.rate_terms_only ? of_rate : drift, part.lag_s);
   }
-  return side_by_side({timings, kBendingShare * bent_terms(rows, fit)}, rows.size());
+  return side_by_side({timings, bent_terms(rows, fit)}, rows.size());
 }
 
 }  // namespace
