@@ -45,8 +45,8 @@ Json fast_json(const Diagnosis& diagnosis) {
   return result;
 }
 
-Json shares_json(const std::vector<Diagnosis::Share>& shares) {
-  return json_array(shares, [&](const Diagnosis::Share& share) {
+Json shares_json(const std::vector<NamedShare>& shares) {
+  return json_array(shares, [&](const NamedShare& share) {
     return Json::object().set("name", share.name).set("share", share.share);
   });
 }

@@ -7,12 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/candidates.hpp"
+#include "diagnosis/candidate_finding.hpp"
 #include "diagnosis/diagnosis_data.hpp"
 #include "diagnosis/experiment.hpp"
-#include "diagnosis/fast_structure.hpp"
+#include "diagnosis/fast_finding.hpp"
 #include "diagnosis/network_learnt.hpp"
-#include "diagnosis/two_levels.hpp"
+#include "diagnosis/residual_place.hpp"
+#include "diagnosis/walk_finding.hpp"
 #include "evaluation/board_delay.hpp"
 #include "identification/noise_model.hpp"
 #include "identification/signal_series.hpp"
@@ -22,28 +23,6 @@ namespace fogcomp {
 
 enum class Verdict : std::uint8_t { none, missing_effect, ambiguous, unknown };
 const char* name_of(Verdict verdict);
-
-/// Probability from which one effect is named.
-constexpr double kNamed = 0.92;
-
-/// Structure that no smooth function describes.
-enum class FastKind : std::uint8_t { none, line, band, two_levels };
-
-/// What a diagnosis says of one effect of the catalogue, or of one expression offered.
-struct CandidateFinding {
-  std::string effect;
-  /// The model with it: refitted terms with coefficients, this effect the last of them.
-  std::vector<EffectTerm> completed;
-  std::vector<EffectTerm> possible;  ///< its shapes that explain about as much as the best
-  double explained_fraction = 0;     ///< of what the model leaves above the noise, 0..1
-  double rms_after_dph = 0;          ///< rms of a row, this effect added and all refitted
-  double evidence = 0;               ///< ln of the odds against "nothing is missing"
-  double probability = 0;            ///< that this effect is among those that are missing
-  double lead = 0;                   ///< that it is the largest of them
-
-  const EffectTerm& term() const { return completed.back(); }
-  bool is_expression() const { return term().expression.has_value(); }
-};
 
 struct Diagnosis {
   Verdict verdict = Verdict::none;
@@ -59,18 +38,14 @@ struct Diagnosis {
   };
   std::vector<Explanation> explanations;
 
-  struct Share {
-    std::string name;
-    double share = 0;
-  };
   std::optional<Experiment> experiment;  ///< where effects are ambiguous
 
   std::vector<EffectTerm> terms;  ///< of the model, refitted to these runs
   std::vector<double> term_gain;  ///< rise of chi^2 that leaving each of them out would bring
 
-  std::string variable;          ///< on which what is left depends most
-  std::vector<Share> variables;  ///< how much of it each variable alone could describe
-  std::vector<Share> segments;   ///< where in the runs it sits; sums to 1
+  std::string variable;               ///< on which what is left depends most
+  std::vector<NamedShare> variables;  ///< how much of it each variable alone could describe
+  std::vector<NamedShare> segments;   ///< where in the runs it sits; sums to 1
   FastStructure fast;
   TwoLevels jumps;
   FastKind fast_kind = FastKind::none;  ///< the surest of these, where it is sure and counts
@@ -85,13 +60,7 @@ struct Diagnosis {
   double chance = 1;                ///< that noise alone would look like this
   /// ln of it by each test: an effect of the catalogue, smooth structure, fast structure.
   std::vector<double> tests;
-  /// A random walk of the bias instead of an effect or of any other slow structure.
-  struct RandomWalk {
-    double coefficient = 0;  ///< of the likeliest, deg/h/sqrt(h)
-    double chance = 0;       ///< 0 where something stands out of noise that walks
-    double noise_alone = 1;  ///< chance that such noise looks like this
-  };
-  RandomWalk walk;
+  WalkFinding walk;
   NoiseModel noise;
   Eigen::Index rows = 0;
   double row_s = 0;

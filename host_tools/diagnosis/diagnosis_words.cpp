@@ -7,7 +7,6 @@
 
 #include "identification/outlier_rows.hpp"
 #include "identification/shape_limits.hpp"
-#include "identification/walk_rival.hpp"
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
@@ -68,7 +67,7 @@ std::string walk_words(const Diagnosis& diagnosis) {
 std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case Verdict::none:
-      if (diagnosis.walk.chance >= kMaxChanceOfWalk) {
+      if (diagnosis.walk.may_be_all()) {
         return {"nothing is missing that these recordings can show",
                 "slow changes of less than a fifth of a row's noise are left, which " +
                     walk_words(diagnosis)};
@@ -99,7 +98,7 @@ std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
             (diagnosis.fast_kind == FastKind::two_levels ? "jumps between two levels" : "cycles"),
         ""};
   }
-  if (diagnosis.walk.chance >= kMaxChanceOfWalk) {
+  if (diagnosis.walk.may_be_all()) {
     return {"slow changes are left, which no effect explains better than noise",
             "they are what " + walk_words(diagnosis)};
   }
@@ -140,7 +139,7 @@ std::string as_given_words(const Diagnosis& diagnosis) {
 }
 
 std::string where_words(const Diagnosis& diagnosis) {
-  std::vector<Diagnosis::Share> segments = diagnosis.segments;
+  std::vector<NamedShare> segments = diagnosis.segments;
   std::stable_sort(segments.begin(), segments.end(),
                    [](const auto& a, const auto& b) { return a.share > b.share; });
   std::string text;
@@ -225,7 +224,7 @@ void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::stri
   } else if (!effect.empty()) {
     words.command = add_command_line(diagnosis, effect, model, runs) + " -o NEW.model";
   } else if (diagnosis.verdict == Verdict::unknown && diagnosis.fast_kind == FastKind::none &&
-             diagnosis.walk.chance < kMaxChanceOfWalk) {
+             !diagnosis.walk.may_be_all()) {
     words.next =
         "let a formula of your own compete: --effect-expr 'NAME = T*T*dTdt' "
         "(host_tools/README.md, Expressions)";

@@ -1,7 +1,9 @@
 #include "diagnosis/explanation.hpp"
 
 #include <algorithm>
+#include <array>
 
+#include "diagnosis/decision_rules.hpp"
 #include "support/chi_square.hpp"
 
 namespace fogcomp {
@@ -9,9 +11,9 @@ namespace {
 
 double most_unexplained(const Hypothesis& hypothesis) {
   const std::size_t size = hypothesis.parts.size();
-  double most = kMostUnexplained[size - 1];
-  if (hypothesis.led_by_event) most = std::min(most, kMostUnexplainedByEvent);
-  if (size == 3 && hypothesis.pliable) most = std::min(most, kMostUnexplainedByThreePliable);
+  double most = rules::kMaxUnexplained[size - 1];
+  if (hypothesis.led_by_event) most = std::min(most, rules::kMaxUnexplainedByEvent);
+  if (size == 3 && hypothesis.pliable) most = std::min(most, rules::kMaxUnexplainedByThreePliable);
   return most;
 }
 
@@ -19,9 +21,8 @@ double most_unexplained(const Hypothesis& hypothesis) {
 
 Explanation explain(const ExplainedSpace& space, const Library& library,
                     const ColumnRange& structure, const std::vector<Hypothesis>& hypotheses) {
-  constexpr double kLeftoverLogP = -7;  // that what is left over is noise
   Explanation result;
-  std::array<const Hypothesis*, kMostUnexplained.size()> best{};
+  std::array<const Hypothesis*, rules::kMaxUnexplained.size()> best{};
   for (const Hypothesis& hypothesis : hypotheses) {
     const Hypothesis*& place = best[hypothesis.parts.size() - 1];
     if (place == nullptr || hypothesis.gain > place->gain) place = &hypothesis;
@@ -38,8 +39,9 @@ Explanation explain(const ExplainedSpace& space, const Library& library,
     result.excess = std::max(all - left_width, best[size]->gain) - own_width;
     result.unexplained =
         result.excess > 0 ? std::clamp((left - left_width) / result.excess, 0.0, 1.0) : 0;
-    result.enough = result.unexplained < most_unexplained(*best[size]) ||
-                    tail_log_p(standard_score(std::max(left, 0.0), left_width)) > kLeftoverLogP;
+    result.enough =
+        result.unexplained < most_unexplained(*best[size]) ||
+        tail_log_p(standard_score(std::max(left, 0.0), left_width)) > rules::kLeftoverLogP;
   }
   return result;
 }

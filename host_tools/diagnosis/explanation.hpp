@@ -1,25 +1,10 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "diagnosis/hypotheses.hpp"
 
 namespace fogcomp {
-
-/// Of the excess, by one, two, three effects: what leaves more than that does not explain it.
-/// Several effects together imitate a good deal of what is none of them.
-constexpr std::array<double, 3> kMostUnexplained{0.1, 0.06, 0.05};
-
-/// The same by three that temperature and time alone drive, of which nearly every function of these
-/// can be made: of 156 gyros with an effect outside the catalogue, visible as 0.7 of the noise, six
-/// were explained so within 0.05; of 166 with three catalogued effects three leave more than this.
-/// Not where an effect leads whose shape is fixed: that is not bent into an imitation.
-constexpr double kMostUnexplainedByThreePliable = 0.025;
-
-/// The same by an event, whose form is exact where a physical effect's is not: a maximum that is
-/// kept, or a load that is slow to settle, is like a step in all but a few hundredths.
-constexpr double kMostUnexplainedByEvent = 0.03;
 
 /// What the best set of effects explains of a residual.
 struct Explanation {

@@ -1,8 +1,8 @@
 // What is asked of a diagnosis that is made.
 #include <algorithm>
 
+#include "diagnosis/decision_rules.hpp"
 #include "diagnosis/diagnosis.hpp"
-#include "identification/walk_rival.hpp"
 
 namespace fogcomp {
 
@@ -39,27 +39,25 @@ std::vector<std::string> effects_together(const Diagnosis& diagnosis) {
 }
 
 std::string effect_to_add(const Diagnosis& diagnosis) {
-  constexpr double kClearly = 0.97;  // of the rms
-  constexpr double kMainPart = 0.5;
-  constexpr double kNearlyAsLikely = 1.0 / 3;  // of the likeliest one's probability
   if (!effects_together(diagnosis).empty()) return "";
   if (diagnosis.verdict == Verdict::missing_effect) return diagnosis.effect;
   if (diagnosis.verdict == Verdict::ambiguous) {
     const CandidateFinding* best = diagnosis.find(diagnosis.confusable.front());
-    const double alike = kNearlyAsLikely * best->lead;
+    const double alike = rules::kNearlyAsLikely * best->lead;
     for (const std::string& effect : diagnosis.confusable) {
       const CandidateFinding* other = diagnosis.find(effect);
-      const bool leaves_less = other->rms_after_dph < kClearly * best->rms_after_dph;
+      const bool leaves_less = other->rms_after_dph < rules::kClearlyLess * best->rms_after_dph;
       if (other->lead >= alike && leaves_less) best = other;
     }
     return best->effect;
   }
-  const bool walk = diagnosis.walk.chance >= kMaxChanceOfWalk;
+  const bool walk = diagnosis.walk.may_be_all();
   if (diagnosis.verdict == Verdict::unknown && !walk && !diagnosis.candidates.empty()) {
     const auto most =
         std::max_element(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                          [](const auto& a, const auto& b) { return a.evidence < b.evidence; });
-    const bool main = most->probability >= kNamed && most->explained_fraction >= kMainPart &&
+    const bool main = most->probability >= rules::kNamed &&
+                      most->explained_fraction >= rules::kMainPart &&
                       most->rms_after_dph < diagnosis.residual_rms_dph;
     if (main) return most->effect;
   }

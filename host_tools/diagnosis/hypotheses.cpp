@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/decision_rules.hpp"
 #include "identification/shape_search.hpp"
 #include "model/catalogue.hpp"
 
 namespace fogcomp {
 namespace {
 
-constexpr double kLeastGain = 10;  // fall of chi^2 that each part of a set must bring
-constexpr double kAnother = 0.15;  // how much likelier one more missing effect is than none more
-constexpr double kSimpler = 4;     // how much likelier an effect is than one with a parameter more
 constexpr std::size_t kExtended = 8;  // pairs that are tried with a third effect
 
 class Search {
@@ -83,7 +81,7 @@ class Search {
       const std::vector<ColumnRange> rest = ranges_of(library_, h, i);
       const double without = rest.empty() ? 0 : space_.gain(rest);
       const bool step = is_step(h.parts[i].candidate);
-      const double needed = step ? kLeastStepGain : rest.empty() ? 0 : kLeastGain;
+      const double needed = step ? rules::kMinStepGain : rest.empty() ? 0 : rules::kMinPartGain;
       if (h.gain - without < needed) return;
     }
     const std::size_t leading = leading_candidate(space_, library_, h);
@@ -115,7 +113,7 @@ class Search {
     double prior = 0;
     auto left = static_cast<double>(library_.size()) - 1;
     for (std::size_t i = 1; i < h.effects(); ++i) {
-      prior += std::log(kAnother * static_cast<double>(i + 1) / std::max(1.0, left));
+      prior += std::log(rules::kAnother * static_cast<double>(i + 1) / std::max(1.0, left));
       left -= 1;
     }
     for (const Hypothesis::Part& part : h.parts) {
@@ -123,7 +121,7 @@ class Search {
           static_cast<double>(library_[part.candidate][part.shape].count) +
           static_cast<double>(
               shape_parameters({candidates_[part.candidate].shapes[part.shape].term}).size());
-      prior -= std::log(kSimpler) * (parameters - 1);
+      prior -= std::log(rules::kSimpler) * (parameters - 1);
     }
     return prior;
   }

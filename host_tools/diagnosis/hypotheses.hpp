@@ -49,11 +49,8 @@ struct BestShape {
 BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>& shapes,
                      const std::vector<ColumnRange>& others, const Eigen::VectorXd& along);
 
-/// Events need more evidence than physics, as flicker noise looks like steps: fall of chi^2.
-constexpr double kLeastStepGain = 60;
-
 /// One, two or three of the candidates at a time, most probable first. Sets that contain a
-/// bias_step need it to bring a chi^2 of kLeastStepGain.
+/// bias_step need it to bring a chi^2 of rules::kMinStepGain.
 std::vector<Hypothesis> find_hypotheses(const ExplainedSpace& space,
                                         const std::vector<Candidate>& candidates,
                                         const Library& library);

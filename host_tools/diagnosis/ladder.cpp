@@ -2,21 +2,17 @@
 
 #include <algorithm>
 
+#include "diagnosis/decision_rules.hpp"
+
 namespace fogcomp {
 namespace {
 
-// Fall of chi^2 below which a term is not needed beside the others.
-constexpr double kNeeded = 15;
-
-// Of the excess that the loop began with: less than that may be how inexactly the effects that were
-// added describe what they took out.
-constexpr double kWorthAdding = 0.025;
 // The term that the loop added and needs least, if it does not need it.
 std::vector<EffectTerm>::iterator superfluous(std::vector<EffectTerm>& terms,
                                               const Diagnosis& diagnosis,
                                               const std::vector<std::string>& added) {
   auto least = terms.end();
-  double least_gain = kNeeded;
+  double least_gain = rules::kNeeded;
   for (auto term = terms.begin(); term != terms.end(); ++term) {
     if (std::find(added.begin(), added.end(), term->name) == added.end()) continue;
     const double gain = diagnosis.term_gain[static_cast<std::size_t>(term - terms.begin())];
@@ -73,7 +69,7 @@ Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effec
     step.rms_after_dph = next.residual_rms_dph;
     const double fall = square(step.rms_before_dph) - square(step.rms_after_dph);
     const double excess = square(ladder.first.residual_rms_dph) - square(next.residual_rms_dph);
-    if (!ladder.steps.empty() && fall < kWorthAdding * excess) {
+    if (!ladder.steps.empty() && fall < rules::kWorthAdding * excess) {
       ladder.left_alone = effect;
       break;
     }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "diagnosis/decision_rules.hpp"
 #include "diagnosis/hypotheses.hpp"
 #include "identification/explained_space.hpp"
 
@@ -11,6 +12,10 @@ namespace fogcomp {
 struct NullTest {
   double library_log_p = 0;    ///< of the best effect of the catalogue being this good
   double structure_log_p = 0;  ///< of smooth structure of any kind being this strong
+
+  bool finds_something() const {
+    return library_log_p < rules::kLibraryLogP || structure_log_p < rules::kStructureLogP;
+  }
 };
 
 /// The best over all effects and shapes of many draws of white noise, put through the same space.

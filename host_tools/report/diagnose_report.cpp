@@ -125,7 +125,7 @@ std::vector<Text> segment_names(const DiagnosisData& data, const std::vector<std
 }
 
 void add_shares(Report& report, const Text& caption, const std::vector<Text>& names,
-                const std::vector<Diagnosis::Share>& shares) {
+                const std::vector<NamedShare>& shares) {
   Bars bars;
   bars.caption = caption;
   bars.quantity = "share, %";
@@ -143,7 +143,7 @@ void add_where(Report& report, const Diagnosis& diagnosis, const DiagnosisData& 
   add_shares(report, "What smooth functions describe, by segment.", segment_names(data, runs),
              diagnosis.segments);
   std::vector<Text> variables;
-  for (const Diagnosis::Share& share : diagnosis.variables) {
+  for (const NamedShare& share : diagnosis.variables) {
     variables.push_back(variable_label(share.name));
   }
   add_shares(report, "How much of it each variable alone could describe; the best is 100 %.",
@@ -240,7 +240,7 @@ std::vector<Variable> variables_of(const Rows& rows, const Run& run, const Diagn
                    std::move(values)});
   }
   const auto share_of = [&](const std::string& name) {
-    for (const Diagnosis::Share& one : diagnosis.variables) {
+    for (const NamedShare& one : diagnosis.variables) {
       if (one.name == name) return one.share;
     }
     return 0.0;

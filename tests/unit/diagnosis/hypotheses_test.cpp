@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "diagnosis/decision_rules.hpp"
 #include "identification/effect_list.hpp"
 
 namespace {
@@ -144,7 +145,7 @@ TEST(Hypotheses, TakeTheShapeThatExplainsMostAndCountThatOthersWereTried) {
 
 TEST(Hypotheses, BelieveAnEventOnlyWithFarMoreThanNoiseBrings) {
   for (const double sigmas : {0.9, 1.1}) {
-    Directions step(residual_of({sigmas * std::sqrt(fogcomp::kLeastStepGain)}));
+    Directions step(residual_of({sigmas * std::sqrt(fogcomp::rules::kMinStepGain)}));
     step.add("bias_step", {step.axis(0)});
     EXPECT_EQ(step.found().size(), sigmas > 1 ? 1U : 0U);
   }

@@ -1,0 +1,91 @@
+#include "diagnosis/candidate_finding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "diagnosis/decision_rules.hpp"
+#include "diagnosis/model_fit.hpp"
+#include "diagnosis/refit.hpp"
+
+namespace fogcomp {
+namespace {
+
+// How probable the candidate is among the hypotheses; returns its shape in the likeliest of them
+// that has it, or else `alone`.
+std::size_t weigh(std::size_t candidate, std::size_t alone, const EvidenceSpace& evidence,
+                  const std::vector<Hypothesis>& hypotheses, CandidateFinding& finding) {
+  std::size_t shape = alone;
+  bool seen = false;
+  for (const Hypothesis& hypothesis : hypotheses) {
+    if (!hypothesis.has(candidate)) continue;
+    finding.probability += hypothesis.probability;
+    if (leading_candidate(evidence.space, evidence.library, hypothesis) == candidate) {
+      finding.lead += hypothesis.probability;
+    }
+    for (const Hypothesis::Part& part : hypothesis.parts) {
+      if (!seen && part.candidate == candidate) shape = part.shape;
+    }
+    seen = true;
+  }
+  return shape;
+}
+
+CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
+                         const std::vector<Hypothesis>& hypotheses, double excess,
+                         const SignalSeries& series, const NoiseWeightedFit& fit) {
+  const Candidate& own = evidence.candidates[candidate];
+  const std::vector<ColumnRange>& ranges = evidence.library[candidate];
+  const BestShape best = best_shape(evidence.space, ranges, {}, evidence.space.along());
+  CandidateFinding finding;
+  finding.effect = own.effect;
+  const std::size_t shape = weigh(candidate, best.shape, evidence, hypotheses, finding);
+  finding.evidence = best.log_evidence;
+  if (excess > 0) {
+    const auto columns = static_cast<double>(ranges[shape].count);
+    finding.explained_fraction = std::clamp((best.gain - columns) / excess, 0.0, 1.0);
+  }
+  const double all_but = best.gain - rules::kPossible * (1 + kModelFormTolerance * best.gain);
+  for (std::size_t s = 0; s < ranges.size(); ++s) {
+    if (s != shape && evidence.space.gain({ranges[s]}) < all_but) continue;
+    finding.possible.push_back(own.shapes[s].term);
+  }
+  std::vector<EffectTerm> terms = fit.terms;
+  put(terms, own.shapes[shape].term);
+  Refit completed = refit(std::move(terms), series, fit);
+  finding.rms_after_dph = rms_of_rows(series.rows(), fit, completed.residual_dph);
+  finding.completed = std::move(completed.terms);
+  return finding;
+}
+
+}  // namespace
+
+std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
+                                                 const std::vector<Hypothesis>& hypotheses,
+                                                 double excess, const SignalSeries& series,
+                                                 const NoiseWeightedFit& fit) {
+  std::vector<CandidateFinding> findings;
+  for (std::size_t i = 0; i < evidence.candidates.size(); ++i) {
+    findings.push_back(find_of(i, evidence, hypotheses, excess, series, fit));
+  }
+  return findings;
+}
+
+void believe_less(std::vector<CandidateFinding>& findings, double chance_of_walk) {
+  for (CandidateFinding& finding : findings) {
+    const double believed =
+        std::min(1.0, std::exp(finding.evidence) / rules::kBelievedOdds) * (1 - chance_of_walk);
+    finding.probability *= believed;
+    finding.lead *= believed;
+  }
+}
+
+void sort_by_lead(std::vector<CandidateFinding>& findings) {
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const CandidateFinding& a, const CandidateFinding& b) {
+                     return std::make_tuple(a.lead, a.probability, a.evidence) >
+                            std::make_tuple(b.lead, b.probability, b.evidence);
+                   });
+}
+
+}  // namespace fogcomp

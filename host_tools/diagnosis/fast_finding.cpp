@@ -1,0 +1,60 @@
+#include "diagnosis/fast_finding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "diagnosis/decision_rules.hpp"
+#include "diagnosis/refit.hpp"
+#include "identification/quiet_rows.hpp"
+
+namespace fogcomp {
+namespace {
+
+// What a hypothesis leaves, in rows of equal noise; NaN where a row does not count.
+Eigen::VectorXd quiet_values(const EvidenceSpace& evidence, const Hypothesis& hypothesis,
+                             const SignalSeries& series, const NoiseWeightedFit& fit) {
+  std::vector<EffectTerm> terms = fit.terms;
+  for (const Hypothesis::Part& part : hypothesis.parts) {
+    put(terms, evidence.candidates[part.candidate].shapes[part.shape].term);
+  }
+  const Refit completed = refit(std::move(terms), series, fit);
+  const Eigen::ArrayXd scaled = completed.residual_dph.array() / fit.noise_scale.array();
+  return (fit.robust.array() > 0).select(scaled, std::nan(""));
+}
+
+double excess_of(const FastFinding& finding, Eigen::Index rows) {
+  switch (finding.kind) {
+    case FastKind::none:
+      return 0;
+    case FastKind::line:
+    case FastKind::band:
+      return finding.spectrum.share * static_cast<double>(rows);
+    case FastKind::two_levels:
+      break;
+  }
+  return finding.jumps.gain;
+}
+
+}  // namespace
+
+FastFinding find_fast(const EvidenceSpace& evidence, const Hypothesis& best,
+                      const SignalSeries& series, const NoiseWeightedFit& fit) {
+  const Rows& rows = series.rows();
+  FastFinding finding;
+  finding.spectrum = find_fast_structure(rows, without(evidence, best, rows.size()));
+  finding.jumps = find_two_levels(quiet_stretches(rows, quiet_values(evidence, best, series, fit)),
+                                  fit.noise.white_dph(), rows.row_s);
+  const std::array<std::pair<double, FastKind>, 3> kinds{
+      {{finding.spectrum.line_log_p, FastKind::line},
+       {finding.spectrum.band_log_p, FastKind::band},
+       {-finding.jumps.log_odds, FastKind::two_levels}}};
+  const auto& [log_p, kind] = *std::min_element(kinds.begin(), kinds.end());
+  finding.log_p = log_p;
+  if (log_p < rules::kFastLogP) finding.kind = kind;
+  finding.excess = excess_of(finding, rows.size());
+  return finding;
+}
+
+}  // namespace fogcomp

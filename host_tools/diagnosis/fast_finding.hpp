@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "diagnosis/evidence_space.hpp"
+#include "diagnosis/fast_structure.hpp"
+#include "diagnosis/two_levels.hpp"
+
+namespace fogcomp {
+
+/// Structure that no smooth function describes.
+enum class FastKind : std::uint8_t { none, line, band, two_levels };
+
+/// What is fast in that which the best hypothesis and smooth functions leave.
+struct FastFinding {
+  FastStructure spectrum;
+  TwoLevels jumps;
+  FastKind kind = FastKind::none;  ///< the surest, where it is sure
+  double log_p = 0;                ///< ln of the chance that noise alone has one as sure
+  double excess = 0;               ///< chi^2 above noise that `kind` brings
+};
+
+FastFinding find_fast(const EvidenceSpace& evidence, const Hypothesis& best,
+                      const SignalSeries& series, const NoiseWeightedFit& fit);
+
+}  // namespace fogcomp

@@ -1,0 +1,67 @@
+#include "diagnosis/model_fit.hpp"
+
+#include <cmath>
+
+#include "diagnosis/decision_rules.hpp"
+#include "diagnosis/structure.hpp"
+#include "identification/outlier_rows.hpp"
+#include "identification/quiet_rows.hpp"
+#include "numerics/least_squares.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+// Where there is too little quiet to know the slow noise from, the faster part of everything else
+// helps: what smooth functions of any kind leave of it.
+NoiseModel noise_with_less_quiet(const Rows& rows, const NoiseWeightedFit& fit) {
+  // Smooth functions reach 8 periods in a run and take some of what is beyond with them. Without
+  // any quiet part a guess that is too low is better than one that takes all drift for noise.
+  const std::size_t first_frequency = fit.noise.from_quiet_parts ? 16 : 8;
+  std::vector<Eigen::MatrixXd> parts{fit.columns};
+  for (StructureGroup& group : structure_groups(rows)) parts.push_back(std::move(group.columns));
+  const LinearFit smooth = solve_linear(side_by_side(parts, rows.size()), rows.drift_dph);
+  const Eigen::VectorXd rest = bridged(rows, smooth.residual, fit.robust);
+  const Eigen::VectorXd residual = bridged(rows, fit.residual_dph, fit.robust);
+  std::vector<NoiseSample> samples = noise_samples(quiet_stretches(rows, residual));
+  for (const RowRange& run : rows.runs()) {
+    samples.push_back(
+        {rest.segment(static_cast<Eigen::Index>(run.first), static_cast<Eigen::Index>(run.size())),
+         first_frequency});
+  }
+  NoiseModel noise = fit_noise(samples, rows.row_s, longest_run_s(rows));
+  noise.from_quiet_parts = fit.noise.from_quiet_parts;
+  return noise;
+}
+
+}  // namespace
+
+NoiseWeightedFit fit_for_diagnosis(const Model& model, const DiagnosisData& data,
+                                   const std::optional<NoiseModel>& noise) {
+  const Rows& rows = data.series().rows();
+  if (rows.size() < rules::kMinRows) {
+    throw InputError("diagnose",
+                     format("%s of %g s: too few; at least %td are needed: "
+                            "use a longer recording or a shorter --average",
+                            counted(static_cast<std::size_t>(rows.size()), "row").c_str(),
+                            rows.row_s, rules::kMinRows));
+  }
+  const Eigen::MatrixXd offsets = run_offset_columns(rows);
+  NoiseWeightedFit fit = fit_rows(data.series(), model.terms, offsets, {{}, noise});
+  if (noise || fit.noise.freedom >= rules::kEnoughFreedom) return fit;
+  return fit_rows(data.series(), fit.terms, offsets, {{}, noise_with_less_quiet(rows, fit)});
+}
+
+double rms_of_rows(const Rows& rows, const NoiseWeightedFit& fit, const Eigen::VectorXd& residual) {
+  const Eigen::VectorXd weights = counted_weights(rows, fit.row_weights);
+  return std::sqrt(residual.cwiseAbs2().dot(weights) / weights.sum());
+}
+
+bool at_rest(const Rows& rows) {
+  double quiet = 0;
+  for (const RowRange& range : quiet_ranges(rows)) quiet += static_cast<double>(range.size());
+  return quiet > rules::kAtRest * static_cast<double>(rows.size());
+}
+
+}  // namespace fogcomp

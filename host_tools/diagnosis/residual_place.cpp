@@ -1,0 +1,31 @@
+#include "diagnosis/residual_place.hpp"
+
+#include "identification/explained_space.hpp"
+
+namespace fogcomp {
+
+ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd& residual,
+                       const std::vector<DiagnosisData::Segment>& segments) {
+  ResidualPlace place;
+  double most = 0;
+  for (std::size_t i = 0; i < structure.groups.size(); ++i) {
+    const Eigen::VectorXd along = structure.groups[i].transpose() * residual;
+    const double evidence = log_evidence(along.squaredNorm(), static_cast<double>(along.size()));
+    place.variables.push_back({structure.variables[i], evidence});
+    if (evidence <= most) continue;
+    most = evidence;
+    place.variable = structure.variables[i];
+  }
+  for (NamedShare& variable : place.variables) variable.share /= most > 0 ? most : 1;
+  const Eigen::VectorXd smooth = structure.all * (structure.all.transpose() * residual);
+  double sum = 0;
+  for (const DiagnosisData::Segment& segment : segments) {
+    const double part = smooth.segment(segment.first, segment.end - segment.first).squaredNorm();
+    place.segments.push_back({segment.name, part});
+    sum += part;
+  }
+  for (NamedShare& segment : place.segments) segment.share /= sum > 0 ? sum : 1;
+  return place;
+}
+
+}  // namespace fogcomp
