@@ -80,12 +80,16 @@ void believe_less(std::vector<CandidateFinding>& findings, double chance_of_walk
   }
 }
 
+// What differs by rounding alone is equal: of such the catalogue's own comes first.
 void sort_by_lead(std::vector<CandidateFinding>& findings) {
-  std::stable_sort(findings.begin(), findings.end(),
-                   [](const CandidateFinding& a, const CandidateFinding& b) {
-                     return std::make_tuple(a.lead, a.probability, a.evidence) >
-                            std::make_tuple(b.lead, b.probability, b.evidence);
-                   });
+  const auto rank = [](const CandidateFinding& finding) {
+    const auto rounded = [](double value) { return std::round(1e9 * value); };
+    return std::make_tuple(rounded(finding.lead), rounded(finding.probability),
+                           rounded(finding.evidence));
+  };
+  std::stable_sort(
+      findings.begin(), findings.end(),
+      [&](const CandidateFinding& a, const CandidateFinding& b) { return rank(a) > rank(b); });
 }
 
 }  // namespace fogcomp

@@ -39,6 +39,9 @@ constexpr Eigen::Index kTimings = 2 + kLagging.size();
 // the temperature rate less, and an effect of its own may make them bend by a fifth.
 constexpr double kStaticBend = 0.05;
 constexpr double kRateBend = 0.02;
+// Of the white noise of means over 10 s, at most: where much more than noise is left, that is no
+// matter of formulas.
+constexpr double kMaxBend = 0.1;
 constexpr Eigen::Index kBends = 2;  // in T and T^2
 
 // What the model's coefficients of the temperature rate make of the drift.
@@ -102,13 +105,16 @@ Eigen::MatrixXd bent_terms(const Rows& rows, const NoiseWeightedFit& fit) {
   const Eigen::ArrayXd u = (degc - (degc.maxCoeff() + degc.minCoeff()) / 2) / half_range;
   const std::vector<ColumnRange> columns = columns_of(fit.terms, rows.row_s);
   Eigen::MatrixXd bent(rows.size(), kBends * static_cast<Eigen::Index>(columns.size()));
+  const double max_bend_dph = kMaxBend * fit.noise.white_dph() * std::sqrt(rows.row_s / 10);
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto [first, count] = columns[i];
     Eigen::ArrayXd drift =
         (fit.columns.middleCols(first, count) * fit.coefficients.segment(first, count)).array();
     drift -= drift.mean();
-    drift *= is_of_rate(fit.terms[i]) ? kRateBend : kStaticBend;
+    const double rms = std::sqrt(drift.square().mean());
+    const double share = is_of_rate(fit.terms[i]) ? kRateBend : kStaticBend;
+    drift *= std::min(share, max_bend_dph / std::max(rms, 1e-300));
     bent.col(at++) = drift * u;
     bent.col(at++) = drift * (3 * u.square() - 1) / 2;
   }

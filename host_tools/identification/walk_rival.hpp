@@ -47,6 +47,6 @@ double chance_of_walk(const Rows& rows, const NoiseModel& noise, const Eigen::Ve
                       const Eigen::VectorXd& measured);
 
 /// Chance of a random walk from which on an effect is not believed.
-constexpr double kMaxChanceOfWalk = 0.05;
+constexpr double kMaxChanceOfWalk = 0.01;
 
 }  // namespace fogcomp
