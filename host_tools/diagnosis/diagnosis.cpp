@@ -416,11 +416,11 @@ class Diagnoser {
     bool event = false;
     for (const std::string& effect : result_.confusable) {
       if (rivals.size() == kMostRivals) break;
-      if (effect == kBiasStep) {
+      const CandidateFinding& finding = *result_.find(effect);
+      if (is_event(finding.term())) {
         event = true;
         continue;
       }
-      const CandidateFinding& finding = *result_.find(effect);
       rivals.push_back({effect, finding.completed, finding.possible});
     }
     if (rivals.size() > 1) return propose_experiment(model_, rivals, fit_.noise);
