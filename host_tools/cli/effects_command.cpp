@@ -29,10 +29,12 @@ Json entry_json(const CatalogueEntry& entry) {
       .set("title", entry.description.title)
       .set("equation", entry.description.equation)
       .set("typical", entry.description.typical)
+      .set("example", entry.description.example)
       .set("signature", entry.description.signature)
       .set("source", entry.description.source)
       .set("needs", std::move(needs))
       .set("on_board", entry.description.host_only == nullptr)
+      .set("event", entry.description.event)
       .set("parameters", std::move(parameters))
       .set("coefficients", std::move(coefficients));
 }

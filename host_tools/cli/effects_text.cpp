@@ -7,14 +7,12 @@ namespace fogcomp::cli {
 namespace {
 
 std::string without_value(const CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
-  if (entry.description.name == std::string(kBiasStep)) return "searched for";
+  if (entry.description.event) return "searched for";
   const std::string start = format("%g", parameter.default_milli / 1000.0);
-  if (parameter.whole) return start;
-  if (parameter.default_milli == 0) {
-    return format("%s; %s=? identifies it", is_optional_part(parameter) ? "left out" : "0",
-                  parameter.name);
-  }
-  return "identified, from " + start;
+  if (parameter.scale == fog::Scale::whole) return start;
+  if (parameter.not_given == fog::NotGiven::identified) return "identified, from " + start;
+  const std::string stays = is_optional_part(parameter) ? "left out" : start;
+  return stays + "; " + parameter.name + "=? identifies it";
 }
 
 std::string range(const CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
@@ -30,6 +28,7 @@ std::string entry_text(const CatalogueEntry& entry) {
   std::string text = format("%s - %s\n", effect.name, effect.title);
   text += format("  equation   %s\n", effect.equation);
   text += format("  typical    %s\n", effect.typical);
+  text += format("  example    %s\n", effect.example);
   text += format("  signature  %s\n", effect.signature);
   text += format("  source     %s\n", effect.source);
   const std::vector<std::string> needs = needed_columns(entry);
@@ -53,6 +52,7 @@ std::string entry_markdown(const CatalogueEntry& entry) {
     text += "| " + left + " | " + right + " |\n";
   };
   row("typical size", effect.typical);
+  row("example", format("`%s`", effect.example));
   row("signature", effect.signature);
   for (const auto& parameter : entry.parameters) {
     row(format("parameter `%s`", parameter.name), range(entry, parameter));

@@ -153,24 +153,25 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const EffectTer
   return shapes;
 }
 
+// `step`, from this row on.
 std::optional<Candidate::Shape> step_shape(const Rows& rows, const ToVisible& to_visible,
-                                           std::size_t row) {
+                                           EffectTerm step, std::size_t row) {
   VisiblePart part = to_visible(step_column(rows, row));
   if (part.visible[0] < kLeastVisible) return std::nullopt;
-  EffectTerm term = parse_effects(kBiasStep)[0];
-  term.parameters[0] = rows.time_s[row];
-  term.identified[0] = false;
-  return Candidate::Shape{term, part.columns.colwise().normalized(), row};
+  step.parameters[0] = rows.time_s[row];
+  step.identified[0] = false;
+  return Candidate::Shape{std::move(step), part.columns.colwise().normalized(), row};
 }
 
 // An event has a moment, not a shape: a step at evenly spaced times of each recording.
-std::vector<Candidate::Shape> step_shapes(const Rows& rows, const ToVisible& to_visible) {
+std::vector<Candidate::Shape> step_shapes(const Rows& rows, const ToVisible& to_visible,
+                                          const EffectTerm& step) {
   std::vector<Candidate::Shape> shapes;
   for (const RowRange& run : rows.runs()) {
     for (int i = 1; i < kStepsPerRun; ++i) {
       const std::size_t at = run.first + run.size() * static_cast<std::size_t>(i) / kStepsPerRun;
       if (at <= run.first || at >= run.end) continue;
-      auto shape = step_shape(rows, to_visible, at);
+      auto shape = step_shape(rows, to_visible, step, at);
       if (shape) shapes.push_back(std::move(*shape));
     }
   }
@@ -195,7 +196,7 @@ void move_steps(const Rows& rows, const ToVisible& to_visible,
     for (std::size_t away = run.size() / kStepsPerRun / 2; away > 0; away /= 2) {
       for (const std::size_t row : {shape.row - away, shape.row + away}) {
         if (row <= run.first || row >= run.end) continue;
-        auto tried = step_shape(rows, to_visible, row);
+        auto tried = step_shape(rows, to_visible, shape.term, row);
         if (!tried || !more(*tried, shape)) continue;
         shape = std::move(*tried);
         break;
@@ -314,7 +315,7 @@ void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
       return term.name == candidates[i].effect;
     });
     if (gain[i] < needed || grown) continue;
-    if (candidates[i].effect == kBiasStep) {
+    if (candidates[i].is_event()) {
       move_steps(series.rows(), to_visible, candidates[i].shapes, residual);
       continue;
     }
@@ -324,6 +325,10 @@ void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
 
 bool Candidate::has_free_shape() const {
   return !shape_parameters({shapes[0].term}).empty();
+}
+
+bool Candidate::is_event() const {
+  return fogcomp::is_event(shapes[0].term);
 }
 
 bool Candidate::has_own_input() const {
@@ -347,8 +352,8 @@ CandidateList find_candidates(const SignalSeries& series, const std::vector<Effe
     Candidate candidate{name, {}};
     const auto own = std::find_if(terms.begin(), terms.end(),
                                   [&](const EffectTerm& term) { return term.name == name; });
-    if (name == kBiasStep) {
-      candidate.shapes = step_shapes(series.rows(), to_visible);
+    if (entry.description.event) {
+      candidate.shapes = step_shapes(series.rows(), to_visible, parse_effects(name)[0]);
     } else if (own == terms.end()) {
       candidate.shapes = all_shapes({series, to_visible, 0}, parse_effects(name)[0]);
     } else {

@@ -19,6 +19,7 @@ struct Candidate {
   std::vector<Shape> shapes;  ///< at least one
 
   bool is_expression() const { return shapes[0].term.expression.has_value(); }
+  bool is_event() const;
   bool has_free_shape() const;
   /// Whether something measured beside the coil's temperature drives it.
   bool has_own_input() const;

@@ -68,11 +68,11 @@ Experiment experiment_for_rivals(const Model& model, const Diagnosis& diagnosis)
   bool event = false;
   for (const std::string& effect : diagnosis.confusable) {
     if (rivals.size() == kMaxRivals) break;
-    if (effect == kBiasStep) {
+    const CandidateFinding& finding = *diagnosis.find(effect);
+    if (is_event(finding.term())) {
       event = true;
       continue;
     }
-    const CandidateFinding& finding = *diagnosis.find(effect);
     rivals.push_back({effect, finding.completed, finding.possible});
   }
   if (rivals.size() > 1) return propose_experiment(model, rivals, diagnosis.noise);

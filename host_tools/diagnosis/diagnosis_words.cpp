@@ -219,8 +219,8 @@ void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::stri
   if (!together.empty()) {
     words.next = "fit again with " + joined(together, "and") +
                  " among the --effects: `add` takes one effect at a time, which hardly helps";
-  } else if (effect == kBiasStep) {
-    words.next = "fit again with bias_step among the --effects: it finds steps and masks them";
+  } else if (!effect.empty() && is_event(diagnosis.find(effect)->term())) {
+    words.next = "fit again with " + effect + " among the --effects: it finds steps and masks them";
   } else if (!effect.empty()) {
     words.command = add_command_line(diagnosis, effect, model, runs) + " -o NEW.model";
   } else if (diagnosis.verdict == Verdict::unknown && diagnosis.fast_kind == FastKind::none &&

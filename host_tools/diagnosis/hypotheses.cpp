@@ -45,11 +45,11 @@ class Search {
   }
 
  private:
-  bool is_step(std::size_t candidate) const { return candidates_[candidate].effect == kBiasStep; }
+  bool is_step(std::size_t candidate) const { return candidates_[candidate].is_event(); }
 
   // Where the effect itself has an optional second part of the same form.
   bool may_stand_twice(std::size_t candidate) const {
-    if (is_step(candidate) || candidates_[candidate].is_expression()) return false;
+    if (candidates_[candidate].is_expression()) return false;
     const CatalogueEntry& entry = find_effect(candidates_[candidate].effect);
     return std::any_of(entry.parameters.begin(), entry.parameters.end(), is_optional_part);
   }

@@ -23,7 +23,7 @@ struct Hypothesis {
   double log_evidence = 0;    ///< against "nothing is missing", averaged over shapes
   double log_prior = 0;       ///< of this set against a single effect of one coefficient
   double probability = 0;     ///< among all hypotheses
-  bool led_by_event = false;  ///< a bias_step explains most of it
+  bool led_by_event = false;  ///< an event explains most of it
   bool pliable = false;  ///< of temperature and time alone, led by an effect whose shape is free
 
   bool has(std::size_t candidate) const;
@@ -50,7 +50,7 @@ BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>
                      const std::vector<ColumnRange>& others, const Eigen::VectorXd& along);
 
 /// One, two or three of the candidates at a time, most probable first. Sets that contain a
-/// bias_step need it to bring a chi^2 of rules::kMinStepGain.
+/// event need it to bring a chi^2 of rules::kMinStepGain.
 std::vector<Hypothesis> find_hypotheses(const ExplainedSpace& space,
                                         const std::vector<Candidate>& candidates,
                                         const Library& library);

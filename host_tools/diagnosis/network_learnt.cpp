@@ -21,7 +21,7 @@ NetworkLearnt ask_network(const RealNetwork& network, const SignalSeries& series
   learnt.beyond_effects = part.visible[0] * part.visible[0];
   const Eigen::VectorXd beyond = part.columns.col(0).normalized();
   for (const Candidate& candidate : candidates) {
-    if (candidate.effect == kBiasStep) continue;
+    if (candidate.is_event()) continue;
     NetworkLearnt::Share best;
     for (const Candidate::Shape& shape : candidate.shapes) {
       const double share = std::min(1.0, (shape.basis.transpose() * beyond).squaredNorm());

@@ -26,7 +26,7 @@ struct NetworkLearnt {
 };
 
 /// Evaluates `network` over the rows of `series`, whose recordings have what its inputs need, and
-/// takes out what `to_visible` takes out of any regressor. An event (bias_step) is no answer.
+/// takes out what `to_visible` takes out of any regressor. An event is no answer.
 NetworkLearnt ask_network(const RealNetwork& network, const SignalSeries& series,
                           const std::vector<Candidate>& candidates, const ToVisible& to_visible);
 

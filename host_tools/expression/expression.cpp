@@ -356,6 +356,24 @@ bool Expression::uses(ExpressionSignal signal) const {
   });
 }
 
+bool Expression::is_period(std::size_t parameter) const {
+  std::vector<bool> holds(nodes.size());    // the parameter
+  std::vector<bool> divides(nodes.size());  // by what holds it
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const ExpressionNode& node = nodes[i];
+    if (node.kind == Kind::number || node.kind == Kind::signal) continue;
+    if (node.kind == Kind::parameter) {
+      holds[i] = node.parameter == parameter;
+      continue;
+    }
+    holds[i] = holds[node.left] || holds[node.right];
+    divides[i] = divides[node.left] || divides[node.right] ||
+                 (node.kind == Kind::divide && holds[node.right]);
+    if ((node.kind == Kind::sine || node.kind == Kind::cosine) && divides[i]) return true;
+  }
+  return false;
+}
+
 fog::InputMask Expression::needs() const {
   fog::InputMask needs = 0;
   for (const ExpressionNode& node : nodes) {

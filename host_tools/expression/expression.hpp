@@ -64,6 +64,8 @@ struct Expression {
   /// What it needs beside the coil's temperature.
   fog::InputMask needs() const;
   bool uses(ExpressionSignal signal) const;
+  /// Whether a parameter divides within a sine or cosine: `sin(6.283 * T / ?p[2,60])`.
+  bool is_period(std::size_t parameter) const;
   /// Values of the nodes that are constant; 0 for the others.
   std::vector<double> constants(const std::vector<double>& parameter_values) const;
 };

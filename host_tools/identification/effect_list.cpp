@@ -30,7 +30,7 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
                         const std::string& range) {
   const std::string where = "effect '" + term.name + "'";
   const fog::ParameterDescription& description = entry.parameters[index];
-  if (description.whole) {
+  if (description.scale == fog::Scale::whole) {
     throw InputError(where, format("%s is a whole number, which a fit does not search for; give "
                                    "its value",
                                    description.name));
@@ -80,12 +80,12 @@ void set_parameter(EffectTerm& term, const CatalogueEntry& entry, const std::str
   const auto value = parse_number(given);
   const double least = description.least_milli / 1000.0;
   const double most = description.most_milli / 1000.0;
-  if (!value || *value < least || *value > most ||
-      (description.whole && *value != std::round(*value))) {
-    throw InputError(where, format("%s must be a %snumber from %g to %g%s%s", name.c_str(),
-                                   description.whole ? "whole " : "", least, most,
-                                   unit_behind_number(description).c_str(),
-                                   description.whole ? "" : ", or ? to identify it"));
+  const bool whole = description.scale == fog::Scale::whole;
+  if (!value || *value < least || *value > most || (whole && *value != std::round(*value))) {
+    throw InputError(
+        where, format("%s must be a %snumber from %g to %g%s%s", name.c_str(),
+                      whole ? "whole " : "", least, most, unit_behind_number(description).c_str(),
+                      whole ? "" : ", or ? to identify it"));
   }
   term.parameters[index] = *value;
   term.identified[index] = false;
@@ -137,10 +137,10 @@ std::vector<EffectTerm> grown_terms(const EffectTerm& own) {
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
     const fog::ParameterDescription& parameter = entry.parameters[i];
     EffectTerm term = own;
-    if (parameter.whole && own.parameters[i] < parameter.most_milli / 1000.0) {
+    if (parameter.scale == fog::Scale::whole && own.parameters[i] < parameter.most_milli / 1000.0) {
       term.parameters[i] += 1;
       more.push_back(term);
-    } else if (is_optional_part(parameter) && own.parameters[i] == 0 && !is_event(own)) {
+    } else if (is_optional_part(parameter) && own.parameters[i] == 0) {
       term.identified[i] = true;
       term.parameters[i] = catalogue_bounds(entry, i).least;
       more.push_back(term);
@@ -166,8 +166,8 @@ std::vector<EffectTerm> parse_effects(const std::string& list) {
     term.name = words[0];
     for (const auto& parameter : entry.parameters) {
       term.parameters.push_back(parameter.default_milli / 1000.0);
-      const bool left_out = parameter.default_milli == 0 && !is_event(term);
-      term.identified.push_back(!parameter.whole && !left_out);
+      term.identified.push_back(parameter.scale != fog::Scale::whole &&
+                                parameter.not_given == fog::NotGiven::identified);
       term.parameter_sigma.push_back(0);
     }
     for (std::size_t i = 1; i < words.size(); ++i) set_parameter(term, entry, words[i]);

@@ -12,8 +12,8 @@ inline constexpr const char* kFirstEffects = "bias,bias_temperature:order=2,temp
 
 /// `bias,bias_temperature:order=3,thermal_hysteresis:radius2=?[5,20]` -> terms without
 /// coefficients. A shape parameter that is given stays as given. Another starts at its default and
-/// is identified, unless it is a whole number, or its default is 0, which leaves that part of the
-/// effect out; `=?` identifies it all the same, `=?[least,most]` within these bounds. `bias_step`
+/// is identified, unless it is a whole number or its description keeps it or leaves its part of the
+/// effect out; `=?` identifies it all the same, `=?[least,most]` within these bounds. An event
 /// without a time is to be searched for. Throws InputError for unknown effects, unknown parameters
 /// and values out of bounds.
 std::vector<EffectTerm> parse_effects(const std::string& list);

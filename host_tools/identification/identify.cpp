@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "identification/coefficient_covariance.hpp"
 #include "identification/expression_survey.hpp"
@@ -80,18 +82,26 @@ bool is_sought(const EffectTerm& term) {
 }
 
 // A step without its time leaves the list: it has no regressors before it is found.
-void take_out_steps(std::vector<EffectTerm>& terms) {
-  terms.erase(std::remove_if(terms.begin(), terms.end(), is_sought), terms.end());
-  if (terms.empty()) throw InputError("--effects", "names no effect beside bias_step; add bias");
+std::optional<EffectTerm> take_out_step(std::vector<EffectTerm>& terms) {
+  const auto sought = std::find_if(terms.begin(), terms.end(), is_sought);
+  if (sought == terms.end()) return std::nullopt;
+  EffectTerm step = std::move(*sought);
+  terms.erase(sought);
+  if (terms.empty()) {
+    throw InputError("--effects", "names no effect beside " + step.name + "; add bias");
+  }
+  return step;
 }
 
 // A step as a term of the model and as an event of its recording.
 void add_step(Model& model, Identification& result, const Rows& rows, const ChangePoint& change,
-              double size_dph, double sigma_dph) {
+              EffectTerm step) {
+  const double sigma_dph = step.sigma_dph[0];
   result.steps.push_back({rows.run_at(static_cast<std::size_t>(change.row)), change.time_s,
-                          change.time_sigma_s, size_dph, sigma_dph});
-  model.terms.push_back(
-      {kBiasStep, {change.time_s}, {true}, {change.time_sigma_s}, {size_dph}, {sigma_dph}});
+                          change.time_sigma_s, step.coefficients_dph[0], sigma_dph});
+  step.parameters = {change.time_s};
+  step.parameter_sigma = {change.time_sigma_s};
+  model.terms.push_back(std::move(step));
   result.visible_dph.push_back(kVisible * sigma_dph);
   const auto& signals = rows.signals[static_cast<std::size_t>(change.row)];
   if (std::abs(signals.temperature_rate) < kRampDegcPerMin) return;
@@ -127,12 +137,11 @@ bool searches_steps(const std::vector<EffectTerm>& terms) {
 Identification identify(Model& model, const SignalSeries& series,
                         const IdentifySettings& settings) {
   const Rows& rows = series.rows();
-  const bool find_steps = searches_steps(model.terms);
-  take_out_steps(model.terms);
+  std::optional<EffectTerm> step = take_out_step(model.terms);
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
   FitWithSteps found;
-  if (find_steps) {
+  if (step) {
     found = fit_with_steps(series, model.terms, offsets, settings.progress);
   } else {
     found.fit = fit_determined(series, model.terms, offsets, Eigen::VectorXd::Ones(rows.size()),
@@ -183,7 +192,9 @@ Identification identify(Model& model, const SignalSeries& series,
   result.warnings = confusions(model.terms, columns, fit.covariance);
   for (std::size_t i = 0; i < found.steps.size(); ++i) {
     const Eigen::Index column = coefficients + offsets.cols() + static_cast<Eigen::Index>(i);
-    add_step(model, result, rows, found.steps[i], fit.coefficients[column], sigma[column]);
+    step->coefficients_dph = {fit.coefficients[column]};
+    step->sigma_dph = {sigma[column]};
+    add_step(model, result, rows, found.steps[i], *step);
   }
   set_ranges(model, rows);
   for (const EffectTerm& term : model.terms) {

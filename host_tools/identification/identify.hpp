@@ -35,7 +35,7 @@ struct Identification {
   std::vector<double> run_offsets_dph;  ///< of the second, third... recording against the first
 };
 
-/// Whether identify() is to look for bias steps: `bias_step` without a time is among the terms.
+/// Whether identify() is to look for bias steps: an event without a time is among the terms.
 bool searches_steps(const std::vector<EffectTerm>& terms);
 
 struct IdentifySettings {
@@ -54,8 +54,8 @@ struct IdentifySettings {
 /// Smoothed temperatures as instruments keep the sensor's noise out of the coefficients. Outliers
 /// count for nothing. Standard deviations are those of coefficient_covariance().
 ///
-/// `bias_step` without a time is searched for (step_search.hpp): any number of terms `bias_step`
-/// replace it in model.terms, each fitted to the recording in which it lies. Throws InputError for
+/// An event without a time is searched for (step_search.hpp): any number of such terms replace it
+/// in model.terms, each fitted to the recording in which it lies. Throws InputError for
 /// too few rows, and for effects that the recordings cannot tell apart at all.
 Identification identify(Model& model, const SignalSeries& series,
                         const IdentifySettings& settings = {});

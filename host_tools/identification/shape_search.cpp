@@ -10,7 +10,6 @@
 namespace fogcomp {
 namespace {
 
-constexpr double kRatioForLogarithm = 20;
 constexpr int kGridPoints = 24;
 // From 2 to 60 degC: half a turn over 100 degC from each point to the next, as a cosine that is
 // half a turn off at the end of the data explains nothing of them.
@@ -29,7 +28,7 @@ double finite_or_worst(double cost) {
 }
 
 int grid_points(const ShapeParameter& parameter) {
-  return parameter.scale == ShapeParameter::Scale::frequency ? kPeriodGridPoints : kGridPoints;
+  return parameter.scale == fog::Scale::frequency ? kPeriodGridPoints : kGridPoints;
 }
 
 // Where one parameter may belong, the most promising place first: the deepest dips of the cost over
@@ -109,12 +108,6 @@ void search_range(WhitenedProblem& problem, const std::vector<ShapeParameter>& p
   problem = best;
 }
 
-ShapeParameter::Scale scale_of(const std::string& name, const ShapeBounds& bounds) {
-  if (name.rfind("period", 0) == 0 && bounds.least > 0) return ShapeParameter::Scale::frequency;
-  const bool far = bounds.least > 0 && bounds.most / bounds.least >= kRatioForLogarithm;
-  return far ? ShapeParameter::Scale::ratio : ShapeParameter::Scale::linear;
-}
-
 // The two parts of an effect that may have a second one (radii, periods) are the same in either
 // order; the smaller is the first. Only where both were searched in the same range, so that no
 // bound is left.
@@ -140,11 +133,12 @@ void order_parts(WhitenedProblem& problem, const std::vector<ShapeParameter>& pa
 
 double ShapeParameter::to_unit(double value) const {
   switch (scale) {
-    case Scale::ratio:
+    case fog::Scale::logarithmic:
       return std::log(value / least) / std::log(most / least);
-    case Scale::frequency:
+    case fog::Scale::frequency:
       return (1 / least - 1 / value) / (1 / least - 1 / most);
-    case Scale::linear:
+    case fog::Scale::linear:
+    case fog::Scale::whole:
       break;
   }
   return (value - least) / (most - least);
@@ -153,11 +147,12 @@ double ShapeParameter::to_unit(double value) const {
 double ShapeParameter::from_unit(double unit) const {
   const double u = std::clamp(unit, 0.0, 1.0);
   switch (scale) {
-    case Scale::ratio:
+    case fog::Scale::logarithmic:
       return least * std::pow(most / least, u);
-    case Scale::frequency:
+    case fog::Scale::frequency:
       return 1 / (1 / least - u * (1 / least - 1 / most));
-    case Scale::linear:
+    case fog::Scale::linear:
+    case fog::Scale::whole:
       break;
   }
   return least + u * (most - least);
@@ -165,11 +160,12 @@ double ShapeParameter::from_unit(double unit) const {
 
 double ShapeParameter::slope(double value) const {
   switch (scale) {
-    case Scale::ratio:
+    case fog::Scale::logarithmic:
       return value * std::log(most / least);
-    case Scale::frequency:
+    case fog::Scale::frequency:
       return value * value * (1 / least - 1 / most);
-    case Scale::linear:
+    case fog::Scale::linear:
+    case fog::Scale::whole:
       break;
   }
   return most - least;
@@ -185,8 +181,7 @@ std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& term
       const auto& own = terms[term].bounds;
       const bool bounded = i < own.size() && own[i].most > own[i].least;
       const ShapeBounds bounds = bounded ? own[i] : entry.parameters[i].bounds;
-      parameters.push_back(
-          {term, i, bounds.least, bounds.most, scale_of(entry.parameters[i].name, bounds)});
+      parameters.push_back({term, i, bounds.least, bounds.most, entry.parameters[i].scale});
     }
   }
   return parameters;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <functional>
 #include <vector>
 
+#include "core/effects/effect.hpp"
 #include "identification/signal_series.hpp"
 #include "identification/whitening.hpp"
 #include "model/model.hpp"
@@ -18,12 +18,7 @@ struct ShapeParameter {
   std::size_t index = 0;
   double least = 0;
   double most = 0;
-  enum class Scale : std::uint8_t {
-    linear,
-    ratio,      ///< bounds are positive and far apart
-    frequency,  ///< a period: what counts is how many turns more the data hold
-  };
-  Scale scale = Scale::linear;
+  fog::Scale scale = fog::Scale::linear;
 
   /// Place in the range, 0..1, on that scale; and back, clipped to the range.
   double to_unit(double value) const;

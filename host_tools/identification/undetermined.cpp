@@ -109,8 +109,9 @@ std::string remedy(const EffectTerm& term, const Blame& blame) {
     return "give " + term.name + ":" + join(blame.shapes, "=VALUE,") +
            "=VALUE or leave the effect out";
   }
-  const bool has_order = std::any_of(parameters.begin(), parameters.end(),
-                                     [](const auto& parameter) { return parameter.whole; });
+  const bool has_order =
+      std::any_of(parameters.begin(), parameters.end(),
+                  [](const auto& parameter) { return parameter.scale == fog::Scale::whole; });
   return has_order ? "lower its order or leave the effect out" : "leave the effect out";
 }
 

@@ -57,6 +57,30 @@ double start_within(double least, double most) {
   return (least + most) / 2;
 }
 
+// Nothing but the formula and the bounds says how to search for a parameter of an expression.
+fog::Scale scale_of(const Expression& expression, std::size_t parameter) {
+  constexpr double kFar = 20;
+  const auto [name, least, most] = expression.parameters[parameter];
+  if (least <= 0) return fog::Scale::linear;
+  if (expression.is_period(parameter)) return fog::Scale::frequency;
+  return most / least >= kFar ? fog::Scale::logarithmic : fog::Scale::linear;
+}
+
+TermInfo info_of(const ExpressionTerm& term) {
+  TermInfo info;
+  const Expression& expression = term.expression;
+  info.title = expression.text;
+  info.equation = "b = k (" + expression.text + ")";
+  for (std::size_t i = 0; i < expression.parameters.size(); ++i) {
+    const ExpressionParameter& parameter = expression.parameters[i];
+    info.parameters.push_back(
+        {parameter.name, "", {parameter.least, parameter.most}, scale_of(expression, i)});
+  }
+  info.coefficients = {{"k", "deg/h per unit of the expression", term.scale_log2}};
+  info.needs = expression.needs();
+  return info;
+}
+
 }  // namespace
 
 const std::vector<CatalogueEntry>& catalogue() {
@@ -76,25 +100,16 @@ const CatalogueEntry& find_effect(const std::string& name) {
 }
 
 TermInfo info_of(const EffectTerm& term) {
-  TermInfo info;
-  if (term.expression) {
-    info.title = term.expression->expression.text;
-    info.equation = "b = k (" + term.expression->expression.text + ")";
-    for (const ExpressionParameter& parameter : term.expression->expression.parameters) {
-      info.parameters.push_back({parameter.name, "", {parameter.least, parameter.most}});
-    }
-    info.coefficients = {{"k", "deg/h per unit of the expression", term.expression->scale_log2}};
-    info.needs = term.expression->expression.needs();
-    return info;
-  }
+  if (term.expression) return info_of(*term.expression);
   const CatalogueEntry& entry = find_effect(term.name);
+  TermInfo info;
   info.title = entry.description.title;
   info.equation = entry.description.equation;
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-    const std::string unit = entry.parameters[i].unit;
-    info.parameters.push_back({entry.parameters[i].name, unit == "1" ? "" : unit,
-                               catalogue_bounds(entry, i), entry.parameters[i].at_least,
-                               entry.parameters[i].at_most});
+    const fog::ParameterDescription& parameter = entry.parameters[i];
+    const std::string unit = parameter.unit;
+    info.parameters.push_back({parameter.name, unit == "1" ? "" : unit, catalogue_bounds(entry, i),
+                               parameter.scale, parameter.at_least, parameter.at_most});
   }
   info.coefficients = entry.coefficients;
   info.needs = entry.description.needs;
@@ -144,14 +159,14 @@ fog::InputMask needs_of(const Model& model) {
   return needs;
 }
 
-bool is_optional_part(const fog::ParameterDescription& parameter) {
-  return parameter.default_milli == 0 && parameter.least_milli == 0;
-}
-
 ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index) {
-  const bool second = index > 0 && is_optional_part(entry.parameters[index]);
+  const bool second = is_optional_part(entry.parameters[index]);
   const fog::ParameterDescription& parameter = entry.parameters[second ? index - 1 : index];
   return {parameter.least_milli / 1000.0, parameter.most_milli / 1000.0};
+}
+
+bool is_event(const EffectTerm& term) {
+  return !term.expression && find_effect(term.name).description.event;
 }
 
 std::vector<std::string> effect_names() {

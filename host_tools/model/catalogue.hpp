@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/effects/effect.hpp"
@@ -34,7 +33,8 @@ struct TermInfo {
     std::string name;
     std::string unit;    ///< "" where it has none
     ShapeBounds bounds;  ///< of the search; a 0 below them leaves its part of the effect out
-    const char* at_least = nullptr;  ///< as fog::ParameterDescription has them
+    fog::Scale scale = fog::Scale::linear;  ///< of the search
+    const char* at_least = nullptr;         ///< as fog::ParameterDescription has them
     const char* at_most = nullptr;
   };
   std::string title;
@@ -51,7 +51,7 @@ std::string unit_behind_number(const fog::ParameterDescription& parameter);
 
 /// Whether what a coefficient stands for comes and goes with the temperature rate.
 inline bool of_temperature_rate(const fog::CoefficientDescription& coefficient) {
-  return std::string_view(coefficient.unit).find("/min") != std::string_view::npos;
+  return coefficient.multiplies == fog::Multiplies::temperature_rate;
 }
 
 /// Whether a shape parameter in `unit` of an effect with these coefficients is a lag of the
@@ -70,17 +70,15 @@ EffectTerm expression_term(const std::string& definition);
 fog::InputMask needs_of(const Model& model);
 
 /// Whether a parameter is of an effect's second part, which 0 leaves out.
-bool is_optional_part(const fog::ParameterDescription& parameter);
+inline bool is_optional_part(const fog::ParameterDescription& parameter) {
+  return parameter.not_given == fog::NotGiven::left_out;
+}
 
-/// Where parameter `index` is searched. That of an optional part is searched where the one before
-/// it, the first part's, is.
+/// Where parameter `index` is searched: that of an optional part where the one before it is.
 ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index);
 
-/// The one effect that is an event of a recording rather than a property of the gyro.
-inline constexpr const char* kBiasStep = "bias_step";
-inline bool is_event(const EffectTerm& term) {
-  return term.name == kBiasStep && !term.expression;
-}
+/// Whether a term is an event of a recording rather than a property of the gyro.
+bool is_event(const EffectTerm& term);
 
 /// Names of all effects.
 std::vector<std::string> effect_names();

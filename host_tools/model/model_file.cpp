@@ -48,7 +48,7 @@ double read_parameter(ModelReader& in, const fog::ParameterDescription& paramete
   const bool within =
       value >= least - kRounding * std::fabs(least) && value <= most + kRounding * std::fabs(most);
   if (!within) in.fail(format("%s is %g, outside %g to %g", parameter.name, value, least, most));
-  if (parameter.whole && value != std::round(value)) {
+  if (parameter.scale == fog::Scale::whole && value != std::round(value)) {
     in.fail(format("%s is %g, not a whole number", parameter.name, value));
   }
   return value;

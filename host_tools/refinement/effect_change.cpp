@@ -54,7 +54,8 @@ EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::stri
   if (is_event(added)) {
     throw InputError("effect '" + effect + "'",
                      "is an event of one recording, which nothing out of sample can confirm; "
-                     "fit --effects ...,bias_step finds steps and masks them");
+                     "fit --effects ...," +
+                         added.name + " finds steps and masks them");
   }
   const auto old = std::find_if(terms.begin(), terms.end(),
                                 [&](const EffectTerm& term) { return term.name == added.name; });

@@ -100,9 +100,8 @@ GyroThermalDesign GyroDescription::thermal_design() const {
   design.slab_j_per_k = values["slab_kg"] * kMarble_j_per_kgk;
   design.slab_to_base_w_per_k = values["slab_contact_w_per_k"];
   for (const ActiveEffect& effect : effects_) {
-    if (effect.description->name == "thermal_lag") {
-      design.hub_time_constant_s = effect.parameters["tau_s"];
-    }
+    const auto add = effect.description->add_to_design;
+    if (add != nullptr) add(effect.parameters, design);
   }
   return design;
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +13,12 @@
 #include "support/random_history.hpp"
 #include "support/sample_models.hpp"
 #include "support/typical_effects.hpp"
+
+namespace fogcomp {
+static void PrintTo(const EffectTerm& term, std::ostream* out) {
+  *out << term.name;
+}
+}  // namespace fogcomp
 
 namespace {
 
@@ -101,7 +107,7 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForALinearOutput) {
 // Time is what a block counts, not how many there were.
 TEST(DriftModel, EffectsOfTimeAreTheSameWhateverTheBlock) {
   for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
-    if (term.name != "warm_up" && term.name != "aging") continue;
+    if (!has(fogcomp::info_of(term).needs, fog::Input::elapsed)) continue;
     fogcomp::Model model = fog::test::paper_like_model();
     model.network = {};
     model.terms = {term};
@@ -117,76 +123,62 @@ TEST(DriftModel, EffectsOfTimeAreTheSameWhateverTheBlock) {
       EXPECT_NEAR(drift_after(time_s, 0.5), drift_dph, 1e-9) << term.name;
       EXPECT_NEAR(drift_after(time_s, 5), drift_dph, 1e-9) << term.name;
     }
-    EXPECT_GT(std::abs(drift_after(5000, 1) - drift_after(0, 1)), 1e-3) << term.name;
+    EXPECT_GT(std::abs(drift_after(100000, 1) - drift_after(0, 1)), 1e-3) << term.name;
   }
 }
 
-// One effect alone; where its shape matters to the formats, at the ends and in the middle of its
-// bounds.
-struct EffectCase {
-  fogcomp::EffectTerm term;
-  std::vector<std::vector<double>> shapes;
-};
-void PrintTo(const EffectCase& effect, std::ostream* out) {
-  *out << effect.term.name;
-}
-
-std::vector<EffectCase> effect_cases() {
-  const std::map<std::string, std::vector<std::vector<double>>> kShapes{
-      {"shupe", {{10}, {120}, {20000}}},
-      {"thermal_lag", {{10}, {960}, {20000}}},
-      {"axial_gradient", {{5}, {30}, {600}}},
-      {"polarization_ripple", {{2, 60, 0}, {13, 4.8, 0.05}, {60, 2, -0.2}, {2, 2, 0.2}}},
-      {"thermal_hysteresis", {{0.5, 40}, {3, 10}, {40, 7.3}}},
-      {"glass_transition", {{-60, 0.5}, {-20, 4}, {80, 20}}},
-      {"warm_up", {{10}, {1200}, {100000}}},
-      {"aging", {{60}, {3600}, {2000000}}}};
-  std::vector<EffectCase> cases;
-  for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
-    const auto shapes = kShapes.find(term.name);
-    if (shapes != kShapes.end()) {
-      cases.push_back({term, shapes->second});
-    } else {
-      cases.push_back({term, {term.parameters}});
-    }
+// A shape at the bounds of the search: the lower one of each parameter, the upper ones, or in turn.
+std::vector<double> at_bounds(const fogcomp::CatalogueEntry& entry, bool first_upper,
+                              bool in_turn) {
+  std::vector<double> shape;
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    const fogcomp::ShapeBounds bounds = fogcomp::catalogue_bounds(entry, i);
+    const bool upper = first_upper != (in_turn && i % 2 == 1);
+    shape.push_back(upper ? bounds.most : bounds.least);
   }
-  return cases;
+  return shape;
 }
 
-class EveryEffect : public testing::TestWithParam<EffectCase> {};
+// The ends and the middle of what the formats must hold, with and without optional parts.
+std::set<std::vector<double>> shapes_of(const fogcomp::EffectTerm& example) {
+  const fogcomp::CatalogueEntry& entry = fogcomp::find_effect(example.name);
+  return {example.parameters,
+          fog::test::natural_term(example.name, {}, {}).parameters,
+          at_bounds(entry, false, false),
+          at_bounds(entry, true, false),
+          at_bounds(entry, false, true),
+          at_bounds(entry, true, true)};
+}
+
+// The example with another shape: beyond what it has coefficients for, each has 1 deg/h.
+fogcomp::EffectTerm with_shape(fogcomp::EffectTerm term, const std::vector<double>& shape) {
+  term.parameters = shape;
+  const std::size_t count = fogcomp::RegressorBank({term}, 1).size();
+  term.coefficients_dph.resize(count, 1);
+  term.sigma_dph.resize(count, 0);
+  return term;
+}
+
+class EveryEffect : public testing::TestWithParam<fogcomp::EffectTerm> {};
 
 TEST_P(EveryEffect, IsWithinTwoLsbOfDoubleOver72HoursOfAnyThermalHistory) {
-  const EffectCase& effect = GetParam();
-  for (const std::vector<double>& shape : effect.shapes) {
+  for (const std::vector<double>& shape : shapes_of(GetParam())) {
     fogcomp::Model model = fog::test::paper_like_model();
     model.least_degc = -60;
     model.most_degc = 100;
     model.network = {};
-    model.terms = {effect.term};
-    model.terms[0].parameters = shape;
+    model.terms = {with_shape(GetParam(), shape)};
     const double worst = worst_difference(model, 11, 72);
     EXPECT_LE(worst, 2.0 / 1024) << testing::PrintToString(shape);
     RecordProperty("worst_lsb" + testing::PrintToString(shape), std::to_string(worst * 1024));
-    std::printf("  %-26s %-14s %.2f LSB\n", effect.term.name.c_str(),
+    std::printf("  %-26s %-14s %.2f LSB\n", GetParam().name.c_str(),
                 testing::PrintToString(shape).c_str(), worst * 1024);
   }
   EXPECT_EQ(fog::test::overflows(), 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EveryEffect, testing::ValuesIn(effect_cases()),
-                         [](const auto& test) { return test.param.term.name; });
-
-TEST(TypicalTerms, HaveEveryEffectThatABoardCanHave) {
-  for (const fogcomp::CatalogueEntry& entry : fogcomp::catalogue()) {
-    if (entry.description.host_only != nullptr) continue;
-    const auto terms = fog::test::typical_terms();
-    EXPECT_TRUE(std::any_of(
-        terms.begin(), terms.end(),
-        [&](const fogcomp::EffectTerm& term) { return term.name == entry.description.name; }))
-        << "Add " << entry.description.name
-        << " at its usual size to typical_terms() in tests/support/typical_effects.hpp.";
-  }
-}
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryEffect, testing::ValuesIn(fog::test::typical_terms()),
+                         [](const auto& test) { return test.param.name; });
 
 TEST(DriftModel, BoardIsWithinFourLsbOfDoubleWithAllEffectsAtOnce) {
   const fogcomp::Model model = fog::test::all_effects_model();

@@ -321,8 +321,8 @@ TEST(EffectFormulas, ThereIsOneForEveryEffectOfTheCatalogue) {
   const std::vector<std::string> effects = fogcomp::effect_names();
   for (const std::string& effect : effects) {
     EXPECT_EQ(std::count(known.begin(), known.end(), effect), 1)
-        << "Add a formula of " << effect
-        << " to kFormulas in tests/property/effect_formulas_test.cpp.";
+        << effect << " has no equation of its own here: add it to kFormulas in "
+        << "tests/property/effect_formulas_test.cpp (firmware/core/effects/TUTORIAL.md, 3).";
   }
   EXPECT_EQ(known.size(), effects.size());
 }

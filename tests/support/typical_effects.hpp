@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -8,8 +9,9 @@
 #include "model/model.hpp"
 #include "quantization/expression_code.hpp"
 #include "support/sample_models.hpp"
+#include "support/text.hpp"
 
-// Every effect of the board at the size that effects have in tactical and navigation gyros.
+// Terms of models for tests: effects at the size that they have in tactical and navigation gyros.
 namespace fog::test {
 
 /// A term from coefficients in the natural units of the catalogue. Parameters that are not given
@@ -53,23 +55,37 @@ inline fogcomp::EffectTerm written_term(const std::string& definition) {
   return term;
 }
 
+/// An effect as the example in its description has it.
+inline fogcomp::EffectTerm example_term(const fogcomp::CatalogueEntry& entry) {
+  const std::string name = entry.description.name;
+  std::vector<double> parameters;
+  std::vector<double> coefficients;
+  for (const std::string& setting : fogcomp::split(entry.description.example, ' ')) {
+    const std::string::size_type equals = setting.find('=');
+    const std::string what = setting.substr(0, equals);
+    const bool of_shape = parameters.size() < entry.parameters.size() &&
+                          what == entry.parameters[parameters.size()].name;
+    const bool in_order = of_shape || (coefficients.size() < entry.coefficients.size() &&
+                                       what == entry.coefficients[coefficients.size()].symbol);
+    const auto value = fogcomp::parse_number(in_order ? setting.substr(equals + 1) : "");
+    if (!value) {
+      throw std::invalid_argument(name +
+                                  ": its example must be parameters and then coefficients, "
+                                  "in order, NAME=VALUE: " +
+                                  setting);
+    }
+    (of_shape ? parameters : coefficients).push_back(*value);
+  }
+  return natural_term(name, parameters, coefficients);
+}
+
+/// Every effect that a board can have, as in its example.
 inline std::vector<fogcomp::EffectTerm> typical_terms() {
-  return {natural_term("bias", {}, {0.72}),
-          natural_term("bias_temperature", {3}, {-3.5e-4, -3.2e-5, 1e-7}),
-          natural_term("temperature_rate", {}, {0.136}),
-          natural_term("shupe", {120}, {1.0}),
-          natural_term("thermal_lag", {960}, {0.14}),
-          natural_term("temperature_rate_product", {}, {1e-3}),
-          natural_term("axial_gradient", {30}, {0.9, 0.1}),
-          natural_term("polarization_ripple", {13, 4.8, 0.05}, {0.02, -0.03, 0.005, 0.004}),
-          natural_term("thermal_hysteresis", {3, 10}, {0.03, 0.02}),
-          natural_term("glass_transition", {-20, 4}, {0.1, 0.14}),
-          natural_term("scale_factor_temperature", {}, {300}),
-          natural_term("warm_up", {1200}, {0.3}),
-          natural_term("aging", {3600}, {0.02}),
-          natural_term("magnetic", {}, {0.005, 5e-6}),
-          natural_term("vibration", {}, {0.00125}),
-          natural_term("light_power", {}, {0.1})};
+  std::vector<fogcomp::EffectTerm> terms;
+  for (const fogcomp::CatalogueEntry& entry : fogcomp::catalogue()) {
+    if (entry.description.host_only == nullptr) terms.push_back(example_term(entry));
+  }
+  return terms;
 }
 
 /// The sample model and expressions with most of the operations there are.

@@ -186,7 +186,7 @@ std::string random_effect(Dice& dice, const CatalogueEntry& entry) {
   std::string settings;
   for (const fog::ParameterDescription& parameter : entry.parameters) {
     const std::string before = settings.empty() ? ":" : ",";
-    if (parameter.whole && dice.one_in(2)) {
+    if (parameter.scale == fog::Scale::whole && dice.one_in(2)) {
       const auto most = static_cast<std::size_t>(parameter.most_milli / 1000);
       settings += before + format("%s=%zu", parameter.name, 1 + dice.below(most));
     } else if (is_optional_part(parameter) && dice.one_in(3)) {

@@ -24,12 +24,13 @@ class Aging {
       "ageing, creep, moisture",
       "b = a ln(1 + t / t0), t since power-on; for t << t0 the line (a / t0) t",
       "0.001 to 0.05 deg/h per run or month",
+      "t0=3600 a=0.02",
       "difference between two soaks at one temperature, on the same branch; no power cycle undoes "
       "it",
       "Moisture induced mechanical strain in gyroscope optical fiber coil",
       bit_of(Input::elapsed)};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"t0", "s", 60000, 2000000000, 3600000, false, nullptr, "a line in time"}}};
+      {{"t0", "s", 60000, 2000000000, 3600000, Scale::logarithmic, nullptr, "a line in time"}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{{{"a", "deg/h", 2}}};
 
   static constexpr std::array<int, 1> constant_fractions{kOnsetFraction};

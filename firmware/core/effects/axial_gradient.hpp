@@ -22,13 +22,14 @@ class AxialGradient {
       "axial gradient between two temperature sensors",
       "b = K dD/dt + S D, D = T2 - T",
       "0.01 to 0.06 deg/h transient and 0.05 to 0.13 deg/h static for 1 W on the spool",
+      "tau=30 K=0.9 S=0.1",
       "error while the coil sensor hardly moves; follows heater or electronics load, or mounting",
       "Zhuo & Du, Shupe effect in a multidimensional thermal field; Sensors 16(6) 900 (2016)",
       bit_of(Input::temperature2)};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"tau", "s", 5000, 600000, 30000, false}}};
+      {{"tau", "s", 5000, 600000, 30000, Scale::logarithmic}}};
   static constexpr std::array<CoefficientDescription, 2> coefficients{
-      {{"K", "deg/h per (degC/min)", 2}, {"S", "deg/h/degC", 5}}};
+      {{"K", "deg/h per (degC/min)", 2, Multiplies::temperature_rate}, {"S", "deg/h/degC", 5}}};
 
   static constexpr std::array<int, 2> constant_fractions{31, 24};
   template <class Real>

@@ -16,6 +16,7 @@ class Bias : public NoParameters {
       "static bias",
       "b = b0",
       "0.01 to 1 deg/h",
+      "b0=0.72",
       "residual has a mean that nothing changes",
       "IEEE Std 528, bias (drift rate), acceleration-insensitive"};
   static constexpr std::array<CoefficientDescription, 1> coefficients{{{"b0", "deg/h", 0}}};

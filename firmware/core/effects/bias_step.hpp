@@ -17,13 +17,15 @@ class BiasStep {
       "intermittent step: mode hop, stick-slip",
       "b = A for t >= at, t since power-on",
       "0.02 to 0.5 deg/h",
+      "at=30000 A=0.1",
       "change point that repeats neither in time nor in temperature; with a drop of light power it "
       "is light_power",
       "general knowledge of the field; a jump at 20 to -40 degC in the reference paper",
       bit_of(Input::elapsed),
-      "it is an event of one recording, and no board can know when the next one comes"};
+      "it is an event of one recording, and no board can know when the next one comes",
+      true};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"at", "s", 0, 2000000000, 0, false}}};
+      {{"at", "s", 0, 2000000000, 0, Scale::linear}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{{{"A", "deg/h", 0}}};
 
   static constexpr std::array<int, 1> constant_fractions{0};

@@ -20,10 +20,11 @@ class BiasTemperature {
       "bias temperature sensitivity, static polynomial",
       "b = sum over k = 1..order of bk (T - 20 degC)^k",
       "b1 1e-4 to 1e-3 deg/h/degC, b2 1e-6 to 5e-5 deg/h/degC^2; 0.02 to 0.2 deg/h over the range",
+      "order=3 b1=-3.5e-4 b2=-3.2e-5 b3=1e-7",
       "residual is one curve over temperature, the same heating and cooling, and stays in soaks",
       "IEEE Std 952, D_T"};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"order", "1", 1000, 9000, 2000, true}}};
+      {{"order", "1", 1000, 9000, 2000, Scale::whole}}};
   static constexpr std::array<CoefficientDescription, 9> coefficients{{{"b1", "deg/h/degC", 6},
                                                                        {"b2", "deg/h/degC^2", 12},
                                                                        {"b3", "deg/h/degC^3", 18},

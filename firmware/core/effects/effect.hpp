@@ -29,18 +29,42 @@
 
 namespace fog {
 
-/// Text and identity of an effect. Costs nothing in an image that does not print it.
+/// All that host, documents and tests know of an effect. No board reads more of it than `id`,
+/// `needs` and `host_only`, and those while it is compiled: a description takes no flash.
 struct EffectDescription {
   const char* name;   ///< as on the command line
   std::uint8_t id;    ///< its number in the model table: never reused, never changed
   const char* title;  ///< what it is called in the literature
   const char* equation;
-  const char* typical;    ///< magnitude in a tactical or navigation gyro
+  const char* typical;  ///< magnitude in a tactical or navigation gyro
+  /// One such gyro, for documents and tests: "tau=120 K=1", shape parameters and as many
+  /// coefficients as the effect then has, in their units.
+  const char* example;
   const char* signature;  ///< how it shows in a residual
   const char* source;
   InputMask needs = 0;  ///< beside the coil's temperature
   /// Why the board cannot have it; nullptr where it can.
   const char* host_only = nullptr;
+  /// A step of the bias at its only parameter, a time: it belongs to one recording, not to the
+  /// gyro. A fit finds steps by change points.
+  bool event = false;
+};
+
+/// On which scale a fit searches the range of a shape parameter.
+enum class Scale : std::uint8_t {
+  linear,
+  logarithmic,  ///< both bounds are positive
+  frequency,    ///< that of 1 / value, of a period: what counts is how many turns the data hold
+  whole,        ///< whole numbers, which are given and never searched for
+};
+
+/// What a shape parameter is where the user does not give it.
+enum class NotGiven : std::uint8_t {
+  identified,  ///< searched for, from its default on
+  kept,        ///< its default
+  /// 0, its default: without a second part of the effect like the one of the parameter before it.
+  /// It is searched for where that one is.
+  left_out,
 };
 
 /// A shape parameter (order, time constant, period...). Bounds in thousandths of the unit, so that
@@ -51,10 +75,17 @@ struct ParameterDescription {
   std::int32_t least_milli;
   std::int32_t most_milli;
   std::int32_t default_milli;
-  bool whole;  ///< only whole numbers make sense
+  Scale scale;
   /// What does as well as the effect where a search ends at that bound; nullptr: nothing simpler.
   const char* at_least = nullptr;
   const char* at_most = nullptr;
+  NotGiven not_given = NotGiven::identified;
+};
+
+/// What a coefficient multiplies.
+enum class Multiplies : std::uint8_t {
+  level,
+  temperature_rate,  ///< comes and goes with dT/dt, and is as late as its lags
 };
 
 /// The coefficient in front of one regressor. regressor = signal in `unit`'s denominator /
@@ -63,6 +94,7 @@ struct CoefficientDescription {
   const char* symbol;
   const char* unit;
   int scale_log2;
+  Multiplies multiplies = Multiplies::level;
   std::int32_t per_unit = 1;  ///< natural units in one deg/h of the coefficient: 10^6 for ppm
 };
 

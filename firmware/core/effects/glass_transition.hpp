@@ -18,14 +18,15 @@ class GlassTransition {
       "glass transition of adhesive, potting or coating",
       "b = (A + G dT/dt) s((Tg - T) / w), s(x) = 1 / (1 + exp(-x))",
       "A 0.01 to 0.3 deg/h, G 0.3 to 3 times the rate term's K, Tg -60 to 60 degC, w 2 to 8 degC",
+      "tg=-20 width=4 A=0.1 G=0.14",
       "step of the bias at one temperature in both directions; another ratio of bias to rate below",
       "US5546482 Cordova & Surabian (1996); Acta Armamentarii 42(6) 1223 (2021)"};
   static constexpr std::array<ParameterDescription, 2> parameters{
-      {{"tg", "degC", -60000, 80000, -20000, false, "a polynomial in temperature",
+      {{"tg", "degC", -60000, 80000, -20000, Scale::linear, "a polynomial in temperature",
         "a polynomial in temperature"},
-       {"width", "degC", 500, 8000, 4000, false}}};
+       {"width", "degC", 500, 8000, 4000, Scale::linear}}};
   static constexpr std::array<CoefficientDescription, 2> coefficients{
-      {{"A", "deg/h", 0}, {"G", "deg/h per (degC/min)", 2}}};
+      {{"A", "deg/h", 0}, {"G", "deg/h per (degC/min)", 2, Multiplies::temperature_rate}}};
 
   static constexpr std::array<int, 2> constant_fractions{22, 29};
   template <class Real>

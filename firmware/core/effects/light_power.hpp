@@ -20,6 +20,7 @@ class LightPower : public NoParameters {
       "light power: electronic offset against signal",
       "b = k ln(P / 100 uW), for small changes k (P - P0) / P0",
       "k 0.01 to 0.5 deg/h",
+      "k=0.1",
       "follows the light power monitor: ageing source, bent fibre, shut-down of the waveguide",
       "Ponomarev et al., Appl. Sci. 9, 4585 (2019); 11, 9853 (2021)",
       bit_of(Input::light_power)};

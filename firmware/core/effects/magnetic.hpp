@@ -19,6 +19,7 @@ class Magnetic : public NoParameters {
       "b = m B + n B (T - 20 degC), B the field",
       "in the Earth's field 0.2 to 0.3 deg/h unshielded, 0.03 shielded; n 5e-6 deg/h/uT/degC (PM "
       "fibre)",
+      "m=0.005 n=5e-6",
       "cosine over azimuth; in one position the same as bias and bias_temperature",
       "IEEE Trans. Instrum. Meas. 2022, transverse magneto-optic error; IEEE Access 8, 222242 "
       "(2020)",

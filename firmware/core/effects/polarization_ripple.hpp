@@ -26,12 +26,15 @@ class PolarizationRipple {
       "b = sum over j of Acj cos(2 pi U / Pj) + Asj sin(2 pi U / Pj), U = (T - 20 degC) (1 + "
       "chirp (T - 20 degC))",
       "0.001 to 0.05 deg/h; P 26, 13, 8.7, 2.6 degC for 0.1, 0.2, 0.3, 1 m of birefringent path",
+      "period=13 period2=4.8 chirp=0.05 Ac=0.02 As=-0.03 Ac2=0.005 As2=0.004",
       "periodic in temperature, not in time, with one phase heating and cooling; stops in soaks",
       "Malykin & Pozdnyakova, Opt. Spectrosc. 97, 945 (2004)"};
   static constexpr std::array<ParameterDescription, 3> parameters{
-      {{"period", "degC", 2000, 60000, 13000, false, nullptr, "a polynomial in temperature"},
-       {"period2", "degC", 0, 60000, 0, false, nullptr, "a polynomial in temperature"},
-       {"chirp", "%/degC", -200, 200, 0, false}}};
+      {{"period", "degC", 2000, 60000, 13000, Scale::frequency, nullptr,
+        "a polynomial in temperature"},
+       {"period2", "degC", 0, 60000, 0, Scale::frequency, nullptr, "a polynomial in temperature",
+        NotGiven::left_out},
+       {"chirp", "%/degC", -200, 200, 0, Scale::linear, nullptr, nullptr, NotGiven::kept}}};
   static constexpr std::array<CoefficientDescription, 4> coefficients{
       {{"Ac", "deg/h", 0}, {"As", "deg/h", 0}, {"Ac2", "deg/h", 0}, {"As2", "deg/h", 0}}};
 

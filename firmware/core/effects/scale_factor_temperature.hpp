@@ -22,12 +22,13 @@ class ScaleFactorTemperature : public NoParameters {
       "b = k W (T - 20 degC), W the input rate",
       "k 1 to 10 ppm/degC (erbium), 200 to 400 ppm/degC (SLD without cooler), coil 2 to 10 "
       "ppm/degC",
+      "k=300",
       "in proportion to the input rate and reversed with it; in one static position the same as "
       "bias_temperature",
       "US8254416; IEEE Std 952, scale factor temperature sensitivity",
       bit_of(Input::input_rate)};
   static constexpr std::array<CoefficientDescription, 1> coefficients{
-      {{"k", "ppm/degC", 25, 1000000}}};
+      {{"k", "ppm/degC", 25, Multiplies::level, 1000000}}};
 
   explicit ScaleFactorTemperature(const typename N::Constant* /*constants*/) {}
 

@@ -23,13 +23,14 @@ class Shupe {
       "b = K d(T - Tc)/dt, tau dTc/dt = T - Tc",
       "K 0.14 deg/h per (degC/min) for an ideal quadrupolar winding, 3 for a dipolar one, 0.9 more "
       "per metre of asymmetry",
+      "tau=120 K=1",
       "spike where a ramp starts, opposite spike where it ends, zero in between and in soaks",
       "Shupe, Appl. Opt. 19, 654 (1980); Frigo, Proc. SPIE 412, 268 (1983); IEEE Std 952, "
       "D_gradTdot"};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"tau", "s", 5000, 20000000, 120000, false, nullptr, "temperature_rate"}}};
+      {{"tau", "s", 5000, 20000000, 120000, Scale::logarithmic, nullptr, "temperature_rate"}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{
-      {{"K", "deg/h per (degC/min)", 3}}};
+      {{"K", "deg/h per (degC/min)", 3, Multiplies::temperature_rate}}};
 
   static constexpr std::array<int, 1> constant_fractions{31};
   template <class Real>

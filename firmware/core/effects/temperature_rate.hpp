@@ -18,10 +18,11 @@ class TemperatureRate : public NoParameters {
       "elasto-optic thermal-stress rate error, quasi-static (Mohr)",
       "b = K dT/dt",
       "K 0.05 to 0.3 deg/h per (degC/min)",
+      "K=0.136",
       "constant offset during a ramp, sign flips between heating and cooling, zero in soaks",
       "Mohr & Schadt, Proc. SPIE 5502, 410 (2004); IEEE Std 952, D_Tdot"};
   static constexpr std::array<CoefficientDescription, 1> coefficients{
-      {{"K", "deg/h per (degC/min)", 2}}};
+      {{"K", "deg/h per (degC/min)", 2, Multiplies::temperature_rate}}};
 
   explicit TemperatureRate(const typename N::Constant* /*constants*/) {}
 

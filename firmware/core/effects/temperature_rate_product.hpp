@@ -17,10 +17,11 @@ class TemperatureRateProduct : public NoParameters {
       "temperature dependence of the rate term (thermo-optic coefficient, coating modulus)",
       "b = K1 (T - 20 degC) dT/dt",
       "K1 1e-3 to 1e-2 of the rate term's K per degC; 0.005 to 0.04 deg/h at 0.5 degC/min",
+      "K1=1e-3",
       "the offset in a ramp is larger cold than hot, or the reverse, at the same ramp rate",
       "FBG thermo-optic measurements -30 to 80 degC; Bradley et al., JLT 2020"};
   static constexpr std::array<CoefficientDescription, 1> coefficients{
-      {{"K1", "deg/h per (degC^2/min)", 9}}};
+      {{"K1", "deg/h per (degC^2/min)", 9, Multiplies::temperature_rate}}};
 
   explicit TemperatureRateProduct(const typename N::Constant* /*constants*/) {}
 

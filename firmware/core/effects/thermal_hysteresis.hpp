@@ -23,12 +23,14 @@ class ThermalHysteresis {
       "thermal hysteresis, one or (radius2 above 0) two play operators of Prandtl-Ishlinskii",
       "b = sum over j of hj (T - play_rj[T]) / rj",
       "loop width 2h 0.005 to 0.1 deg/h, r 2 to 20 degC",
+      "radius=3 radius2=10 h1=0.03 h2=0.02",
       "loop in b over T that stays at constant T, whatever the ramp rate; the branch depends on the"
       " last turning point",
       "play operators: Prandtl-Ishlinskii; loops measured in FOG scale factors (GSA-LSTM, 2024)"};
   static constexpr std::array<ParameterDescription, 2> parameters{
-      {{"radius", "degC", 500, 40000, 5000, false, nullptr, "a line in temperature"},
-       {"radius2", "degC", 0, 40000, 0, false, nullptr, "a line in temperature"}}};
+      {{"radius", "degC", 500, 40000, 5000, Scale::logarithmic, nullptr, "a line in temperature"},
+       {"radius2", "degC", 0, 40000, 0, Scale::logarithmic, nullptr, "a line in temperature",
+        NotGiven::left_out}}};
   static constexpr std::array<CoefficientDescription, 2> coefficients{
       {{"h1", "deg/h", 0}, {"h2", "deg/h", 0}}};
 

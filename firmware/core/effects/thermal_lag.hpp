@@ -22,12 +22,14 @@ class ThermalLag {
       "b = K dTc/dt, tau dTc/dt = T - Tc",
       "K 0.05 to 0.3 deg/h per (degC/min); tau 45 s for a bare coil, 5 min with spool, 16 min with "
       "housing, 1.5 h on a stone base",
+      "tau=960 K=0.14",
       "exponential tail of the rate term after a ramp ends, slow growth after it starts",
       "time constants computed with a finite-volume model of coil, spool and housing"};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"tau", "s", 5000, 20000000, 300000, false, "temperature_rate", "a line in temperature"}}};
+      {{"tau", "s", 5000, 20000000, 300000, Scale::logarithmic, "temperature_rate",
+        "a line in temperature"}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{
-      {{"K", "deg/h per (degC/min)", 2}}};
+      {{"K", "deg/h per (degC/min)", 2, Multiplies::temperature_rate}}};
 
   static constexpr std::array<int, 1> constant_fractions{31};
   template <class Real>

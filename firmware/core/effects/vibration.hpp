@@ -17,6 +17,7 @@ class Vibration : public NoParameters {
       "vibration rectification",
       "b = k g^2, g the vibration's rms",
       "0.001 deg/h/g^2 (0.0445 deg/h at 6 g) before, a quarter after gain monitoring",
+      "k=0.00125",
       "appears and stops with vibration: a chamber's fan or compressor; the noise rises with it",
       "Qin et al. (2026); gain-monitoring vibration compensation (Beihang)",
       bit_of(Input::vibration)};

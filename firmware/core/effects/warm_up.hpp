@@ -24,11 +24,12 @@ class WarmUp {
       "warm-up after power-on",
       "b = A exp(-t / tau), t since power-on",
       "A 0.01 to 0.5 deg/h, tau 5 to 30 min",
+      "tau=1200 A=0.3",
       "locked to power-on, not to temperature; the same after every restart",
       "IEEE Std 952, warm-up time; sizes are general knowledge of the field",
       bit_of(Input::elapsed)};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"tau", "s", 10000, 18000000, 1200000, false, nullptr, "a line in time"}}};
+      {{"tau", "s", 10000, 18000000, 1200000, Scale::logarithmic, nullptr, "a line in time"}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{{{"A", "deg/h", 0}}};
 
   static constexpr std::array<int, 1> constant_fractions{31};

@@ -59,6 +59,8 @@ struct EffectDescription {
   std::string summary;  ///< one line: the physics, and the source of its size
   std::vector<ParameterSpec> parameters;
   std::unique_ptr<Effect> (*make)(const Parameters& parameters, const EffectContext& context);
+  /// What the effect adds to the gyro's heat flow; nullptr: nothing.
+  void (*add_to_design)(const Parameters& parameters, GyroThermalDesign& design) = nullptr;
 };
 
 /// In the order in which they act: the ones that depend on the rate come last.

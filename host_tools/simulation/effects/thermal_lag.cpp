@@ -29,7 +29,10 @@ EffectDescription thermal_lag_effect() {
            scale_parameter(),
            {"coefficient", "deg/h/(K/min)", 0.05, -1e3, 1e3, "in a long ramp"},
            {"tau_s", "s", 400, 10, 20000, "time constant of the mass behind its bond"}},
-          make_effect<ThermalLag>};
+          make_effect<ThermalLag>,
+          [](const Parameters& parameters, GyroThermalDesign& design) {
+            design.hub_time_constant_s = parameters["tau_s"];
+          }};
 }
 
 }  // namespace fogcomp::simulation

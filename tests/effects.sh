@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# effects.sh [BUILD]: the host tests that go through the catalogue of effects, for whoever adds or changes one.
+# BUILD is configured with FOG_TESTS. tests/run.sh runs these and all others.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+build=${1:-build/host}
+programs=(test_core test_model test_diagnosis property_core)
+cmake --build "$build" --target fogcomp golden_effect_outputs fit_sweep "${programs[@]}"
+for program in "${programs[@]}"; do "$build/tests/$program" --gtest_brief=1; done
+"$build/tests/fit_sweep" --count 80 --rows 64
+tests/golden/outputs_match.sh "$build/tests/golden_effect_outputs" tests/golden/effect_outputs.txt
+tests/integration/effects_document.sh "$build/fogcomp" .
+tests/integration/every_effect.sh "$build/fogcomp"
+tests/integration/help.sh "$build/fogcomp"
+echo "all tests that see the effects passed"
