@@ -10,6 +10,7 @@
 #include "cli/recording_options.hpp"
 #include "dataset/columns.hpp"
 #include "dataset/recording.hpp"
+#include "dataset/recording_writer.hpp"
 #include "dataset/segments.hpp"
 #include "support/json.hpp"
 #include "support/progress.hpp"
@@ -56,7 +57,7 @@ void write_recording(const Recording& recording, const std::string& path) {
   std::vector<Column> columns;
   std::vector<const double*> values;
   for (const ColumnInfo& info : kColumns) {
-    const std::vector<double>& column = recording.*info.values;
+    const std::vector<double>& column = recording[info.column];
     if (column.empty()) continue;
     columns.push_back(info.column);
     values.push_back(column.data());

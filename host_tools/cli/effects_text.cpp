@@ -1,6 +1,5 @@
 #include "cli/effects_text.hpp"
 
-#include "dataset/input_columns.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -72,9 +71,8 @@ std::string entry_markdown(const CatalogueEntry& entry) {
 
 std::vector<std::string> needed_columns(const CatalogueEntry& entry) {
   std::vector<std::string> columns;
-  for (std::size_t i = 0; i < fog::kInputs; ++i) {
-    const auto input = static_cast<fog::Input>(i);
-    if (has(entry.description.needs, input)) columns.emplace_back(input_column(input).name);
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (has(entry.description.needs, input.input)) columns.emplace_back(input.column);
   }
   return columns;
 }

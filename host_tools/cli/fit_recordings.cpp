@@ -12,6 +12,7 @@
 #include "evaluation/board_delay.hpp"
 #include "identification/effect_list.hpp"
 #include "model/catalogue.hpp"
+#include "model/network.hpp"
 #include "refinement/network_inputs.hpp"
 #include "refinement/training_runs.hpp"
 #include "support/progress.hpp"
@@ -108,12 +109,8 @@ std::vector<Option> fit_options() {
   };
   for (Option& option : training_options()) options.push_back(std::move(option));
   for (Option& option : rarely({
-           {"inputs",
-            "LIST",
-            "of the network: also lagged_temperature:tau=S, elapsed, input_rate",
-            "temperature,temperature_rate",
-            false,
-            {"temperature", "temperature_rate", "lagged_temperature", "elapsed", "input_rate"}},
+           {"inputs", "LIST", "of the network: also lagged_temperature:tau=S, elapsed, supply, ...",
+            "temperature,temperature_rate", false, network_input_names()},
            {"derivative-tau", "S", "time constant of the two lags behind dT/dt", "30"},
            {"wavelet", "NAME", "of the board's denoiser", "sym8", false, wavelet_names()},
            {"levels", "N", "of the board's denoiser, 0 for none", "5"},

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -23,24 +24,13 @@ namespace {
 
 using namespace simulation;
 
-// What the recording holds beside time, temperature and rate, as --columns names it.
-struct ExtraColumn {
-  const char* name;
-  Column column;
-  std::vector<double> RowChunk::*values;
-};
-
-const std::vector<ExtraColumn>& extra_columns() {
-  static const std::vector<ExtraColumn> columns{
-      {"input_rate", Column::input_rate_dph, &RowChunk::input_rate_dph},
-      {"temperature2", Column::temperature2_degc, &RowChunk::temperature2_degc},
-      {"magnetic", Column::magnetic_ut, &RowChunk::magnetic_ut},
-      {"light_power", Column::light_power_uw, &RowChunk::light_power_uw},
-      {"supply", Column::supply_v, &RowChunk::supply_v},
-      {"vibration", Column::vibration_grms, &RowChunk::vibration_grms},
-  };
-  return columns;
-}
+// What the recording can hold beside time, temperature and rate, as --columns names it.
+constexpr auto kExtraInputs = [] {
+  constexpr auto kFirst = static_cast<std::size_t>(fog::Input::input_rate);
+  std::array<fog::Input, fog::kInputs - kFirst> inputs{};
+  for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = static_cast<fog::Input>(kFirst + i);
+  return inputs;
+}();
 
 std::vector<std::string> names_of(const std::vector<EmbeddedFile>& files) {
   std::vector<std::string> names;
@@ -83,39 +73,38 @@ EarthRate earth_from(const Arguments& arguments) {
 }
 
 // The extra columns asked for, in the contract's order; the input rate also where there is one.
-std::vector<ExtraColumn> columns_from(const Arguments& arguments, bool has_input_rate) {
+std::vector<Column> columns_from(const Arguments& arguments, bool has_input_rate) {
   const std::vector<std::string> wanted = split(arguments.text("columns"), ',');
   std::vector<std::string> names;
-  for (const ExtraColumn& extra : extra_columns()) names.push_back(extra.name);
+  for (const fog::Input input : kExtraInputs) names.emplace_back(description_of(input).name);
   for (const std::string& name : wanted) {
     if (name != "all" && std::find(names.begin(), names.end(), name) == names.end()) {
-      std::string list;
-      for (const std::string& known : names) list += known + ", ";
-      throw InputError("--columns",
-                       "'" + name + "' is not one of " + list + "all" + did_you_mean(name, names));
+      throw InputError("--columns", "'" + name + "' is not one of " + join(names, ", ") + ", all" +
+                                        did_you_mean(name, names));
     }
   }
   const auto asked = [&](const std::string& name) {
     return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
   };
-  std::vector<ExtraColumn> chosen;
-  for (const ExtraColumn& extra : extra_columns()) {
-    const bool natural = extra.column == Column::input_rate_dph && has_input_rate;
-    if (asked("all") || asked(extra.name) || natural) chosen.push_back(extra);
+  std::vector<Column> chosen{Column::time_s, Column::temperature_degc, Column::rate_dph};
+  for (const fog::Input input : kExtraInputs) {
+    const bool natural = input == fog::Input::input_rate && has_input_rate;
+    if (asked("all") || asked(description_of(input).name) || natural) {
+      chosen.push_back(column_of(input));
+    }
   }
   return chosen;
 }
 
 // The whole run, chunk by chunk. Returns the rows written.
 std::size_t write_run(Simulation& simulation, RecordingWriter& recording, TruthWriter* truth,
-                      const std::vector<ExtraColumn>& extras) {
+                      const std::vector<Column>& columns) {
   Progress progress("simulating");
   RowChunk chunk;
   std::size_t rows = 0;
   while (simulation.next(chunk)) {
-    std::vector<const double*> values{chunk.time_s.data(), chunk.temperature_degc.data(),
-                                      chunk.rate_dph.data()};
-    for (const ExtraColumn& extra : extras) values.push_back((chunk.*extra.values).data());
+    std::vector<const double*> values;
+    for (const Column column : columns) values.push_back(chunk[column].data());
     recording.append(values, chunk.rows());
     if (truth != nullptr) truth->append(chunk);
     rows += chunk.rows();
@@ -141,19 +130,15 @@ int run_simulate(const Arguments& arguments) {
   const Programme programme =
       parse_profile(find_text(profile, ready_made_profiles(), "profile"), profile, options.seed);
   const bool stream = arguments.choice("format") == "stream";
-  const auto extras = columns_from(
+  const auto columns = columns_from(
       arguments, !stream && (options.earth.latitude_deg.has_value() || programme.sets_rate));
-  const bool input_rate = std::any_of(extras.begin(), extras.end(), [](const ExtraColumn& extra) {
-    return extra.column == Column::input_rate_dph;
-  });
-  if (stream && input_rate) {
+  if (stream &&
+      std::find(columns.begin(), columns.end(), Column::input_rate_dph) != columns.end()) {
     throw InputError("--columns",
                      "a sensor stream carries no input rate; name the others only, or use csv");
   }
 
   Simulation simulation(gyro, programme, options);
-  std::vector<Column> columns{Column::time_s, Column::temperature_degc, Column::rate_dph};
-  for (const ExtraColumn& extra : extras) columns.push_back(extra.column);
   RecordingWriter recording(output, stream ? RecordingFormat::sensor_stream : RecordingFormat::csv,
                             columns, kDefaultScaleFactor, options.rate_hz);
   std::unique_ptr<TruthWriter> truth;
@@ -165,7 +150,7 @@ int run_simulate(const Arguments& arguments) {
                static_cast<unsigned long long>(options.seed)),
         gyro, simulation);
   }
-  const std::size_t rows = write_run(simulation, recording, truth.get(), extras);
+  const std::size_t rows = write_run(simulation, recording, truth.get(), columns);
   if (rows == 0) {
     throw InputError(profile, format("the programme lasts %g s, less than one row at %g Hz; "
                                      "raise --rate or make it longer",

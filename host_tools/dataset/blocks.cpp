@@ -47,9 +47,9 @@ Blocks block_means(const Recording& recording, double average_s) {
   blocks.means.file = recording.file;
   blocks.means.period_s = recording.period_s * static_cast<double>(blocks.rows_per_block);
   for (const ColumnInfo& column : kColumns) {
-    const std::vector<double>& values = recording.*column.values;
+    const std::vector<double>& values = recording[column.column];
     if (values.empty()) continue;
-    std::vector<double>& means = blocks.means.*column.values;
+    std::vector<double>& means = blocks.means[column.column];
     means.reserve(blocks.first_rows.size());
     for (const std::size_t row : blocks.first_rows) {
       means.push_back(mean(values.data() + row, blocks.rows_per_block));

@@ -112,7 +112,7 @@ class RowCollector {
       : header_(header), file_(file), options_(options), lines_(lines) {
     recording_.file = file.path();
     for (const std::size_t slot : header.slots) {
-      if (slot < kColumns.size()) columns_.push_back({slot, &(recording_.*kColumns[slot].values)});
+      if (slot < kColumns.size()) columns_.push_back({slot, &(recording_[kColumns[slot].column])});
     }
   }
 

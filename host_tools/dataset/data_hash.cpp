@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "core/bytes/crc.hpp"
-#include "dataset/input_columns.hpp"
 
 namespace fogcomp {
 
@@ -17,7 +16,7 @@ std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
   add(recording.rate_dph);
   add(recording.input_rate_dph);
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    const std::vector<double>& column = extension_column(recording, i);
+    const std::vector<double>& column = recording.extension[i];
     if (column.empty()) continue;
     // Its number, so that the same values in another column make another hash.
     const auto number = static_cast<std::uint8_t>(i);

@@ -88,6 +88,24 @@ void refuse_other_formats(std::string_view head, const std::string& path) {
 
 }  // namespace
 
+std::vector<double>& Recording::operator[](Column column) {
+  switch (column) {
+    case Column::time_s:
+      return time_s;
+    case Column::temperature_degc:
+      return temperature_degc;
+    case Column::rate_dph:
+      return rate_dph;
+    case Column::input_rate_dph:
+      return input_rate_dph;
+  }
+  return extension[static_cast<std::size_t>(column) - kFirstExtensionColumn];
+}
+
+const std::vector<double>& Recording::operator[](Column column) const {
+  return const_cast<Recording&>(*this)[column];
+}
+
 std::vector<double> bias_dph(const Recording& recording) {
   std::vector<double> bias = recording.rate_dph;
   for (std::size_t row = 0; row < recording.input_rate_dph.size(); ++row) {

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "core/signal/inputs.hpp"
 
 namespace fogcomp {
 
@@ -20,6 +24,11 @@ struct CaptureCounts {
   std::size_t discarded_bytes = 0;    ///< part of no good frame
 };
 
+/// Columns of a recording. From kFirstExtensionColumn on: the inputs that come in extension
+/// records, in their order.
+enum class Column : std::uint8_t { time_s, temperature_degc, rate_dph, input_rate_dph };
+constexpr std::size_t kFirstExtensionColumn = 4;
+
 /// A recording in memory, one vector per column, all of the same length or (a column that the file
 /// does not have) empty. Columns and units: the contract's "Recordings".
 struct Recording {
@@ -30,11 +39,7 @@ struct Recording {
   std::vector<double> temperature_degc;
   std::vector<double> rate_dph;
   std::vector<double> input_rate_dph;
-  std::vector<double> temperature2_degc;
-  std::vector<double> magnetic_ut;
-  std::vector<double> light_power_uw;
-  std::vector<double> supply_v;
-  std::vector<double> vibration_grms;
+  std::array<std::vector<double>, fog::kExtensionInputs> extension;
   /// First row of each stretch without a gap (spacing at most 1.5 times the median); starts with 0.
   std::vector<std::size_t> stretch_starts;
   /// From a column `segment`: each text and the first row where it stands; else empty.
@@ -48,6 +53,14 @@ struct Recording {
   std::optional<CaptureCounts> capture;
 
   std::size_t rows() const { return time_s.size(); }
+
+  std::vector<double>& operator[](Column column);
+  const std::vector<double>& operator[](Column column) const;
+  /// Of the inputs that come in extension records.
+  std::vector<double>& operator[](fog::Input input) { return extension[extension_number(input)]; }
+  const std::vector<double>& operator[](fog::Input input) const {
+    return extension[extension_number(input)];
+  }
 };
 
 struct ReadOptions {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "core/frames/sensor_frame.hpp"
+#include "dataset/columns.hpp"
 #include "dataset/fixed_decimal.hpp"
-#include "dataset/input_columns.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp {
@@ -37,8 +37,6 @@ std::size_t index_of(const std::vector<Column>& columns, Column wanted) {
   }
   return static_cast<std::size_t>(found - columns.begin());
 }
-
-constexpr auto kExtensionEnd = kInputColumns.begin() + fog::kExtensionInputs;
 
 }  // namespace
 
@@ -93,10 +91,10 @@ void RecordingWriter::append_stream(const std::vector<const double*>& values, st
   const double counts_per_dph = scale_factor_ / kDphPerDegreePerSecond;
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t c = 0; c < columns_.size(); ++c) {
-      const auto input = std::find(kInputColumns.begin(), kExtensionEnd, columns_[c]);
-      if (input == kExtensionEnd) continue;
+      const auto column = static_cast<std::size_t>(columns_[c]);
+      if (column < kFirstExtensionColumn) continue;
       const auto frame =
-          extension_frame(static_cast<fog::Input>(input - kInputColumns.begin()), values[c][row]);
+          extension_frame(fog::extension_input(column - kFirstExtensionColumn), values[c][row]);
       if (frame) file_.write(frame->data(), frame->size());
     }
     fog::SensorSample sample;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/frames/extension_frame.hpp"
+#include "dataset/recording.hpp"
 #include "support/output_file.hpp"
 
 namespace fogcomp {
@@ -14,18 +15,6 @@ namespace fogcomp {
 enum class RecordingFormat : std::uint8_t {
   csv,
   sensor_stream,  ///< what the demodulator sends to the board
-};
-
-enum class Column : std::uint8_t {
-  time_s,
-  temperature_degc,
-  rate_dph,
-  input_rate_dph,
-  temperature2_degc,
-  magnetic_ut,
-  light_power_uw,
-  supply_v,
-  vibration_grms,
 };
 
 /// The extension record of a value; none for one that the format does not hold, as a demodulator

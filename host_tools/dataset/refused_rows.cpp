@@ -183,7 +183,7 @@ void leave_out_refused_rows(Recording& recording, const LineNumbers& lines) {
   if (refused.empty()) return;
   name_refused_rows(recording, lines, refused);
   recording.labels = labels_without(recording, refused);
-  for (const ColumnInfo& info : kColumns) remove_rows(recording.*info.values, refused);
+  for (const ColumnInfo& info : kColumns) remove_rows(recording[info.column], refused);
   recording.refused_rows = refused.size();
 }
 

@@ -13,7 +13,7 @@
 #include "core/acquisition/temperature_monitor.hpp"
 #include "core/frames/stream_parser.hpp"
 #include "dataset/board_limits.hpp"
-#include "dataset/input_columns.hpp"
+#include "dataset/columns.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
@@ -47,9 +47,9 @@ class SampleCollector {
   /// A value that belongs to the next sample and holds until another one comes.
   void add(const fog::ExtensionRecord& record) {
     const double value = std::ldexp(record.value.raw(), -fog::ExtensionValue::fractional_bits);
-    if (!input_column(record.input).can_be(value)) return;
+    if (!column_info(column_of(record.input)).can_be(value)) return;
     if (record.input == fog::Input::temperature2 && !fog::is_possible(record.value)) return;
-    extension_[static_cast<std::size_t>(record.input)] = value;
+    extension_[extension_number(record.input)] = value;
   }
 
   void add(const fog::SensorSample& sample) {
@@ -83,8 +83,8 @@ class SampleCollector {
     for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
       if (!extension_[i]) continue;
       // Rows before the first value have that one too.
-      extension_column(i).resize(recording_.rows() - 1, *extension_[i]);
-      extension_column(i).push_back(*extension_[i]);
+      recording_.extension[i].resize(recording_.rows() - 1, *extension_[i]);
+      recording_.extension[i].push_back(*extension_[i]);
     }
   }
 
@@ -107,10 +107,6 @@ class SampleCollector {
   }
 
  private:
-  std::vector<double>& extension_column(std::size_t i) {
-    return recording_.*input_column(static_cast<fog::Input>(i)).values;
-  }
-
   // A board without a temperature has a drift no longer than this, and then no valid rate.
   bool holds_temperature() const {
     return temperature_number_ &&

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "dataset/input_columns.hpp"
 #include "identification/effect_list.hpp"
 #include "identification/expression_survey.hpp"
 #include "identification/noise_weighted_fit.hpp"
@@ -207,21 +206,18 @@ void move_steps(const Rows& rows, const ToVisible& to_visible,
 
 std::string missing_input(const CatalogueEntry& entry, fog::InputMask inputs) {
   const fog::InputMask missing = entry.description.needs & ~inputs;
-  for (std::size_t i = 0; i < fog::kInputs; ++i) {
-    if (has(missing, static_cast<fog::Input>(i))) {
-      return std::string(input_column(static_cast<fog::Input>(i)).name);
-    }
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (has(missing, input.input)) return input.column;
   }
   return "";
 }
 
 // Why nothing of an effect shows although its inputs are there.
 std::string what_would_show(const CatalogueEntry& entry) {
-  for (std::size_t i = 0; i < fog::kInputs; ++i) {
-    const auto input = static_cast<fog::Input>(i);
-    if (!has(entry.description.needs, input)) continue;
-    if (input == fog::Input::elapsed) return "a recording that begins at power-on";
-    return std::string(input_column(input).name) + " varying";
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (!has(entry.description.needs, input.input)) continue;
+    if (input.input == fog::Input::elapsed) return "a recording that begins at power-on";
+    return std::string(input.column) + " varying";
   }
   return "temperature_degc varying more";
 }

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "dataset/input_columns.hpp"
 #include "diagnosis/hypotheses.hpp"
 #include "identification/noise_weighted_fit.hpp"
 #include "identification/signal_series.hpp"

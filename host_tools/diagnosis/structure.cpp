@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "dataset/input_columns.hpp"
 #include "identification/row_filters.hpp"
+#include "model/input_value.hpp"
 #include "numerics/decompositions.hpp"
 #include "numerics/least_squares.hpp"
 
@@ -93,16 +93,14 @@ std::vector<StructureGroup> structure_groups(const Rows& rows) {
   groups.push_back({"temperature history", side_by_side(history, rows.size())});
   groups.push_back({"time_s", of_time(rows)});
 
-  const auto add_input = [&](std::string_view name, const Eigen::VectorXd& values) {
-    if (!(values.maxCoeff() > values.minCoeff())) return;
+  for (std::size_t i = static_cast<std::size_t>(fog::Input::input_rate); i < fog::kInputs; ++i) {
+    const fog::InputDescription& input = fog::kInputTable[i];
+    const Eigen::VectorXd values =
+        column_of(rows, [&](const auto& s) { return optional_input(input.input, s.block); });
+    if (!(values.maxCoeff() > values.minCoeff())) continue;
     const Eigen::VectorXd x = values.array() - values.mean();
-    groups.push_back({std::string(name),
-                      side_by_side({x, x.cwiseAbs2(), x.cwiseProduct(temperature)}, rows.size())});
-  };
-  add_input("input_rate_dph", column_of(rows, [](const auto& s) { return s.block.input_rate; }));
-  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    add_input(input_column(static_cast<fog::Input>(i)).name,
-              column_of(rows, [i](const auto& s) { return s.block.extension[i]; }));
+    groups.push_back(
+        {input.column, side_by_side({x, x.cwiseAbs2(), x.cwiseProduct(temperature)}, rows.size())});
   }
   return groups;
 }

@@ -9,6 +9,7 @@
 #include "identification/required_inputs.hpp"
 #include "identification/signal_series.hpp"
 #include "model/drift_model.hpp"
+#include "model/input_value.hpp"
 
 namespace fogcomp {
 namespace {
@@ -97,18 +98,11 @@ ModelledRows make_rows(const Model& model, const RunInBlocks& run, std::size_t p
   return result;
 }
 
-double input_of(const RealBlock& means, fog::Input input) {
-  return input == fog::Input::input_rate ? means.input_rate
-                                         : means.extension[static_cast<std::size_t>(input)];
-}
-
-// The extension inputs come first among all, then the input rate.
 std::vector<Comparison::VaryingInput> varying(const std::vector<Comparison::Row>& rows) {
-  static_assert(static_cast<std::size_t>(fog::Input::input_rate) == fog::kExtensionInputs);
   std::vector<Comparison::VaryingInput> found;
-  for (std::size_t i = 0; i <= fog::kExtensionInputs; ++i) {
-    Comparison::VaryingInput one{static_cast<fog::Input>(i), {}};
-    for (const Comparison::Row& row : rows) one.values.push_back(input_of(row.inputs, one.input));
+  for (const fog::Input input : kOptionalInputs) {
+    Comparison::VaryingInput one{input, {}};
+    for (const Comparison::Row& row : rows) one.values.push_back(optional_input(input, row.inputs));
     if (varies(one.values)) found.push_back(std::move(one));
   }
   return found;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "dataset/blocks.hpp"
-#include "dataset/input_columns.hpp"
 #include "evaluation/noise_floor.hpp"
 #include "identification/outlier_rows.hpp"
 #include "identification/signal_series.hpp"
@@ -87,8 +86,7 @@ double wanted_row_s(const Recording& recording, double average_s) {
 Judged judge_blocks(const Recording& blocks) {
   ValuesInTime in_time{bias_dph(blocks), {}, stretches_of(blocks, {0, blocks.rows()}), {}};
   if (!blocks.input_rate_dph.empty()) in_time.inputs.push_back(blocks.input_rate_dph);
-  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    const std::vector<double>& input = extension_column(blocks, i);
+  for (const std::vector<double>& input : blocks.extension) {
     if (!input.empty()) in_time.inputs.push_back(input);
   }
   return {in_time.values, find_outliers(in_time)};

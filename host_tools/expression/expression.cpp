@@ -13,20 +13,6 @@ namespace {
 
 using Kind = ExpressionNode::Kind;
 
-struct SignalName {
-  const char* name;
-  ExpressionSignal signal;
-};
-constexpr std::array<SignalName, kExpressionSignals> kSignalNames{
-    {{"T", ExpressionSignal::temperature},
-     {"dTdt", ExpressionSignal::temperature_rate},
-     {"t", ExpressionSignal::elapsed},
-     {"W", ExpressionSignal::input_rate},
-     {"T2", ExpressionSignal::temperature2},
-     {"B", ExpressionSignal::magnetic},
-     {"P", ExpressionSignal::light_power},
-     {"V", ExpressionSignal::supply}}};
-
 struct FunctionName {
   const char* name;
   Kind kind;
@@ -255,17 +241,17 @@ class Parser {
     const std::string word = name();
     skip_space();
     if (at_ < text_.size() && text_[at_] == '(') return function(word, place);
-    for (const SignalName& one : kSignalNames) {
-      if (word != one.name) continue;
+    std::string list;
+    for (const fog::InputDescription& one : fog::kInputTable) {
+      list += std::string(one.symbol) + ", ";
+      if (word != one.symbol) continue;
       ExpressionNode node;
       node.kind = Kind::signal;
-      node.signal = one.signal;
+      node.signal = one.input;
       return add(node, place);
     }
-    std::vector<std::string> names;
-    for (const SignalName& one : kSignalNames) names.emplace_back(one.name);
-    fail_at(place, "there is no signal '" + word +
-                       "'; there are T, dTdt, t, W, T2, B, P, V, and ?name[least,most]");
+    fail_at(place,
+            "there is no signal '" + word + "'; there are " + list + "and ?name[least,most]");
   }
   std::size_t function(const std::string& word, std::size_t place) {
     const auto* const found =
@@ -350,9 +336,9 @@ std::vector<double> Expression::constants(const std::vector<double>& parameter_v
   return values;
 }
 
-bool Expression::uses(ExpressionSignal signal) const {
-  return std::any_of(nodes.begin(), nodes.end(), [signal](const ExpressionNode& node) {
-    return node.kind == Kind::signal && node.signal == signal;
+bool Expression::uses(fog::Input input) const {
+  return std::any_of(nodes.begin(), nodes.end(), [input](const ExpressionNode& node) {
+    return node.kind == Kind::signal && node.signal == input;
   });
 }
 
@@ -375,11 +361,11 @@ bool Expression::is_period(std::size_t parameter) const {
 }
 
 fog::InputMask Expression::needs() const {
-  fog::InputMask needs = 0;
+  fog::InputMask used = 0;
   for (const ExpressionNode& node : nodes) {
-    if (node.kind == Kind::signal) needs |= fog::needs_of(node.signal);
+    if (node.kind == Kind::signal) used |= bit_of(node.signal);
   }
-  return needs;
+  return fog::beside_temperature(used);
 }
 
 Expression parse_expression(const std::string& definition) {

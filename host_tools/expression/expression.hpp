@@ -5,13 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/expression/expression_program.hpp"
 #include "core/signal/inputs.hpp"
 
 namespace fogcomp {
-
-using fog::ExpressionSignal;
-using fog::kExpressionSignals;
 
 /// One operation. Operands are nodes before it.
 struct ExpressionNode {
@@ -40,7 +36,7 @@ struct ExpressionNode {
   std::size_t right = 0;
   double value = 0;
   std::size_t parameter = 0;
-  ExpressionSignal signal{};
+  fog::Input signal{};
   bool constant = false;  ///< of numbers and parameters alone
 };
 
@@ -63,7 +59,7 @@ struct Expression {
 
   /// What it needs beside the coil's temperature.
   fog::InputMask needs() const;
-  bool uses(ExpressionSignal signal) const;
+  bool uses(fog::Input input) const;
   /// Whether a parameter divides within a sine or cosine: `sin(6.283 * T / ?p[2,60])`.
   bool is_period(std::size_t parameter) const;
   /// Values of the nodes that are constant; 0 for the others.

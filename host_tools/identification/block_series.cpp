@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/input_columns.hpp"
 #include "dataset/rate_resolution.hpp"
 
 namespace fogcomp {
@@ -16,7 +15,7 @@ Means means_of_row(const Recording& recording, std::size_t row) {
   means.temperature = recording.temperature_degc[row];
   if (!recording.input_rate_dph.empty()) means.input_rate = recording.input_rate_dph[row];
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    const std::vector<double>& column = extension_column(recording, i);
+    const std::vector<double>& column = recording.extension[i];
     if (!column.empty()) means.extension[i] = column[row];
   }
   return means;
@@ -38,7 +37,7 @@ void divide(Means& sum, double samples) {
 fog::InputMask inputs_of(const Recording& recording) {
   fog::InputMask inputs = 0;
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    if (!extension_column(recording, i).empty()) inputs |= bit_of(static_cast<fog::Input>(i));
+    if (!recording.extension[i].empty()) inputs |= bit_of(fog::extension_input(i));
   }
   if (!recording.input_rate_dph.empty()) inputs |= bit_of(fog::Input::input_rate);
   if (recording.time_s[0] >= 0) inputs |= bit_of(fog::Input::elapsed);

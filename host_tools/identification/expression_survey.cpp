@@ -13,11 +13,11 @@ constexpr double kWidening = 0.25;
 constexpr double kTimes = 16;   // longer than any recording that was fitted
 constexpr double kHour = 3600;  // in s: a whole number of blocks
 
-SignalRange widened(ExpressionSignal signal, const SignalRange& seen) {
-  switch (signal) {
-    case ExpressionSignal::temperature_rate:
+SignalRange widened(fog::Input input, const SignalRange& seen) {
+  switch (input) {
+    case fog::Input::temperature_rate:
       return {-fog::kMostRateDegcPerMin, fog::kMostRateDegcPerMin};
-    case ExpressionSignal::elapsed:
+    case fog::Input::elapsed:
       return {0, kHour * std::ceil(kTimes * seen.most / kHour)};
     default:
       break;
@@ -49,7 +49,7 @@ void set_expression_ranges(std::vector<EffectTerm>& terms, const SignalSeries& s
   for (EffectTerm& term : terms) {
     if (!term.expression) continue;
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      term.expression->ranges[i] = widened(static_cast<ExpressionSignal>(i), seen[i]);
+      term.expression->ranges[i] = widened(static_cast<fog::Input>(i), seen[i]);
     }
     term.expression->scale_log2 = 0;
     check(term, series.regressors(term));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "model/input_value.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
 
@@ -204,12 +205,9 @@ Eigen::VectorXd counted_rows(const Rows& rows) {
   in_time.values.assign(rows.drift_dph.begin(), rows.drift_dph.end());
   in_time.weights.assign(rows.weights.begin(), rows.weights.end());
   in_time.stretches = stretches_of(rows);
-  in_time.inputs.resize(fog::kExtensionInputs + 1);
-  for (const auto& means : rows.inputs) {
-    for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-      in_time.inputs[i].push_back(means.extension[i]);
-    }
-    in_time.inputs.back().push_back(means.input_rate);
+  for (const fog::Input input : kOptionalInputs) {
+    std::vector<double>& values = in_time.inputs.emplace_back();
+    for (const auto& means : rows.inputs) values.push_back(optional_input(input, means));
   }
   const std::vector<bool> outlier = find_outliers(in_time);
   Eigen::VectorXd counted(rows.size());

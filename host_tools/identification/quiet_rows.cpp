@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "model/input_value.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -51,10 +53,10 @@ class InputJumps {
   }
 
  private:
-  static constexpr std::size_t kValues = fog::kExtensionInputs + 1;
+  static constexpr std::size_t kValues = kOptionalInputs.size();
   static constexpr double kJump = 0.25;  // of the range over all rows
   static double value(const fog::Signals<RealNumbers>& signals, std::size_t i) {
-    return i < fog::kExtensionInputs ? signals.block.extension[i] : signals.block.input_rate;
+    return optional_input(kOptionalInputs[i], signals.block);
   }
 
   const Rows& rows_;

@@ -1,6 +1,5 @@
 #include "identification/required_inputs.hpp"
 
-#include "dataset/input_columns.hpp"
 #include "model/catalogue.hpp"
 #include "support/input_error.hpp"
 
@@ -19,11 +18,10 @@ std::string remedy(fog::Input input) {
 }
 
 void require(const std::string& who, fog::InputMask needs, const BlockSeries& series) {
-  for (std::size_t i = 0; i < fog::kInputs; ++i) {
-    const auto input = static_cast<fog::Input>(i);
-    if (!has(needs & ~series.inputs, input)) continue;
-    throw InputError(series.file, who + " needs the column " +
-                                      std::string(input_column(input).name) + "; " + remedy(input));
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (!has(needs & ~series.inputs, input.input)) continue;
+    throw InputError(series.file,
+                     who + " needs the column " + input.column + "; " + remedy(input.input));
   }
 }
 

@@ -237,7 +237,7 @@ SignalRanges SignalSeries::signal_ranges() const {
     ranges[i] = {kInfinite, -kInfinite};
     for (const Run& run : runs_) {
       for (const Block& block : run.blocks) {
-        const double value = value_of(static_cast<ExpressionSignal>(i), block.signals, run.block_s);
+        const double value = value_of(static_cast<fog::Input>(i), block.signals, run.block_s);
         ranges[i] = {std::min(ranges[i].least, value), std::max(ranges[i].most, value)};
       }
     }

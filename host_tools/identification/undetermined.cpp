@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "dataset/input_columns.hpp"
 #include "identification/term_columns.hpp"
 #include "model/catalogue.hpp"
+#include "model/input_value.hpp"
 #include "numerics/least_squares.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -63,15 +63,10 @@ double span_of(const Rows& rows, const Value& value) {
 // What the rows lack that a term feeds on; "" where nothing stands out.
 std::string known_reason(const EffectTerm& term, const Rows& rows) {
   const fog::InputMask needs = info_of(term).needs;
-  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    const auto input = static_cast<fog::Input>(i);
+  for (const fog::Input input : kOptionalInputs) {
     if (!has(needs, input)) continue;
-    if (span_of(rows, [&](const auto& s) { return s.block.extension[i]; }) > 0) continue;
-    return std::string(input_column(input).name) + " never changes";
-  }
-  if (has(needs, fog::Input::input_rate) &&
-      !(span_of(rows, [](const auto& s) { return s.block.input_rate; }) > 0)) {
-    return "input_rate_dph never changes";
+    if (span_of(rows, [&](const auto& s) { return optional_input(input, s.block); }) > 0) continue;
+    return std::string(description_of(input).column) + " never changes";
   }
   constexpr double kLate = 10;  // lengths of the longest recording
   if (has(needs, fog::Input::elapsed) && rows.time_s[0] > kLate * longest_run_s(rows)) {

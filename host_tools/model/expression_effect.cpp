@@ -3,31 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/input_value.hpp"
+
 namespace fogcomp {
 
 using Kind = ExpressionNode::Kind;
-
-double value_of(ExpressionSignal signal, const fog::Signals<RealNumbers>& signals, double block_s) {
-  switch (signal) {
-    case ExpressionSignal::temperature:
-      break;
-    case ExpressionSignal::temperature_rate:
-      return signals.temperature_rate;
-    case ExpressionSignal::elapsed:
-      return signals.block.elapsed * block_s;
-    case ExpressionSignal::input_rate:
-      return signals.block.input_rate;
-    case ExpressionSignal::temperature2:
-      return signals.block[fog::Input::temperature2];
-    case ExpressionSignal::magnetic:
-      return signals.block[fog::Input::magnetic];
-    case ExpressionSignal::light_power:
-      return signals.block[fog::Input::light_power];
-    case ExpressionSignal::supply:
-      return signals.block[fog::Input::supply];
-  }
-  return signals.temperature;
-}
 
 ExpressionEffect::ExpressionEffect(ExpressionTerm term, const std::vector<double>& parameters,
                                    double block_s)

@@ -17,7 +17,7 @@ struct SignalRange {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
 };
-using SignalRanges = std::array<SignalRange, kExpressionSignals>;
+using SignalRanges = std::array<SignalRange, fog::kInputs>;
 
 /// What a term of a model that is an expression has beside any other: its regressor is
 /// expression / 2^scale_log2. Signals are clamped to `ranges`, what they went through in the fit
@@ -27,9 +27,6 @@ struct ExpressionTerm {
   int scale_log2 = 0;
   SignalRanges ranges{};
 };
-
-/// A signal's value in the expression's unit; blocks are `block_s` long.
-double value_of(ExpressionSignal signal, const fog::Signals<RealNumbers>& signals, double block_s);
 
 /// The regressor of an expression, in double.
 class ExpressionEffect : public RealEffect {

@@ -87,7 +87,7 @@ EffectTerm read_expression(ModelReader& in) {
   const std::vector<double> sigma = in.numbers(parameters.size());
   const double coefficient = in.number(-kMaxModelDph, kMaxModelDph);
   const double coefficient_sigma = in.number();
-  const std::vector<double> ranges = in.numbers(in.count(2 * kExpressionSignals));
+  const std::vector<double> ranges = in.numbers(in.count(2 * fog::kInputs));
   EffectTerm term;
   try {
     term = expression_term(name + " = " + in.rest_of_line());
@@ -107,8 +107,8 @@ EffectTerm read_expression(ModelReader& in) {
   term.sigma_dph = {coefficient_sigma};
   term.expression->scale_log2 = scale_log2;
   std::size_t next = 0;
-  for (std::size_t i = 0; i < kExpressionSignals; ++i) {
-    if (!term.expression->expression.uses(static_cast<ExpressionSignal>(i))) continue;
+  for (std::size_t i = 0; i < fog::kInputs; ++i) {
+    if (!term.expression->expression.uses(static_cast<fog::Input>(i))) continue;
     if (next + 1 >= ranges.size() || ranges[next] > ranges[next + 1]) in.fail("a range is wrong");
     term.expression->ranges[i] = {ranges[next], ranges[next + 1]};
     next += 2;
@@ -122,8 +122,8 @@ void write_expression(ModelWriter& out, const EffectTerm& term) {
   out.number(static_cast<double>(term.parameters.size())).numbers(term.parameters);
   out.numbers(term.parameter_sigma).numbers(term.coefficients_dph).numbers(term.sigma_dph);
   std::vector<double> ranges;
-  for (std::size_t i = 0; i < kExpressionSignals; ++i) {
-    if (!written.expression.uses(static_cast<ExpressionSignal>(i))) continue;
+  for (std::size_t i = 0; i < fog::kInputs; ++i) {
+    if (!written.expression.uses(static_cast<fog::Input>(i))) continue;
     ranges.push_back(written.ranges[i].least);
     ranges.push_back(written.ranges[i].most);
   }
@@ -160,7 +160,7 @@ bool is_whole(const RealNetwork& network) {
 
 RealInput read_input(ModelReader& in) {
   RealInput input;
-  input.signal = in.named(kAllInputs);
+  input.signal = in.named(kEveryNetworkInput);
   input.centre = in.number();
   input.half_range = in.positive();
   input.tau_s = in.number();

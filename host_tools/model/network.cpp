@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/input_value.hpp"
+
 namespace fogcomp {
 
 double activate(fog::Activation activation, double x) {
@@ -42,34 +44,14 @@ const char* name_of(fog::Activation activation) {
 }
 
 const char* name_of(fog::NetworkInput input) {
-  switch (input) {
-    case fog::NetworkInput::temperature:
-      return "temperature";
-    case fog::NetworkInput::temperature_rate:
-      return "temperature_rate";
-    case fog::NetworkInput::lagged_temperature:
-      return "lagged_temperature";
-    case fog::NetworkInput::elapsed:
-      return "elapsed";
-    case fog::NetworkInput::input_rate:
-      break;
-  }
-  return "input_rate";
+  return input == fog::NetworkInput::lagged_temperature ? "lagged_temperature"
+                                                        : description_of(input_of(input)).name;
 }
 
-const char* unit_of(fog::NetworkInput input) {
-  switch (input) {
-    case fog::NetworkInput::temperature:
-    case fog::NetworkInput::lagged_temperature:
-      break;
-    case fog::NetworkInput::temperature_rate:
-      return "degC/min";
-    case fog::NetworkInput::elapsed:
-      return "s";
-    case fog::NetworkInput::input_rate:
-      return "deg/h";
-  }
-  return "degC";
+std::vector<std::string> network_input_names() {
+  std::vector<std::string> names;
+  for (const fog::NetworkInput input : kEveryNetworkInput) names.emplace_back(name_of(input));
+  return names;
 }
 
 NetworkSignals::NetworkSignals(const std::vector<RealInput>& inputs, double block_s)
@@ -85,22 +67,12 @@ void NetworkSignals::reset(const fog::Signals<RealNumbers>& signals) {
 }
 
 const Eigen::VectorXd& NetworkSignals::step(const fog::Signals<RealNumbers>& signals) {
-  const auto value = [&](std::size_t i) {
-    switch (inputs_[i].signal) {
-      case fog::NetworkInput::temperature:
-        break;
-      case fog::NetworkInput::temperature_rate:
-        return signals.temperature_rate;
-      case fog::NetworkInput::lagged_temperature:
-        return lags_[i].step(signals.temperature);
-      case fog::NetworkInput::elapsed:
-        return signals.block.elapsed * block_s_;
-      case fog::NetworkInput::input_rate:
-        return signals.block.input_rate;
-    }
-    return signals.temperature;
-  };
-  for (std::size_t i = 0; i < size(); ++i) values_[static_cast<Eigen::Index>(i)] = value(i);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const fog::NetworkInput input = inputs_[i].signal;
+    values_[static_cast<Eigen::Index>(i)] = input == fog::NetworkInput::lagged_temperature
+                                                ? lags_[i].step(signals.temperature)
+                                                : value_of(input_of(input), signals, block_s_);
+  }
   return values_;
 }
 
@@ -116,7 +88,7 @@ Eigen::VectorXd RealNetwork::normalised(const Eigen::VectorXd& values) const {
 fog::InputMask RealNetwork::needs() const {
   fog::NetworkInputMask used = 0;
   for (const RealInput& input : inputs) used |= bit_of(input.signal);
-  return fog::needs_of_network(used);
+  return fog::beside_temperature(fog::inputs_of_network(used));
 }
 
 double RealNetwork::drift_dph(const Eigen::VectorXd& values) const {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "core/network/network.hpp"
@@ -12,7 +13,7 @@
 namespace fogcomp {
 
 /// A signal that the network sees, and its min-max normalisation: (x - centre) / half_range,
-/// clipped to +-1. Units: degC, degC/min, s since power-on, deg/h.
+/// clipped to +-1. In the input's unit (kInputTable).
 struct RealInput {
   fog::NetworkInput signal{};
   double centre = 0;
@@ -67,11 +68,12 @@ double activation_slope(fog::Activation activation, double y);
 
 const char* name_of(fog::Activation activation);
 const char* name_of(fog::NetworkInput input);
-const char* unit_of(fog::NetworkInput input);
-/// Every input there is.
-inline constexpr std::array<fog::NetworkInput, fog::kNetworkInputs> kAllInputs{
-    fog::NetworkInput::temperature, fog::NetworkInput::temperature_rate,
-    fog::NetworkInput::lagged_temperature, fog::NetworkInput::elapsed,
-    fog::NetworkInput::input_rate};
+/// Every input there is, in the order of their numbers.
+inline constexpr auto kEveryNetworkInput = [] {
+  std::array<fog::NetworkInput, fog::kNetworkInputs> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<fog::NetworkInput>(i);
+  return all;
+}();
+std::vector<std::string> network_input_names();
 
 }  // namespace fogcomp

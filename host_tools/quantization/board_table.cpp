@@ -5,7 +5,6 @@
 
 #include "core/bytes/crc.hpp"
 #include "dataset/board_limits.hpp"
-#include "dataset/input_columns.hpp"
 #include "identification/block_series.hpp"
 #include "identification/block_walk.hpp"
 #include "identification/shape_limits.hpp"
@@ -160,19 +159,21 @@ void write_expressions(TableWriter& out, const Model& model, const Timing& timin
   }
 }
 
-// Whether every effect can run on a board that is fed like this one.
+// Whether what needs these inputs can run on a board that is fed like this one.
+void require_board(const std::string& who, fog::InputMask needs, const BoardSettings& settings) {
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (settings.extension || !is_extension(input.input) || !has(needs, input.input)) continue;
+    throw InputError(who, std::string("needs ") + input.column +
+                              ", which the sensor stream has in extension records only; give "
+                              "--extension if the demodulator sends them, or fit without it");
+  }
+}
+
 void require_board(const Model& model, const BoardSettings& settings) {
   for (const EffectTerm& term : model.terms) {
-    const fog::InputMask needs = info_of(term).needs;
-    for (std::size_t i = 0; i < fog::kExtensionInputs && !settings.extension; ++i) {
-      const auto input = static_cast<fog::Input>(i);
-      if (!has(needs, input)) continue;
-      throw InputError("effect '" + term.name + "'",
-                       "needs " + std::string(input_column(input).name) +
-                           ", which the sensor stream has in extension records only; give "
-                           "--extension if the demodulator sends them, or fit without it");
-    }
+    require_board("effect '" + term.name + "'", info_of(term).needs, settings);
   }
+  require_board("the network", model.network.needs(), settings);
 }
 
 // Throws where the program as a whole is more than an image has room for: `first` is the first word

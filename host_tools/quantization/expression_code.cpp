@@ -108,33 +108,21 @@ class Compiler {
     return {value, value, half_lsb(fraction), fraction};
   }
 
-  Value signal(ExpressionSignal which) {
+  Value signal(fog::Input which) {
     SignalRange range = term_.expression->ranges[static_cast<std::size_t>(which)];
-    int fraction = fog::ExtensionValue::fractional_bits;
-    double own_error = 0;
-    switch (which) {
-      case ExpressionSignal::temperature:
-        range = {std::max({range.least, model_.least_degc, -70.0}),
-                 std::min({range.most, model_.most_degc, 130.0})};
-        break;
-      case ExpressionSignal::temperature_rate:
-        fraction = fog::TemperatureRate::fractional_bits;
-        own_error = rate_error();
-        break;
-      case ExpressionSignal::input_rate:
-        fraction = fog::Rate::fractional_bits;
-        break;
-      case ExpressionSignal::elapsed:
-        return elapsed(range);
-      default:
-        break;
+    if (which == fog::Input::elapsed) return elapsed(range);
+    if (which == fog::Input::temperature) {
+      range = {std::max({range.least, model_.least_degc, -70.0}),
+               std::min({range.most, model_.most_degc, 130.0})};
     }
+    const int fraction = description_of(which).fraction;
+    const double own_error = which == fog::Input::temperature_rate ? rate_error() : 0;
     push_signal(which, range.least, range.most, fraction);
     // The clamp's own rounding.
     return {range.least, range.most, own_error + half_lsb(fraction), fraction};
   }
 
-  void push_signal(ExpressionSignal which, double least, double most, int fraction) {
+  void push_signal(fog::Input which, double least, double most, int fraction) {
     emit(Op::signal, static_cast<int>(which));
     emit_word(std::ldexp(least, fraction));
     emit_word(std::ldexp(most, fraction));
@@ -143,7 +131,7 @@ class Compiler {
   // Blocks times their length.
   Value elapsed(const SignalRange& range) {
     const double most_blocks = std::min(range.most / block_s_, 2147483647.0);
-    push_signal(ExpressionSignal::elapsed, 0, most_blocks, 0);
+    push_signal(fog::Input::elapsed, 0, most_blocks, 0);
     // Where time stands at its most, blocks that are no whole number are off by up to a half.
     const double off = std::abs(most_blocks - std::round(most_blocks)) < 1e-6 ? 1e-6 : 0.5;
     const Value blocks{0, most_blocks, off, 0};

@@ -57,7 +57,7 @@ double write_input(TableWriter& out, const RealInput& input, double block_s) {
   const std::string lag = input.tau_s > 0 ? format(" (tau %g s)", input.tau_s) : "";
   out.note(format("input %s%s: (x - %.9g) / %.9g %s; signal, decay, centre, reach, shift",
                   name_of(input.signal), lag.c_str(), input.centre, input.half_range,
-                  unit_of(input.signal)));
+                  description_of(input_of(input.signal)).unit));
   out.integer(static_cast<std::int32_t>(input.signal), "input signal");
   out.real(input.tau_s > 0 ? RealNumbers::decay(block_s / input.tau_s) : 0, 31, "an input's decay");
   const NetworkInputFormat board = network_input_format(input.signal, block_s);
@@ -75,18 +75,8 @@ double write_input(TableWriter& out, const RealInput& input, double block_s) {
 }  // namespace
 
 NetworkInputFormat network_input_format(fog::NetworkInput signal, double block_s) {
-  switch (signal) {
-    case fog::NetworkInput::temperature:
-    case fog::NetworkInput::lagged_temperature:
-      break;
-    case fog::NetworkInput::temperature_rate:
-      return {fog::TemperatureRate::fractional_bits, 1};
-    case fog::NetworkInput::elapsed:
-      return {fog::Elapsed::fractional_bits, block_s};
-    case fog::NetworkInput::input_rate:
-      return {fog::Rate::fractional_bits, 1};
-  }
-  return {fog::Temperature::fractional_bits, 1};
+  const fog::Input input = input_of(signal);
+  return {description_of(input).fraction, input == fog::Input::elapsed ? block_s : 1};
 }
 
 void write_network(TableWriter& out, const RealNetwork& network, double block_s) {

@@ -1,7 +1,6 @@
 #include "quantization/verification_programme.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fogcomp {
@@ -13,21 +12,14 @@ constexpr int kJumps = 16;
 constexpr double kLoopRateDegcPerMin = 3;
 constexpr int kLoops = 5;
 
-// A block's inputs: middle, amplitude and period of the sinusoid that each goes through.
-struct Swing {
-  double middle;
-  double amplitude;
-  double period_s;
-};
-constexpr Swing kGradientDegc{0, 8, 3100};  // second temperature less the first
-constexpr std::array<Swing, fog::kExtensionInputs> kSwings{
-    {{}, {0, 200, 1700}, {500, 450, 2300}, {5, 0.5, 2900}, {5, 5, 1300}}};
-constexpr Swing kRateDph{0, 20, 1900};
-constexpr Swing kTableRateDph{0, 1e6, 1900};  // each fourth period
+using Swing = fog::InputSwing;
+constexpr Swing kRateDph{0, 20'000, 1900};
+constexpr Swing kTableRateDph{0, 1'000'000'000, 1900};  // each fourth period
 
 double at(const Swing& swing, double time_s) {
   constexpr double kTwoPi = 6.283185307179586;
-  return swing.middle + swing.amplitude * std::sin(kTwoPi * time_s / swing.period_s);
+  return swing.middle_milli / 1000.0 +
+         swing.amplitude_milli / 1000.0 * std::sin(kTwoPi * time_s / swing.period_s);
 }
 
 template <class Value>
@@ -78,9 +70,9 @@ class Programme {
     block.input_rate = rounded<fog::Rate>(at(on_table ? kTableRateDph : kRateDph, time_s));
     block.elapsed = fog::Elapsed::from_raw(elapsed_++);
     for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-      const bool second = static_cast<fog::Input>(i) == fog::Input::temperature2;
-      block.extension[i] = rounded<fog::ExtensionValue>(
-          second ? temperature_ + at(kGradientDegc, time_s) : at(kSwings[i], time_s));
+      const fog::Input input = fog::extension_input(i);
+      const double base = input == fog::Input::temperature2 ? temperature_ : 0;
+      block[input] = rounded<fog::ExtensionValue>(base + at(description_of(input).swing, time_s));
     }
     blocks.push_back(block);
   }

@@ -12,23 +12,19 @@ constexpr const char* kWhere = "--inputs";
 constexpr double kLeastTau_s = 1;
 constexpr double kMostTau_s = 1e5;
 
-fog::NetworkInput input_of(const std::string& name) {
-  std::vector<std::string> names;
-  std::string list;
-  for (std::size_t i = 0; i < fog::kNetworkInputs; ++i) {
-    const auto input = static_cast<fog::NetworkInput>(i);
-    names.emplace_back(name_of(input));
-    if (names.back() == name) return input;
-    list += (list.empty() ? "" : ", ") + names.back();
-  }
+fog::NetworkInput input_named(const std::string& name) {
+  const std::vector<std::string> names = network_input_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end())
+    return kEveryNetworkInput[static_cast<std::size_t>(found - names.begin())];
   throw InputError(kWhere, "'" + name + "' is no input of a network" + did_you_mean(name, names) +
-                               "; there are " + list);
+                               "; there are " + join(names, ", "));
 }
 
 RealInput parse_input(const std::string& text) {
   const std::size_t colon = text.find(':');
   RealInput input;
-  input.signal = input_of(text.substr(0, colon));
+  input.signal = input_named(text.substr(0, colon));
   const bool lagged = input.signal == fog::NetworkInput::lagged_temperature;
   const std::string setting = colon == std::string::npos ? "" : text.substr(colon + 1);
   if (!lagged) {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/frames/sensor_frame.hpp"
-#include "dataset/input_columns.hpp"
 #include "dataset/recording_writer.hpp"
 #include "identification/block_series.hpp"
 #include "support/progress.hpp"
@@ -28,9 +27,9 @@ void make_sensor_stream(const Recording& recording, double scale_factor, fog::In
   std::vector<std::uint8_t> piece;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
     for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-      const auto input = static_cast<fog::Input>(i);
+      const fog::Input input = fog::extension_input(i);
       if (!has(extension, input)) continue;
-      const auto frame = extension_frame(input, extension_column(recording, i)[row]);
+      const auto frame = extension_frame(input, recording[input][row]);
       if (frame) piece.insert(piece.end(), frame->begin(), frame->end());
     }
     fog::SensorSample sample;

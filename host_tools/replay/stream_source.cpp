@@ -2,7 +2,6 @@
 
 #include <cstdio>
 
-#include "dataset/input_columns.hpp"
 #include "dataset/input_file.hpp"
 #include "dataset/stream_reader.hpp"
 #include "support/input_error.hpp"
@@ -32,11 +31,9 @@ StreamSource::StreamSource(const std::string& path, const ReadOptions& options, 
   recording_ = read_recording(path, all_rows);
   if (has(needs, fog::Input::elapsed)) warn_of_late_start(recording_);
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    if (!has(extension_, static_cast<fog::Input>(i)) || !extension_column(recording_, i).empty()) {
-      continue;
-    }
-    throw InputError(path, "has no column " +
-                               std::string(input_column(static_cast<fog::Input>(i)).name) +
+    const fog::Input input = fog::extension_input(i);
+    if (!has(extension_, input) || !recording_[input].empty()) continue;
+    throw InputError(path, std::string("has no column ") + description_of(input).column +
                                ", which the model needs; replay a recording that has it");
   }
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "dataset/input_columns.hpp"
 #include "evaluation/comparison.hpp"
+#include "model/input_value.hpp"
 #include "report/figures.hpp"
 #include "report/labels.hpp"
 #include "report/run_plots.hpp"
@@ -230,14 +230,13 @@ std::vector<Variable> variables_of(const Rows& rows, const Run& run, const Diagn
         {"temperature_rate", "temperature rate", "temperature rate, degC/min",
          column(rows, run.range, [](const auto& signals) { return signals.temperature_rate; })});
   }
-  for (std::size_t i = 0; i <= fog::kExtensionInputs; ++i) {
-    const auto input = static_cast<fog::Input>(i);
-    std::vector<double> values = column(rows, run.range, [&](const auto& signals) {
-      return input == fog::Input::input_rate ? signals.block.input_rate : signals.block[input];
+  for (const fog::Input input : kOptionalInputs) {
+    std::vector<double> values = column(rows, run.range, [input](const auto& signals) {
+      return optional_input(input, signals.block);
     });
     if (!varies(values)) continue;
-    all.push_back({std::string(input_column(input).name), input_name(input), input_label(input),
-                   std::move(values)});
+    all.push_back(
+        {description_of(input).column, input_name(input), input_label(input), std::move(values)});
   }
   const auto share_of = [&](const std::string& name) {
     for (const NamedShare& one : diagnosis.variables) {

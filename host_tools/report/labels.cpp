@@ -4,7 +4,6 @@
 #include <array>
 #include <iterator>
 
-#include "dataset/input_columns.hpp"
 #include "model/catalogue.hpp"
 
 namespace fogcomp::report {
@@ -15,13 +14,7 @@ struct Label {
   const char* label;
 };
 
-// In the order of fog::Input.
-constexpr std::array<const char*, fog::kInputs> kInputLabels{
-    "second temperature, degC", "magnetic field, µT", "light power, µW",       "supply, V",
-    "vibration, g rms",         "input rate, deg/h",  "time since power-on, s"};
-
 constexpr Label kVariables[] = {
-    {"temperature_degc", "temperature"},
     {"temperature_rate", "temperature rate"},
     {"temperature_degc x temperature_rate", "temperature × temperature rate"},
     {"time_s", "time"},
@@ -73,20 +66,19 @@ Text part_label(const CatalogueEntry& effect, const std::string& part) {
 }  // namespace
 
 Text input_label(fog::Input input) {
-  return words(kInputLabels[static_cast<std::size_t>(input)]);
+  const std::string unit = description_of(input).unit;
+  return input_name(input) + words(", " + (unit[0] == 'u' ? "µ" + unit.substr(1) : unit));
 }
 
 Text input_name(fog::Input input) {
-  const std::string_view label = kInputLabels[static_cast<std::size_t>(input)];
-  return words(label.substr(0, label.find(',')));
+  return words(description_of(input).title);
 }
 
 Text variable_label(const std::string& variable) {
   const Text label = label_among(kVariables, variable);
   if (!label.empty()) return label;
-  for (std::size_t i = 0; i < fog::kInputs; ++i) {
-    const auto input = static_cast<fog::Input>(i);
-    if (variable == input_column(input).name) return input_name(input);
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (variable == input.column) return input_name(input.input);
   }
   return verbatim(variable);
 }

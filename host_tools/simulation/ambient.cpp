@@ -33,13 +33,14 @@ Ambient AmbientModel::step(const ChamberState& chamber, const GyroThermalModel& 
       wander(supply_wander_v_, kSupplyWander_v, kSupplyWander_s, step_s, supply_random_);
   const Conditions& conditions = chamber.leg->conditions;
   Ambient ambient;
-  ambient.field_ut = kEarthHorizontal_ut * std::cos(conditions.azimuth_deg * M_PI / 180) +
-                     conditions.field_ut + chamber.stray_field_ut;
-  ambient.supply_v = kSupply_v + supply_wander_v_;
-  ambient.light_power_uw = kLight_uw * (1 + light_wander_) *
-                           (1 + kLightPerK * (thermal.optics_degc() - 20)) *
-                           (1 + kLightPerVolt * supply_wander_v_);
-  ambient.vibration_grms = chamber.vibration_grms;
+  ambient[fog::Input::magnetic] =
+      kEarthHorizontal_ut * std::cos(conditions.azimuth_deg * M_PI / 180) + conditions.field_ut +
+      chamber.stray_field_ut;
+  ambient[fog::Input::supply] = kSupply_v + supply_wander_v_;
+  ambient[fog::Input::light_power] = kLight_uw * (1 + light_wander_) *
+                                     (1 + kLightPerK * (thermal.optics_degc() - 20)) *
+                                     (1 + kLightPerVolt * supply_wander_v_);
+  ambient[fog::Input::vibration] = chamber.vibration_grms;
   return ambient;
 }
 

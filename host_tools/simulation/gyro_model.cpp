@@ -91,7 +91,8 @@ void GyroModel::evaluate() {
     state_.loop_rate_dph += contributions_dph_[i];
   }
   sensor_degc_ = sensor_.step(thermal_, chamber.air_degc, kThermalStep_s);
-  sensor2_degc_ = sensor2_.step(thermal_, chamber.air_degc, kThermalStep_s);
+  state_.ambient[fog::Input::temperature2] =
+      sensor2_.step(thermal_, chamber.air_degc, kThermalStep_s);
 }
 
 std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& programme,

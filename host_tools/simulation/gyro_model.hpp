@@ -43,7 +43,6 @@ class GyroModel {
   /// Input rate and all contributions.
   double rate_dph() const { return state_.loop_rate_dph; }
   double sensor_degc() const { return sensor_degc_; }
-  double sensor2_degc() const { return sensor2_degc_; }
 
  private:
   void evaluate();
@@ -60,7 +59,6 @@ class GyroModel {
   std::vector<double> contributions_dph_;
   GyroState state_;
   double sensor_degc_ = 0;
-  double sensor2_degc_ = 0;
 };
 
 /// What multiplies each effect: its `scale`, or what gives it the largest magnitude `peak` over the

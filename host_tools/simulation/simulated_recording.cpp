@@ -1,5 +1,7 @@
 #include "simulation/simulated_recording.hpp"
 
+#include "dataset/columns.hpp"
+
 namespace fogcomp::simulation {
 namespace {
 
@@ -16,15 +18,7 @@ SimulatedRecording record(Simulation& simulation, double period_s) {
   recording.period_s = period_s;
   recording.stretch_starts = {0};
   for (RowChunk chunk; simulation.next(chunk);) {
-    append(recording.time_s, chunk.time_s);
-    append(recording.temperature_degc, chunk.temperature_degc);
-    append(recording.rate_dph, chunk.rate_dph);
-    append(recording.input_rate_dph, chunk.input_rate_dph);
-    append(recording.temperature2_degc, chunk.temperature2_degc);
-    append(recording.magnetic_ut, chunk.magnetic_ut);
-    append(recording.light_power_uw, chunk.light_power_uw);
-    append(recording.supply_v, chunk.supply_v);
-    append(recording.vibration_grms, chunk.vibration_grms);
+    for (const ColumnInfo& info : kColumns) append(recording[info.column], chunk[info.column]);
     for (std::size_t i = 0; i < result.effects_dph.size(); ++i) {
       append(result.effects_dph[i], chunk.effects_dph[i]);
     }

@@ -8,25 +8,16 @@ namespace {
 
 constexpr std::size_t kChunkRows = 8192;
 
-// Channels before the effects, in the order of channel_values().
-enum Channel : std::size_t {
-  kPowered,
-  kRate,
-  kInputRate,
-  kSensor,
-  kSensor2,
-  kField,
-  kLight,
-  kSupply,
-  kVibration,
-  kCoil,
-  kAir,
-  kFirstEffect,
-};
+// Channels before the extension inputs and the effects, in the order of channel_values().
+enum Channel : std::size_t { kPowered, kRate, kInputRate, kSensor, kCoil, kAir, kFirstInput };
+constexpr std::size_t kFirstEffect = kFirstInput + fog::kExtensionInputs;
+constexpr std::size_t kSensor2 = kFirstInput + extension_number(fog::Input::temperature2);
 
 std::vector<RowMeans::Between> channel_kinds(std::size_t effects) {
   std::vector<RowMeans::Between> kinds(kFirstEffect + effects, RowMeans::Between::straight);
-  for (const Channel held : {kPowered, kSensor, kSensor2}) kinds[held] = RowMeans::Between::held;
+  for (const std::size_t held : {std::size_t{kPowered}, std::size_t{kSensor}, kSensor2}) {
+    kinds[held] = RowMeans::Between::held;
+  }
   return kinds;
 }
 
@@ -53,13 +44,11 @@ std::vector<double> Simulation::channel_values() const {
   values[kRate] = model_.rate_dph();
   values[kInputRate] = state.input_rate_dph;
   values[kSensor] = model_.sensor_degc();
-  values[kSensor2] = model_.sensor2_degc();
-  values[kField] = state.ambient.field_ut;
-  values[kLight] = state.ambient.light_power_uw;
-  values[kSupply] = state.ambient.supply_v;
-  values[kVibration] = state.ambient.vibration_grms;
   values[kCoil] = state.thermal->coil_mean_degc();
   values[kAir] = state.chamber->air_degc;
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    values[kFirstInput + i] = state.ambient[fog::extension_input(i)];
+  }
   const std::vector<double>& effects = model_.contributions_dph();
   values.insert(values.end(), effects.begin(), effects.end());
   return values;
@@ -90,13 +79,11 @@ bool Simulation::next(RowChunk& chunk) {
     if (means[kPowered] < 1 - 1e-6) continue;
     chunk.time_s.push_back(static_cast<double>(row_) * period_s_);
     chunk.temperature_degc.push_back(means[kSensor]);
-    chunk.temperature2_degc.push_back(means[kSensor2]);
     chunk.rate_dph.push_back(means[kRate] + noise_sum[row]);
     chunk.input_rate_dph.push_back(means[kInputRate]);
-    chunk.magnetic_ut.push_back(means[kField]);
-    chunk.light_power_uw.push_back(means[kLight]);
-    chunk.supply_v.push_back(means[kSupply]);
-    chunk.vibration_grms.push_back(means[kVibration]);
+    for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+      chunk.extension[i].push_back(means[kFirstInput + i]);
+    }
     chunk.coil_degc.push_back(means[kCoil]);
     chunk.chamber_degc.push_back(means[kAir]);
     for (std::size_t e = 0; e < effect_names_.size(); ++e) {

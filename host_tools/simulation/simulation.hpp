@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dataset/recording.hpp"
 #include "simulation/gyro_model.hpp"
 #include "simulation/noise/noise_source.hpp"
 #include "simulation/row_means.hpp"
@@ -18,24 +19,13 @@ struct SimulationOptions {
   ThermalGrid grid;
 };
 
-/// Rows of a run, one vector per column, all equally long. Times are those of the rows' starts.
-struct RowChunk {
-  std::vector<double> time_s;
-  std::vector<double> temperature_degc;
-  std::vector<double> temperature2_degc;
-  std::vector<double> rate_dph;
-  std::vector<double> input_rate_dph;
-  std::vector<double> magnetic_ut;
-  std::vector<double> light_power_uw;
-  std::vector<double> supply_v;
-  std::vector<double> vibration_grms;
-  /// The truth: true temperatures, then each effect and noise source by name.
+/// Rows of a run: all columns of a recording, and the truth. Times are those of the rows' starts.
+struct RowChunk : Recording {
+  /// True temperatures, then each effect and noise source by name; all as long as the columns.
   std::vector<double> coil_degc;
   std::vector<double> chamber_degc;
   std::vector<std::vector<double>> effects_dph;
   std::vector<std::vector<double>> noises_dph;
-
-  std::size_t rows() const { return time_s.size(); }
 };
 
 /// Runs a gyro through a programme and hands its rows over in chunks, in bounded memory.

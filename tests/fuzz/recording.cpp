@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "dataset/input_columns.hpp"
+#include "dataset/columns.hpp"
 #include "dataset/recording.hpp"
 #include "fuzzing.hpp"
 #include "support/input_error.hpp"
@@ -50,13 +50,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     promise(recording.temperature_degc.size() == recording.rows() &&
                 recording.rate_dph.size() == recording.rows(),
             "a recording has temperature and rate");
-    check_column(recording.time_s, recording.rows());
-    check_column(recording.temperature_degc, recording.rows());
-    check_column(recording.rate_dph, recording.rows());
-    check_column(recording.input_rate_dph, recording.rows());
-    for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-      const auto input = static_cast<fog::Input>(i);
-      check_column(recording.*fogcomp::input_column(input).values, recording.rows());
+    for (const fogcomp::ColumnInfo& info : fogcomp::kColumns) {
+      check_column(recording[info.column], recording.rows());
     }
   } catch (const fogcomp::InputError&) {  // said in a line; the user's to mend
   }

@@ -154,6 +154,12 @@ refuses '^good\.csv: magnetic needs the column magnetic_ut' compare field.model 
 refuses "^effect 'magnetic': needs magnetic_ut, which .* give --extension" export field.model -o kept
 "$fogcomp" export field.model -o field.h --extension --sample-rate 0.1 >/dev/null
 refuses '^good\.csv: has no column magnetic_ut, which the model needs' replay field.h good.csv -o kept
+"$fogcomp" fit field.csv -o shaken.model --effects bias --effect-expr 'shaken = g^2' >/dev/null
+refuses '^good\.csv: shaken needs the column vibration_grms' compare shaken.model good.csv
+refuses "^effect 'shaken': needs vibration_grms, which .* give --extension" export shaken.model -o kept
+"$fogcomp" fit field.csv -o fed.model --effects bias --network 2 --inputs supply --force-network >/dev/null
+refuses '^good\.csv: the network needs the column supply_v' compare fed.model good.csv
+refuses '^the network: needs supply_v, which .* give --extension' export fed.model -o kept
 fit_effect "^effect 'thermal_hysteresis': bounds of radius2 must be \?\[least,most\] within 0\.5 to 40 degC" \
   'thermal_hysteresis:radius2=?[0,20]'
 fit_effect '^effect .bias_step.: is searched for in the whole recording; leave the bounds out' 'bias_step:at=?[1,9]'

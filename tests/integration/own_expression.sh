@@ -33,6 +33,16 @@ grep -q '/\* kink: (tanh((T - ?at\[-30,50\]) / ?w\[2,30\])) / 2^-1, within .* of
 "$fogcomp" replay fog_model.h run.csv -o header.bin
 cmp model.bin header.bin
 
+# Inputs that come in extension records, in an expression and in a network.
+"$fogcomp" simulate -o field.csv --profile field_and_vibration --columns supply,vibration --effect vibration >/dev/null
+"$fogcomp" fit field.csv -o shaken.model --effects bias --effect-expr 'shaken = g^2' --network 3 \
+  --inputs supply,vibration --force-network >/dev/null
+"$fogcomp" export shaken.model -o shaken.h --sample-rate 0.1 --extension >shaken.txt
+awk '/^  shaken: at most/ { found = 1; exit !($4 <= $9) } END { exit !found }' shaken.txt
+"$fogcomp" replay shaken.model field.csv -o shaken_model.bin --sample-rate 0.1 --extension
+"$fogcomp" replay shaken.h field.csv -o shaken_header.bin
+cmp shaken_model.bin shaken_header.bin
+
 if ! command -v qemu-system-arm >/dev/null || ! command -v arm-none-eabi-g++ >/dev/null; then
   echo "skipped: the boards, no QEMU or no compiler here"
   exit 77

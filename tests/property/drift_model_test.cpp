@@ -85,9 +85,12 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryInputOfANetwork) {
   const fogcomp::RealInput slow{fog::NetworkInput::lagged_temperature, 20, 40, 20000};
   const fogcomp::RealInput elapsed{fog::NetworkInput::elapsed, 30000, 30000, 0};
   const fogcomp::RealInput input_rate{fog::NetworkInput::input_rate, 8.47, 12, 0};
+  const fogcomp::RealInput second{fog::network_input(fog::Input::temperature2), 20, 80, 0};
+  const fogcomp::RealInput supply{fog::network_input(fog::Input::supply), 5, 1, 0};
   for (const std::vector<fogcomp::RealInput>& inputs :
        {std::vector{temperature, rate, slow}, std::vector{fast, slow, temperature, elapsed},
-        std::vector{slow, fast, slow, fast}, std::vector{input_rate, rate}, std::vector{elapsed}}) {
+        std::vector{slow, fast, slow, fast}, std::vector{input_rate, rate}, std::vector{elapsed},
+        std::vector{second, supply}}) {
     fogcomp::Model model = fog::test::paper_like_model();
     model.least_degc = -60;
     model.most_degc = 100;

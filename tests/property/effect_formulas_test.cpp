@@ -275,9 +275,7 @@ fogcomp::RealBlock block_of(const History& history, std::size_t i) {
   block.temperature = history.mean_degc[i];
   block.input_rate = history.input_rate_dph[i];
   block.elapsed = history.time_s[i] / kBlock_s;
-  const auto set = [&](fog::Input input, double value) {
-    block.extension[static_cast<std::size_t>(input)] = value;
-  };
+  const auto set = [&](fog::Input input, double value) { block[input] = value; };
   set(fog::Input::temperature2, history.second_mean_degc[i]);
   set(fog::Input::magnetic, history.magnetic_ut[i]);
   set(fog::Input::light_power, history.light_power_uw[i]);

@@ -16,21 +16,21 @@
 namespace {
 
 using fogcomp::EffectTerm;
-using fogcomp::ExpressionSignal;
 
 // What a fit would have seen on these histories, less than all of it so that the clamps work too.
 void set_ranges(EffectTerm& term) {
-  const auto set = [&](ExpressionSignal signal, double least, double most) {
+  const auto set = [&](fog::Input signal, double least, double most) {
     term.expression->ranges[static_cast<std::size_t>(signal)] = {least, most};
   };
-  set(ExpressionSignal::temperature, -50, 90);
-  set(ExpressionSignal::temperature_rate, -32, 32);
-  set(ExpressionSignal::elapsed, 0, 60000);
-  set(ExpressionSignal::input_rate, -100, 100);
-  set(ExpressionSignal::temperature2, -55, 95);
-  set(ExpressionSignal::magnetic, -300, 300);
-  set(ExpressionSignal::light_power, 0, 4000);
-  set(ExpressionSignal::supply, 4.2, 5.9);
+  set(fog::Input::temperature, -50, 90);
+  set(fog::Input::temperature_rate, -32, 32);
+  set(fog::Input::elapsed, 0, 60000);
+  set(fog::Input::input_rate, -100, 100);
+  set(fog::Input::temperature2, -55, 95);
+  set(fog::Input::magnetic, -300, 300);
+  set(fog::Input::light_power, 0, 4000);
+  set(fog::Input::supply, 4.2, 5.9);
+  set(fog::Input::vibration, 0, 18);
 }
 
 struct Outcome {
@@ -128,8 +128,8 @@ class Random {
   int pick(int below) { return static_cast<int>(random_() % static_cast<unsigned>(below)); }
   std::string number() { return std::to_string(0.01 * (1 + pick(3000))); }
   std::string signal() {
-    const char* const names[] = {"T", "dTdt", "T", "t", "W", "T2", "B", "P", "V"};
-    return names[pick(9)];
+    const char* const names[] = {"T", "dTdt", "T", "t", "W", "T2", "B", "P", "V", "g"};
+    return names[pick(10)];
   }
   std::mt19937_64 random_;
 };
@@ -138,7 +138,8 @@ TEST(Expressions, AreOnTheBoardWithinTheirBoundOfDouble) {
   for (const char* text :
        {"T*T*dTdt", "lag(T,300)-T", "play(T,6)-T", "exp(-t/1200)", "sin(T/3)*dTdt", "tanh(T/20)",
         "min(T,20)*V", "max(abs(dTdt)-1,0)", "W*(T-20)", "P/(1+P)", "(T2-T)*dTdt/V",
-        "lag(dTdt,20000)", "((T-20)/64)^9", "1/(273.15+T)", "exp(T/25)", "-B^3", "lag(t,60)"}) {
+        "lag(dTdt,20000)", "((T-20)/64)^9", "1/(273.15+T)", "exp(T/25)", "-B^3", "lag(t,60)",
+        "g^2"}) {
     const Outcome outcome = run(term_of(text), 3, 20000);
     std::printf("  %-22s within %.1e, bound %.1e\n", text, outcome.worst, outcome.bound);
     EXPECT_LE(outcome.worst, outcome.bound) << text;

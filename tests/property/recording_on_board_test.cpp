@@ -37,10 +37,10 @@ fogcomp::Recording recording_with_gaps() {
     recording.time_s.push_back(t);
     recording.temperature_degc.push_back(on_grid(10 + 40 * std::sin(t / 1500)));
     recording.rate_dph.push_back(on_grid(0.7 + 0.1 * ((i * 37) % 11)));
-    recording.temperature2_degc.push_back(on_grid(10 + 40 * std::sin(t / 1500 + 0.1)));
-    recording.magnetic_ut.push_back(on_grid(50 * std::cos(t / 700)));
-    recording.light_power_uw.push_back(on_grid(90 + 20 * std::sin(t / 900)));
-    recording.vibration_grms.push_back(on_grid(2 + 2 * std::sin(t / 300)));
+    recording[fog::Input::temperature2].push_back(on_grid(10 + 40 * std::sin(t / 1500 + 0.1)));
+    recording[fog::Input::magnetic].push_back(on_grid(50 * std::cos(t / 700)));
+    recording[fog::Input::light_power].push_back(on_grid(90 + 20 * std::sin(t / 900)));
+    recording[fog::Input::vibration].push_back(on_grid(2 + 2 * std::sin(t / 300)));
   }
   return recording;
 }

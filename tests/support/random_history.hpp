@@ -52,9 +52,7 @@ class RandomHistory {
     return Value::from_raw(
         static_cast<std::int32_t>(std::lround(std::ldexp(value, Value::fractional_bits))));
   }
-  void set(Input input, double value) {
-    block_.extension[static_cast<std::size_t>(input)] = fixed<ExtensionValue>(value);
-  }
+  void set(Input input, double value) { block_[input] = fixed<ExtensionValue>(value); }
 
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;

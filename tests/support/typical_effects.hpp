@@ -47,7 +47,8 @@ inline fogcomp::EffectTerm written_term(const std::string& definition) {
                               {-70, 110},
                               {-500, 500},
                               {0, 5000},
-                              {4, 6}}};
+                              {4, 6},
+                              {0, 20}}};
   fogcomp::Model model = paper_like_model();
   term.expression->scale_log2 = std::ilogb(fogcomp::compile_expression(term, model, 1).most) - 1;
   term.coefficients_dph = {0.005};

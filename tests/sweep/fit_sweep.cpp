@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "dataset/columns.hpp"
 #include "diagnosis/ladder.hpp"
 #include "evaluation/residual_analysis.hpp"
 #include "identification/effect_list.hpp"
@@ -86,11 +87,7 @@ Recording simulated(Dice& dice, const Options& options) {
   }
   if (dice.one_in(2)) {
     recording.input_rate_dph.clear();
-    recording.temperature2_degc.clear();
-    recording.magnetic_ut.clear();
-    recording.light_power_uw.clear();
-    recording.supply_v.clear();
-    recording.vibration_grms.clear();
+    recording.extension = {};
   }
   return recording;
 }
@@ -102,11 +99,8 @@ void each(std::vector<double>& values, const Change& change) {
 
 void cut_to(Recording& recording, std::size_t rows) {
   if (recording.rows() <= rows) return;
-  for (auto* column :
-       {&recording.time_s, &recording.temperature_degc, &recording.rate_dph,
-        &recording.input_rate_dph, &recording.temperature2_degc, &recording.magnetic_ut,
-        &recording.light_power_uw, &recording.supply_v, &recording.vibration_grms}) {
-    if (!column->empty()) column->resize(rows);
+  for (const ColumnInfo& info : kColumns) {
+    if (!recording[info.column].empty()) recording[info.column].resize(rows);
   }
   auto& starts = recording.stretch_starts;
   starts.erase(std::lower_bound(starts.begin(), starts.end(), rows), starts.end());

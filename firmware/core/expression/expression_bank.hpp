@@ -41,6 +41,7 @@ class ExpressionBank {
 
  private:
   using Op = ExpressionOp;
+  static constexpr InputMask kInputs = inputs_of_expressions(kCompiled);
   using Lag = FirstOrderLag<BoardNumbers>;
   using Play = fog::Play<BoardNumbers>;
 
@@ -52,7 +53,6 @@ class ExpressionBank {
   };
 
   static constexpr bool has(Op op) { return (kCompiled & bit_of(op)) != 0U; }
-  static constexpr bool has(ExpressionSignal signal) { return (kCompiled & bit_of(signal)) != 0U; }
 
   static std::int32_t narrow(std::int64_t value) { return saturate<std::int32_t>(value); }
   static std::int32_t shifted(std::int32_t value, int bits) {
@@ -73,28 +73,6 @@ class ExpressionBank {
     constexpr std::int64_t kTurnsPerRadian = 683565276;
     return sine_cosine(
         static_cast<std::uint32_t>(round_shift(radians * kTurnsPerRadian, fraction)));
-  }
-
-  static std::int32_t raw_signal(int number, const BoardSignals& signals) {
-    switch (static_cast<ExpressionSignal>(number)) {
-      case ExpressionSignal::temperature:
-        break;
-      case ExpressionSignal::temperature_rate:
-        return signals.temperature_rate.raw();
-      case ExpressionSignal::elapsed:
-        return signals.block.elapsed.raw();
-      case ExpressionSignal::input_rate:
-        return signals.block.input_rate.raw();
-      case ExpressionSignal::temperature2:
-        return signals.block[Input::temperature2].raw();
-      case ExpressionSignal::magnetic:
-        return signals.block[Input::magnetic].raw();
-      case ExpressionSignal::light_power:
-        return signals.block[Input::light_power].raw();
-      case ExpressionSignal::supply:
-        return signals.block[Input::supply].raw();
-    }
-    return signals.temperature.raw();
   }
 
   static std::int32_t lagged(State& state, std::int32_t x, std::int32_t decay, bool restart) {
@@ -135,7 +113,7 @@ class ExpressionBank {
       ++word;
       switch (op) {
         case Op::signal:
-          push(clamp(raw_signal(bits, signals), word[0], word[1]));
+          push(clamp(raw_value<kInputs>(signals, static_cast<Input>(bits)), word[0], word[1]));
           word += 2;
           break;
         case Op::constant:

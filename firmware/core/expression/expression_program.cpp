@@ -49,8 +49,7 @@ bool operands_fit(ExpressionOp op, const std::int32_t* words) {
   constexpr std::int32_t kMostRadius = 1 << 30;
   switch (op) {
     case ExpressionOp::signal:
-      return bits >= 0 && bits < static_cast<std::int32_t>(kExpressionSignals) &&
-             words[1] <= words[2];
+      return bits >= 0 && bits < static_cast<std::int32_t>(kInputs) && words[1] <= words[2];
     case ExpressionOp::shift:
     case ExpressionOp::output:
       return bits >= -31 && bits <= 62;
@@ -97,7 +96,7 @@ bool expressions_fit(ExpressionParameters& expressions) {
     if (words_of(op) > program.size - at || !operands_fit(op, program.data + at)) return false;
     expressions.used |= bit_of(op);
     if (op == ExpressionOp::signal) {
-      expressions.used |= bit_of(static_cast<ExpressionSignal>(floor_shift(program[at], 8)));
+      expressions.used |= expression_bit_of(static_cast<Input>(floor_shift(program[at], 8)));
     }
     const Effect effect = effect_of(op);
     if (depth < effect.takes) return false;

@@ -15,7 +15,7 @@ namespace fog {
 /// One word: operation + 256 * argument (-62 to 62), then the words named here. `bits`: the
 /// argument.
 enum class ExpressionOp : std::uint8_t {
-  signal = 0,     ///< + least, most: pushes signal number `bits`, clamped, in its own format
+  signal = 0,     ///< + least, most: pushes the Input of number `bits`, clamped, in its format
   constant = 1,   ///< + value
   duplicate = 2,  ///< pushes the top once more
   over = 3,       ///< pushes the value below the top once more
@@ -39,64 +39,25 @@ enum class ExpressionOp : std::uint8_t {
 };
 constexpr std::size_t kExpressionOps = 21;
 
-/// Signals of an expression, their numbers in a program and formats.
-enum class ExpressionSignal : std::uint8_t {
-  temperature = 0,       ///< degC, in the trained range
-  temperature_rate = 1,  ///< degC/min
-  elapsed = 2,           ///< blocks since power-on
-  input_rate = 3,        ///< deg/h
-  temperature2 = 4,      ///< degC
-  magnetic = 5,          ///< uT
-  light_power = 6,       ///< uW
-  supply = 7,            ///< V
-};
-constexpr std::size_t kExpressionSignals = 8;
-
 constexpr std::size_t kMostExpressions = 8;       ///< outputs of a program
 constexpr std::size_t kMostExpressionStates = 8;  ///< lags and plays
 constexpr std::size_t kMostExpressionStack = 16;
 constexpr std::size_t kMostExpressionWords = 512;
 
-/// Operations and, above them, signals that a program has; 0: no expressions.
+/// Operations and, above them, inputs that a program has; 0: no expressions.
 using ExpressionMask = std::uint32_t;
 constexpr ExpressionMask bit_of(ExpressionOp op) {
   return ExpressionMask{1} << static_cast<unsigned>(op);
 }
-constexpr ExpressionMask bit_of(ExpressionSignal signal) {
-  return ExpressionMask{1} << (kExpressionOps + static_cast<unsigned>(signal));
+constexpr ExpressionMask expression_bit_of(Input input) {
+  return ExpressionMask{1} << (kExpressionOps + static_cast<unsigned>(input));
 }
-constexpr ExpressionMask kAllExpressions =
-    (ExpressionMask{1} << (kExpressionOps + kExpressionSignals)) - 1U;
+static_assert(kExpressionOps + kInputs <= 32, "widen ExpressionMask");
+constexpr ExpressionMask kAllExpressions = ~ExpressionMask{0} >> (32U - kExpressionOps - kInputs);
 
-constexpr InputMask needs_of(ExpressionSignal signal) {
-  switch (signal) {
-    case ExpressionSignal::temperature:
-    case ExpressionSignal::temperature_rate:
-      break;
-    case ExpressionSignal::elapsed:
-      return bit_of(Input::elapsed);
-    case ExpressionSignal::input_rate:
-      return bit_of(Input::input_rate);
-    case ExpressionSignal::temperature2:
-      return bit_of(Input::temperature2);
-    case ExpressionSignal::magnetic:
-      return bit_of(Input::magnetic);
-    case ExpressionSignal::light_power:
-      return bit_of(Input::light_power);
-    case ExpressionSignal::supply:
-      return bit_of(Input::supply);
-  }
-  return 0;
-}
-
-/// What expressions with these signals need beside the coil's temperature.
-constexpr InputMask needs_of_expressions(ExpressionMask mask) {
-  InputMask needs = 0;
-  for (std::size_t i = 0; i < kExpressionSignals; ++i) {
-    const auto signal = static_cast<ExpressionSignal>(i);
-    if ((mask & bit_of(signal)) != 0U) needs |= needs_of(signal);
-  }
-  return needs;
+/// The inputs that expressions with this mask use.
+constexpr InputMask inputs_of_expressions(ExpressionMask mask) {
+  return mask >> kExpressionOps;
 }
 
 /// The expressions of a model: one program with an output for each coefficient.

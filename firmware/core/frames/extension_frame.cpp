@@ -20,7 +20,8 @@ std::uint16_t frame_crc(const std::uint8_t* bytes) {
 }  // namespace
 
 ExtensionFrame encode_extension_frame(const ExtensionRecord& record) {
-  ExtensionFrame frame{kSensorSync0, kExtensionSync1, static_cast<std::uint8_t>(record.input)};
+  ExtensionFrame frame{kSensorSync0, kExtensionSync1,
+                       static_cast<std::uint8_t>(extension_number(record.input))};
   store_le32(&frame[kValue], static_cast<std::uint32_t>(record.value.raw()));
   store_le16(&frame[kCrc], frame_crc(frame.data()));
   return frame;
@@ -30,7 +31,7 @@ bool decode_extension_frame(const std::uint8_t* bytes, ExtensionRecord& record) 
   if (bytes[0] != kSensorSync0 || bytes[kType] != kExtensionSync1) return false;
   if (load_le16(bytes + kCrc) != frame_crc(bytes)) return false;
   if (bytes[kReserved] != 0U || bytes[kInput] >= kExtensionInputs) return false;
-  record.input = static_cast<Input>(bytes[kInput]);
+  record.input = extension_input(bytes[kInput]);
   record.value = ExtensionValue::from_raw(static_cast<std::int32_t>(load_le32(bytes + kValue)));
   return true;
 }

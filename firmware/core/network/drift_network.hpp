@@ -78,14 +78,10 @@ class DriftNetwork {
         return lags_.step(input, signals.temperature).raw();
       }
     }
-    std::int32_t raw = signals.temperature.raw();
-    const auto take = [&](NetworkInput other, std::int32_t its) {
-      if (compiled(other) && signal == other) raw = its;
-    };
-    take(NetworkInput::temperature_rate, signals.temperature_rate.raw());
-    take(NetworkInput::elapsed, signals.block.elapsed.raw());
-    take(NetworkInput::input_rate, signals.block.input_rate.raw());
-    return raw;
+    // Below the lagged temperature the numbers are those of the inputs.
+    constexpr bool kRenumbered = kCompiled >= bit_of(NetworkInput::elapsed);
+    return raw_value<inputs_of_network(kCompiled)>(
+        signals, kRenumbered ? input_of(signal) : static_cast<Input>(signal));
   }
 
   const NetworkParameters& parameters_;

@@ -7,15 +7,27 @@
 
 namespace fog {
 
-/// A signal that a network can have as input; its number in the model table. Add at the end.
+/// What a network can have as input; its number in the model table. These are the inputs in their
+/// order, but for number 2.
 enum class NetworkInput : std::int32_t {
-  temperature = 0,         ///< degC, in the trained range
-  temperature_rate = 1,    ///< degC/min
+  temperature = 0,
+  temperature_rate = 1,
   lagged_temperature = 2,  ///< degC, the temperature through a first-order lag
-  elapsed = 3,             ///< time since power-on: blocks on the board, seconds on the host
-  input_rate = 4,          ///< deg/h, the block before's
+  elapsed = 3,
+  input_rate = 4,
 };
-constexpr std::size_t kNetworkInputs = 5;
+constexpr std::size_t kNetworkInputs = kInputs + 1;
+
+constexpr NetworkInput network_input(Input input) {
+  const auto number = static_cast<std::int32_t>(input);
+  return static_cast<NetworkInput>(input < Input::elapsed ? number : number + 1);
+}
+/// What it is made of.
+constexpr Input input_of(NetworkInput input) {
+  if (input == NetworkInput::lagged_temperature) return Input::temperature;
+  const auto number = static_cast<std::int32_t>(input);
+  return static_cast<Input>(input < NetworkInput::lagged_temperature ? number : number - 1);
+}
 
 /// As many as one network takes.
 constexpr std::size_t kMostNetworkInputs = 4;
@@ -26,10 +38,10 @@ constexpr NetworkInputMask bit_of(NetworkInput input) {
   return NetworkInputMask{1} << static_cast<unsigned>(input);
 }
 
-/// What a network with these inputs needs beside the coil's temperature.
-constexpr InputMask needs_of_network(NetworkInputMask mask) {
-  return ((mask & bit_of(NetworkInput::elapsed)) != 0U ? bit_of(Input::elapsed) : 0U) |
-         ((mask & bit_of(NetworkInput::input_rate)) != 0U ? bit_of(Input::input_rate) : 0U);
+/// The inputs that a network with this mask uses beside the temperature, which is always there.
+constexpr InputMask inputs_of_network(NetworkInputMask mask) {
+  constexpr NetworkInputMask kBefore = bit_of(NetworkInput::lagged_temperature) - 1U;
+  return (mask & kBefore) | (mask / 2U & ~kBefore);
 }
 
 }  // namespace fog

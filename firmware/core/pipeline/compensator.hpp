@@ -133,8 +133,8 @@ class Compensator {
   }
 
  private:
-  using Collector = BlockCollector<needs_of(kEffects) | needs_of_expressions(kExpressions) |
-                                   needs_of_network(kNetworkInputs)>;
+  using Collector = BlockCollector<needs_of(kEffects) | inputs_of_expressions(kExpressions) |
+                                   inputs_of_network(kNetworkInputs)>;
 
   static Fixed<std::int64_t, Rate::fractional_bits> difference(Rate a, Rate b) {
     using Wide = Fixed<std::int64_t, Rate::fractional_bits>;

@@ -55,8 +55,9 @@ struct ModelParameters {
 
   /// What the model needs beside the coil's temperature.
   InputMask needs() const {
-    return needs_of(effects.enabled()) | needs_of_expressions(expressions.used) |
-           needs_of_network(network.used());
+    return beside_temperature(needs_of(effects.enabled()) |
+                              inputs_of_expressions(expressions.used) |
+                              inputs_of_network(network.used()));
   }
 };
 

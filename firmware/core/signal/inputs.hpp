@@ -1,24 +1,107 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "core/signal/quantities.hpp"
+
 namespace fog {
 
-/// What an effect can depend on beside the coil's temperature. The first kExtensionInputs reach the
-/// board in extension records (SPEC.md), where the number is that of the enum: add before
-/// input_rate, never move one.
+/// What a drift model can depend on: effects, expressions and the network. The numbers are part of
+/// extension records and model tables (SPEC.md): add at the end, with a row in kInputTable, and
+/// never move one.
 enum class Input : std::uint8_t {
-  temperature2,  ///< degC, a second sensor
-  magnetic,      ///< uT, the field along the sensitive direction
-  light_power,   ///< uW at the detector
-  supply,        ///< V
-  vibration,     ///< g rms
-  input_rate,    ///< deg/h about the axis; on the board, what the gyro itself measures
-  elapsed,       ///< time since power-on
+  temperature,       ///< coil sensor, in the trained range
+  temperature_rate,  ///< its filtered derivative
+  elapsed,           ///< time since power-on
+  input_rate,        ///< about the axis; on the board, what the gyro itself measures
+  // From here on they reach the board in extension records, numbered from 0.
+  temperature2,  ///< a second sensor
+  magnetic,      ///< the field along the sensitive direction
+  light_power,   ///< at the detector
+  supply,
+  vibration,  ///< rms
 };
-constexpr std::size_t kExtensionInputs = 5;
-constexpr std::size_t kInputs = 7;
+constexpr std::size_t kFirstExtensionInput = static_cast<std::size_t>(Input::temperature2);
+
+/// The sinusoid that an extension input goes through in the check of an export; that of a second
+/// temperature is the difference from the first.
+struct InputSwing {
+  std::int32_t middle_milli;
+  std::int32_t amplitude_milli;
+  std::int32_t period_s;
+};
+
+/// Everything about an input that has to be said. Costs nothing in an image: it is for the host,
+/// and for constants. Real numbers are in thousandths, as the core has integers only.
+struct InputDescription {
+  Input input;
+  const char* name;    ///< in lists: `fit --inputs`, `simulate --columns`
+  const char* column;  ///< of a recording, with the unit at its end; "": in no recording
+  const char* symbol;  ///< in an expression
+  const char* title;
+  const char* unit;
+  int fraction;  ///< fractional bits on the board
+  /// Decimals in a CSV: finer than any sensor of the quantity. 1 us of time numbers samples up to
+  /// 500 kHz; 1e-5 degC is below half an LSB of the sensor stream (2^-16 degC), and 1e-6 deg/h
+  /// below a thousandth of its rate LSB (2^-10 deg/h), so stream -> CSV -> stream gives back the
+  /// counts.
+  int decimals;
+  /// What a sensor can mean; beyond lies a wrong unit, or a mark for "no value" such as -999.
+  std::int64_t least_milli;
+  std::int64_t most_milli;
+  InputSwing swing;
+};
+
+inline constexpr InputDescription kInputTable[] = {
+    {Input::temperature, "temperature", "temperature_degc", "T", "temperature", "degC",
+     Temperature::fractional_bits, 5, -273'150, 1'000'000, InputSwing{}},
+    {Input::temperature_rate, "temperature_rate", "", "dTdt", "temperature rate", "degC/min",
+     TemperatureRate::fractional_bits, 6, 0, 0, InputSwing{}},
+    {Input::elapsed, "elapsed", "time_s", "t", "time since power-on", "s", Elapsed::fractional_bits,
+     6, -1'000'000'000'000'000, 1'000'000'000'000'000, InputSwing{}},
+    {Input::input_rate, "input_rate", "input_rate_dph", "W", "input rate", "deg/h",
+     Rate::fractional_bits, 6, -1'000'000'000'000, 1'000'000'000'000, InputSwing{}},
+    {Input::temperature2, "temperature2", "temperature2_degc", "T2", "second temperature", "degC",
+     ExtensionValue::fractional_bits, 5, -273'150, 1'000'000, InputSwing{0, 8'000, 3100}},
+    {Input::magnetic, "magnetic", "magnetic_ut", "B", "magnetic field", "uT",
+     ExtensionValue::fractional_bits, 5, -1'000'000'000'000, 1'000'000'000'000,
+     InputSwing{0, 200'000, 1700}},
+    {Input::light_power, "light_power", "light_power_uw", "P", "light power", "uW",
+     ExtensionValue::fractional_bits, 5, -1'000'000'000'000, 1'000'000'000'000,
+     InputSwing{500'000, 450'000, 2300}},
+    {Input::supply, "supply", "supply_v", "V", "supply", "V", ExtensionValue::fractional_bits, 6,
+     -1'000'000'000, 1'000'000'000, InputSwing{5'000, 500, 2900}},
+    {Input::vibration, "vibration", "vibration_grms", "g", "vibration", "g rms",
+     ExtensionValue::fractional_bits, 6, -1'000'000'000, 1'000'000'000,
+     InputSwing{5'000, 5'000, 1300}},
+};
+
+constexpr std::size_t kInputs = sizeof kInputTable / sizeof kInputTable[0];
+constexpr std::size_t kExtensionInputs = kInputs - kFirstExtensionInput;
+
+constexpr const InputDescription& description_of(Input input) {
+  return kInputTable[static_cast<std::size_t>(input)];
+}
+constexpr bool rows_are_in_order() {
+  for (std::size_t i = 0; i < kInputs; ++i) {
+    if (kInputTable[i].input != static_cast<Input>(i)) return false;
+  }
+  return true;
+}
+static_assert(rows_are_in_order(), "a row of kInputTable for each Input, in the enum's order");
+
+constexpr bool is_extension(Input input) {
+  return static_cast<std::size_t>(input) >= kFirstExtensionInput;
+}
+/// Numbers of extension records, from 0.
+constexpr std::size_t extension_number(Input input) {
+  return static_cast<std::size_t>(input) - kFirstExtensionInput;
+}
+constexpr Input extension_input(std::size_t number) {
+  return static_cast<Input>(kFirstExtensionInput + number);
+}
 
 using InputMask = std::uint32_t;  ///< bit = Input
 constexpr InputMask bit_of(Input input) {
@@ -27,6 +110,12 @@ constexpr InputMask bit_of(Input input) {
 constexpr bool has(InputMask mask, Input input) {
   return (mask & bit_of(input)) != 0U;
 }
-constexpr InputMask kAllExtensionInputs = (InputMask{1} << kExtensionInputs) - 1U;
+constexpr InputMask kAllInputs = (InputMask{1} << kInputs) - 1U;
+constexpr InputMask kAllExtensionInputs = kAllInputs & ~(bit_of(Input::temperature2) - 1U);
+
+/// What of `mask` is there beside the coil's temperature.
+constexpr InputMask beside_temperature(InputMask mask) {
+  return mask & ~(bit_of(Input::temperature) | bit_of(Input::temperature_rate));
+}
 
 }  // namespace fog

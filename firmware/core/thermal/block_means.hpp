@@ -17,7 +17,10 @@ struct BlockMeans {
 
   /// One of the inputs that come in extension records, in its unit.
   typename N::template Number<16> operator[](Input input) const {
-    return extension[static_cast<std::size_t>(input)];
+    return extension[extension_number(input)];
+  }
+  typename N::template Number<16>& operator[](Input input) {
+    return extension[extension_number(input)];
   }
 };
 

@@ -19,13 +19,13 @@ class ExtensionAverages {
   explicit ExtensionAverages(InputMask needed) : needed_(needed) {}
 
   void add(Input input, ExtensionValue value) {
-    if (has(needed_, input)) averages_[static_cast<std::size_t>(input)].add(value);
+    if (has(needed_, input)) averages_[extension_number(input)].add(value);
   }
 
   /// Whether every needed input has a value.
   bool has_all() const {
     for (std::size_t i = 0; i < kExtensionInputs; ++i) {
-      if (has(needed_, static_cast<Input>(i)) && averages_[i].empty()) return false;
+      if (has(needed_, extension_input(i)) && averages_[i].empty()) return false;
     }
     return true;
   }

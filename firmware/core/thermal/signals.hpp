@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/signal/quantities.hpp"
 #include "core/thermal/block_means.hpp"
 
 namespace fog {
@@ -11,5 +12,24 @@ struct Signals {
   typename N::TemperatureRate temperature_rate{};  ///< its filtered derivative
   BlockMeans<N> block{};                           ///< as measured
 };
+
+/// `use` of the value of an input, which is one of kPossible: others have no code.
+template <InputMask kPossible, class N, class Use>
+constexpr auto use_value(const Signals<N>& signals, Input input, Use use) {
+  const auto is = [input](Input other) { return has(kPossible, other) && input == other; };
+  if (is(Input::temperature_rate)) return use(signals.temperature_rate);
+  if (is(Input::elapsed)) return use(signals.block.elapsed);
+  if (is(Input::input_rate)) return use(signals.block.input_rate);
+  if constexpr ((kPossible & kAllExtensionInputs) != 0U) {
+    if (is_extension(input)) return use(signals.block[input]);
+  }
+  return use(signals.temperature);
+}
+
+/// The raw number, in the format of its input.
+template <InputMask kPossible>
+constexpr std::int32_t raw_value(const Signals<BoardNumbers>& signals, Input input) {
+  return use_value<kPossible>(signals, input, [](auto value) { return value.raw(); });
+}
 
 }  // namespace fog

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/signal/inputs.hpp"
 #include "simulation/chamber.hpp"
 #include "simulation/coil/coil_error.hpp"
 #include "simulation/parameters.hpp"
@@ -15,12 +17,16 @@ namespace fogcomp::simulation {
 /// Where what depends on temperature has its value at room temperature.
 constexpr double kReference_degc = 20;
 
-/// Slow surroundings of the gyro that effects act through and that may be recorded.
-struct Ambient {
-  double field_ut = 0;  ///< along the reference direction in the coil's plane
-  double light_power_uw = 0;
-  double supply_v = 0;
-  double vibration_grms = 0;
+/// Slow surroundings of the gyro that effects act through and that may be recorded: the true
+/// values behind the extension inputs, in their units. That of a second temperature is what its
+/// sensor says.
+class Ambient {
+ public:
+  double& operator[](fog::Input input) { return values_[extension_number(input)]; }
+  double operator[](fog::Input input) const { return values_[extension_number(input)]; }
+
+ private:
+  std::array<double, fog::kExtensionInputs> values_{};
 };
 
 /// Everything that an effect can depend on, at the end of one thermal step.

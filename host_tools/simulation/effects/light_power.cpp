@@ -10,7 +10,7 @@ class LightPower : public Effect {
       : pickup_dph_(parameters["pickup_dph"]), nominal_uw_(parameters["nominal_uw"]) {}
 
   double step(const GyroState& state) override {
-    return pickup_dph_ * (nominal_uw_ / state.ambient.light_power_uw - 1);
+    return pickup_dph_ * (nominal_uw_ / state.ambient[fog::Input::light_power] - 1);
   }
 
  private:

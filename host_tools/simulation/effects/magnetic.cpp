@@ -6,7 +6,7 @@ namespace fogcomp::simulation {
 namespace {
 
 // Faraday effect in a twisted fibre: the field in the coil's plane times a sensitivity that follows
-// the gyro's azimuth (the field's direction is in ambient.field_ut) and temperature.
+// the gyro's azimuth (the field's direction is in ambient) and temperature.
 class Magnetic : public Effect {
  public:
   Magnetic(const Parameters& parameters, const EffectContext&)
@@ -14,7 +14,7 @@ class Magnetic : public Effect {
 
   double step(const GyroState& state) override {
     const double above_k = state.thermal->coil_mean_degc() - kReference_degc;
-    return dph_per_ut_ * state.ambient.field_ut * (1 + per_k_ * above_k);
+    return dph_per_ut_ * state.ambient[fog::Input::magnetic] * (1 + per_k_ * above_k);
   }
 
  private:

@@ -13,7 +13,7 @@ class Vibration : public Effect {
       : dph_per_g2_(parameters["coefficient"]) {}
 
   double step(const GyroState& state) override {
-    const double g = state.ambient.vibration_grms;
+    const double g = state.ambient[fog::Input::vibration];
     const double above_k = state.thermal->cover_degc() - kReference_degc;
     return dph_per_g2_ * g * g * (1 + kDamping_per_k * above_k);
   }

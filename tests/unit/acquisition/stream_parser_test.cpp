@@ -146,7 +146,7 @@ using fog::ExtensionRecord;
 using Found = StreamParser::Found;
 
 ExtensionRecord record_of(std::uint16_t i) {
-  return {static_cast<fog::Input>(i % fog::kExtensionInputs),
+  return {fog::extension_input(i % fog::kExtensionInputs),
           fog::ExtensionValue::from_raw(-123456789 + i)};
 }
 
@@ -215,8 +215,8 @@ TEST(ExtensionRecord, IsRefusedWithOneOrTwoFlippedBits) {
 }
 
 TEST(ExtensionRecord, IsRefusedForAnInputThatDoesNotExist) {
-  for (unsigned input = fog::kExtensionInputs; input < 256; ++input) {
-    const ExtensionFrame frame = encode_extension_frame({static_cast<fog::Input>(input), {}});
+  for (std::size_t input = fog::kExtensionInputs; input < 256; ++input) {
+    const ExtensionFrame frame = encode_extension_frame({fog::extension_input(input), {}});
     ExtensionRecord record;
     EXPECT_FALSE(fog::decode_extension_frame(frame.data(), record)) << input;
   }

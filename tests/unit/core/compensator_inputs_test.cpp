@@ -49,8 +49,8 @@ class ExtensionTest : public CompensatorTest {
 TEST_F(ExtensionTest, SubtractsWhatTheInputsCauseFromTheFirstSampleOn) {
   fogcomp::RealDriftModel real(model_, 1);
   fogcomp::RealBlock block{25};
-  block.extension[static_cast<std::size_t>(fog::Input::temperature2)] = 26;
-  block.extension[static_cast<std::size_t>(fog::Input::magnetic)] = 50;
+  block[fog::Input::temperature2] = 26;
+  block[fog::Input::magnetic] = 50;
   real.start(block);
   for (int i = 0; i < 1000; ++i) {
     const OutputSample out = run_with_inputs(1);

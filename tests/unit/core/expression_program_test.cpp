@@ -12,7 +12,6 @@
 namespace {
 
 using fog::ExpressionOp;
-using fog::ExpressionSignal;
 using Program = std::vector<std::int32_t>;
 
 std::int32_t word(ExpressionOp op, std::int32_t argument = 0) {
@@ -49,22 +48,33 @@ bool fits_alone(ExpressionOp op, std::int32_t argument, std::size_t takes, std::
 }
 
 TEST(ExpressionProgram, ArgumentsAreAcceptedUpToTheirLimits) {
+  constexpr auto kLast = static_cast<std::int32_t>(fog::kInputs) - 1;
   const struct {
     ExpressionOp op;
     std::int32_t least, most;
     std::size_t takes, leaves;
     Program words;
   } operations[] = {
-      {ExpressionOp::signal, 0, 7, 0, 1, {-1, 1}}, {ExpressionOp::constant, 0, 0, 0, 1, {0}},
-      {ExpressionOp::duplicate, 0, 0, 1, 2, {}},   {ExpressionOp::over, 0, 0, 2, 3, {}},
-      {ExpressionOp::nip, 0, 0, 2, 1, {}},         {ExpressionOp::shift, -31, 62, 1, 1, {}},
-      {ExpressionOp::add, 0, 0, 2, 1, {}},         {ExpressionOp::subtract, 0, 0, 2, 1, {}},
-      {ExpressionOp::multiply, 0, 62, 2, 1, {}},   {ExpressionOp::divide, 0, 30, 2, 1, {}},
-      {ExpressionOp::negate, 0, 0, 1, 1, {}},      {ExpressionOp::absolute, 0, 0, 1, 1, {}},
-      {ExpressionOp::least, 0, 0, 2, 1, {}},       {ExpressionOp::most, 0, 0, 2, 1, {}},
-      {ExpressionOp::sine, 0, 62, 1, 1, {}},       {ExpressionOp::cosine, 0, 62, 1, 1, {}},
-      {ExpressionOp::decay, 0, 0, 1, 1, {}},       {ExpressionOp::tanh, 0, 0, 1, 1, {}},
-      {ExpressionOp::lag, 0, 0, 1, 1, {1}},        {ExpressionOp::play, 0, 0, 1, 1, {1}},
+      {ExpressionOp::signal, 0, kLast, 0, 1, {-1, 1}},
+      {ExpressionOp::constant, 0, 0, 0, 1, {0}},
+      {ExpressionOp::duplicate, 0, 0, 1, 2, {}},
+      {ExpressionOp::over, 0, 0, 2, 3, {}},
+      {ExpressionOp::nip, 0, 0, 2, 1, {}},
+      {ExpressionOp::shift, -31, 62, 1, 1, {}},
+      {ExpressionOp::add, 0, 0, 2, 1, {}},
+      {ExpressionOp::subtract, 0, 0, 2, 1, {}},
+      {ExpressionOp::multiply, 0, 62, 2, 1, {}},
+      {ExpressionOp::divide, 0, 30, 2, 1, {}},
+      {ExpressionOp::negate, 0, 0, 1, 1, {}},
+      {ExpressionOp::absolute, 0, 0, 1, 1, {}},
+      {ExpressionOp::least, 0, 0, 2, 1, {}},
+      {ExpressionOp::most, 0, 0, 2, 1, {}},
+      {ExpressionOp::sine, 0, 62, 1, 1, {}},
+      {ExpressionOp::cosine, 0, 62, 1, 1, {}},
+      {ExpressionOp::decay, 0, 0, 1, 1, {}},
+      {ExpressionOp::tanh, 0, 0, 1, 1, {}},
+      {ExpressionOp::lag, 0, 0, 1, 1, {1}},
+      {ExpressionOp::play, 0, 0, 1, 1, {1}},
   };
   for (const auto& [op, least, most, takes, leaves, words] : operations) {
     const int number = static_cast<int>(op);
@@ -127,7 +137,7 @@ TEST(ExpressionProgram, KnowsWhatItUses) {
   fog::ExpressionParameters parameters{{program.data(), program.size()}, {&coefficient, 1}, 99};
   ASSERT_TRUE(fog::expressions_fit(parameters));
   EXPECT_EQ(parameters.used, fog::bit_of(ExpressionOp::signal) | fog::bit_of(ExpressionOp::output) |
-                                 fog::bit_of(ExpressionSignal::magnetic));
+                                 fog::expression_bit_of(fog::Input::magnetic));
 }
 
 TEST(ExpressionProgram, AnImageWithoutExpressionsHasNoneToRun) {
@@ -250,14 +260,13 @@ TEST(ExpressionOperations, SignalsAreWhatTheirNumbersSayWithinTheirLimits) {
   signals.temperature_rate = fog::TemperatureRate::from_raw(101);
   signals.block.elapsed = fog::Elapsed::from_raw(102);
   signals.block.input_rate = fog::Rate::from_raw(103);
-  const fog::Input inputs[] = {fog::Input::temperature2, fog::Input::magnetic,
-                               fog::Input::light_power, fog::Input::supply};
   std::int32_t value = 104;
-  for (const fog::Input input : inputs) {
-    signals.block.extension[static_cast<std::size_t>(input)] =
-        fog::ExtensionValue::from_raw(value++);
+  for (const fog::Input input :
+       {fog::Input::temperature2, fog::Input::magnetic, fog::Input::light_power, fog::Input::supply,
+        fog::Input::vibration}) {
+    signals.block[input] = fog::ExtensionValue::from_raw(value++);
   }
-  for (std::int32_t number = 0; number < 8; ++number) {
+  for (std::int32_t number = 0; number < 9; ++number) {
     const std::int32_t expected = 100 + number;
     const auto within = [&](std::int32_t least, std::int32_t most) {
       return run(joined({{word(ExpressionOp::signal, number), least, most}, kOutput}), {signals});

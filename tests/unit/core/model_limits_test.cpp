@@ -199,18 +199,19 @@ TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
   EXPECT_EQ(table.read(), ModelError::none);
 }
 
-TEST(ModelLimits, SignalsOfTheNetworkAreTheFiveThatThereAre) {
-  for (std::int32_t signal = -1; signal <= 5; ++signal) {
+TEST(ModelLimits, SignalsOfTheNetworkAreTheInputsAndTheLaggedTemperature) {
+  constexpr auto kSignals = static_cast<std::int32_t>(fog::kInputs) + 1;
+  for (std::int32_t signal = -1; signal <= kSignals; ++signal) {
     Table table = good_table();
     table["T signal"] = signal;
     table["T decay"] = signal == 2 ? 1 : 0;
     ModelParameters got;
     EXPECT_EQ(table.read(got),
-              signal >= 0 && signal < 5 ? ModelError::none : ModelError::out_of_range)
+              signal >= 0 && signal < kSignals ? ModelError::none : ModelError::out_of_range)
         << signal;
-    const fog::InputMask needs = signal == 3   ? fog::bit_of(fog::Input::elapsed)
-                                 : signal == 4 ? fog::bit_of(fog::Input::input_rate)
-                                               : 0U;
+    const bool beside = signal > 2 && signal < kSignals;
+    const fog::InputMask needs =
+        beside ? fog::bit_of(static_cast<fog::Input>(signal - 1)) : fog::InputMask{0};
     EXPECT_EQ(got.needs(), needs) << signal;
   }
 }

@@ -111,7 +111,8 @@ TEST(ModelTable, SaysWhatAnExpressionNeedsBesideTheTemperature) {
       {"a = T2", fog::bit_of(fog::Input::temperature2)},
       {"a = B", fog::bit_of(fog::Input::magnetic)},
       {"a = P", fog::bit_of(fog::Input::light_power)},
-      {"a = V", fog::bit_of(fog::Input::supply)}};
+      {"a = V", fog::bit_of(fog::Input::supply)},
+      {"a = g", fog::bit_of(fog::Input::vibration)}};
   for (const auto& [text, mask] : needs) {
     fogcomp::Model model = fog::test::paper_like_model();
     model.terms.push_back(fog::test::written_term(text));

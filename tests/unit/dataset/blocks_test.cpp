@@ -31,7 +31,7 @@ TEST(Blocks, AreMeansAroundTheirCentre) {
   EXPECT_EQ(blocks.means.temperature_degc, (std::vector<double>{1.5, 5.5}));
   EXPECT_EQ(blocks.means.rate_dph, (std::vector<double>{15, 55}));
   EXPECT_EQ(blocks.means.input_rate_dph, (std::vector<double>{0.1, 0.1}));
-  EXPECT_TRUE(blocks.means.supply_v.empty());
+  EXPECT_TRUE(blocks.means[fog::Input::supply].empty());
 }
 
 TEST(Blocks, NeverCrossAGap) {

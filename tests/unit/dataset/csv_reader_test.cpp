@@ -38,7 +38,7 @@ TEST(CsvReader, TakesColumnsInAnyOrderWithCommentsCrlfAndByteOrderMark) {
   EXPECT_EQ(recording.time_s, (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(recording.temperature_degc, (std::vector<double>{20, 21, 22.5}));
   EXPECT_EQ(recording.rate_dph, (std::vector<double>{0.5, 0.25, -0.001}));
-  EXPECT_EQ(recording.supply_v, (std::vector<double>{5.1, 5.2, 5.3}));
+  EXPECT_EQ(recording[fog::Input::supply], (std::vector<double>{5.1, 5.2, 5.3}));
   EXPECT_TRUE(recording.input_rate_dph.empty());
   EXPECT_EQ(recording.period_s, 1);
   EXPECT_EQ(recording.stretch_starts, std::vector<std::size_t>{0});

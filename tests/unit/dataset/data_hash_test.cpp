@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/bytes/crc.hpp"
-#include "dataset/input_columns.hpp"
+#include "dataset/columns.hpp"
 
 namespace {
 
@@ -18,10 +18,10 @@ TEST(DataHash, ChangesWithEveryColumnThatAFitCanDependOn) {
     return fogcomp::data_hash(recording, fog::kCrc32Initial);
   };
   std::set<std::uint32_t> hashes{hash(plain)};
-  for (const fogcomp::Column column : fogcomp::kInputColumns) {
+  for (const auto& [column, name, decimals, least, most] : fogcomp::kColumns) {
     fogcomp::Recording recording = plain;
-    recording.*fogcomp::column_info(column).values = {1, 2, 4};
-    EXPECT_TRUE(hashes.insert(hash(recording)).second) << fogcomp::column_info(column).name;
+    recording[column] = {1, 2, 4};
+    EXPECT_TRUE(hashes.insert(hash(recording)).second) << name;
   }
   plain.temperature_degc[1] = 21.001;
   EXPECT_TRUE(hashes.insert(hash(plain)).second);
@@ -35,8 +35,8 @@ TEST(RowsHash, IsOfTheNumbersAndNotOfTheFile) {
   run.rate_dph = {0.1, 0, 0.3};
   fogcomp::Recording copy = run;
   copy.file = "copy.csv";
-  copy.magnetic_ut = {1, 2, 3};  // a column more
-  copy.rate_dph[1] = -0.0;       // another way to write it
+  copy[fog::Input::magnetic] = {1, 2, 3};  // a column more
+  copy.rate_dph[1] = -0.0;                 // another way to write it
   EXPECT_EQ(fogcomp::rows_hash(run), fogcomp::rows_hash(copy));
   fogcomp::KnownRows known;
   known.add(fogcomp::rows_hash(run), run.file);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/frames/sensor_frame.hpp"
+#include "dataset/columns.hpp"
 #include "dataset/recording_writer.hpp"
 #include "support/input_error.hpp"
 #include "temporary_file.hpp"
@@ -67,8 +68,9 @@ TEST(StreamReader, GivesBackTheInputsOfExtensionRecords) {
   }
   RecordingWriter writer(
       path, RecordingFormat::sensor_stream,
-      {Column::time_s, Column::temperature_degc, Column::rate_dph, Column::vibration_grms,
-       Column::temperature2_degc, Column::magnetic_ut, Column::light_power_uw, Column::supply_v},
+      {Column::time_s, Column::temperature_degc, Column::rate_dph, column_of(fog::Input::vibration),
+       column_of(fog::Input::temperature2), column_of(fog::Input::magnetic),
+       column_of(fog::Input::light_power), column_of(fog::Input::supply)},
       kDefaultScaleFactor, 200);
   std::vector<const double*> values;
   for (const auto& column : columns) values.push_back(column.data());
@@ -76,11 +78,11 @@ TEST(StreamReader, GivesBackTheInputsOfExtensionRecords) {
   writer.commit();
 
   const Recording recording = read_recording(path, {});
-  EXPECT_EQ(recording.vibration_grms, columns[3]);
-  EXPECT_EQ(recording.temperature2_degc, columns[4]);
-  EXPECT_EQ(recording.magnetic_ut, columns[5]);
-  EXPECT_EQ(recording.light_power_uw, columns[6]);
-  EXPECT_EQ(recording.supply_v, columns[7]);
+  EXPECT_EQ(recording[fog::Input::vibration], columns[3]);
+  EXPECT_EQ(recording[fog::Input::temperature2], columns[4]);
+  EXPECT_EQ(recording[fog::Input::magnetic], columns[5]);
+  EXPECT_EQ(recording[fog::Input::light_power], columns[6]);
+  EXPECT_EQ(recording[fog::Input::supply], columns[7]);
   EXPECT_EQ(recording.capture->discarded_bytes, 0U);
 }
 
@@ -93,7 +95,7 @@ TEST(StreamReader, HoldsAnInputUntilItsNextRecord) {
   const Recording recording =
       read_stream(frame(1) + record(30) + frame(2) + frame(3) + record(-300) + record(131) +
                   frame(4) + record(31) + frame(5));
-  EXPECT_EQ(recording.temperature2_degc, (std::vector<double>{30, 30, 30, 30, 31}));
+  EXPECT_EQ(recording[fog::Input::temperature2], (std::vector<double>{30, 30, 30, 30, 31}));
 }
 
 TEST(StreamReader, UsesScaleFactorAndSampleRate) {

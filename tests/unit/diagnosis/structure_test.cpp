@@ -75,8 +75,7 @@ TEST(Structure, HasAGroupForEveryFurtherInputThatVaries) {
   const std::size_t without = structure_groups(rows).size();
   for (std::size_t i = 0; i < rows.signals.size(); ++i) {
     rows.signals[i].block.input_rate = 15;
-    rows.signals[i].block.extension[static_cast<std::size_t>(fog::Input::light_power)] =
-        100 + std::sin(static_cast<double>(i) / 70);
+    rows.signals[i].block[fog::Input::light_power] = 100 + std::sin(static_cast<double>(i) / 70);
   }
   const auto groups = structure_groups(rows);
   ASSERT_EQ(groups.size(), without + 1);

@@ -41,9 +41,9 @@ TEST(Comparison, KnowsTheInputsThatVary) {
   for (std::size_t i = 0; i < recording.rows(); ++i) {
     const double input = 1000 * std::sin(0.01 * static_cast<double>(i));
     recording.input_rate_dph.push_back(input);
-    recording.supply_v.push_back(0.1 + 0.2);  // stands still
-    recording.light_power_uw.push_back(30 +
-                                       std::cos(0.1 * std::sqrt(2.0) * static_cast<double>(i)));
+    recording[fog::Input::supply].push_back(0.1 + 0.2);  // stands still
+    recording[fog::Input::light_power].push_back(
+        30 + std::cos(0.1 * std::sqrt(2.0) * static_cast<double>(i)));
     recording.rate_dph[i] += input * 1.0003;  // 300 ppm that the model does not have
   }
   const Comparison comparison = compare(fog::test::truth(), recording);

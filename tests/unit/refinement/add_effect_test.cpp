@@ -104,8 +104,9 @@ TEST(AddEffect, LeavesStretchesOutWhereOneRunAloneShowsTheEffect) {
     fogcomp::Recording recording = recording_of(truth(), kAdditionNoise, seed);
     for (std::size_t i = 0; i < recording.rows(); ++i) {
       const double shaken = seed == 3 && i / 100 % 2 == 1 ? 2 : 0;
-      recording.vibration_grms.push_back(std::abs(shaken + 0.01 * normal(random)));
-      recording.rate_dph[i] += 0.05 * recording.vibration_grms[i] * recording.vibration_grms[i];
+      recording[fog::Input::vibration].push_back(std::abs(shaken + 0.01 * normal(random)));
+      recording.rate_dph[i] +=
+          0.05 * recording[fog::Input::vibration][i] * recording[fog::Input::vibration][i];
     }
     training.runs.push_back(fogcomp::run_in_blocks(recording, 10));
   }

@@ -124,8 +124,8 @@ TEST(AxialGradient, ShowsWithAHeaterAndTheSecondSensor) {
   EXPECT_GT(largest(heated.effect("axial_gradient")), 0.02);
   double difference_k = 0;
   for (std::size_t i = 0; i < heated.rows.rows(); ++i) {
-    difference_k =
-        std::max(difference_k, heated.rows.temperature2_degc[i] - heated.rows.temperature_degc[i]);
+    difference_k = std::max(
+        difference_k, heated.rows[fog::Input::temperature2][i] - heated.rows.temperature_degc[i]);
   }
   EXPECT_GT(difference_k, 0.2);
 }

@@ -39,7 +39,7 @@ inline WholeRun whole_run(const GyroDescription& gyro, const Programme& programm
   while (simulation.next(chunk)) {
     append(rows.time_s, chunk.time_s);
     append(rows.temperature_degc, chunk.temperature_degc);
-    append(rows.temperature2_degc, chunk.temperature2_degc);
+    append(rows[fog::Input::temperature2], chunk[fog::Input::temperature2]);
     append(rows.rate_dph, chunk.rate_dph);
     append(rows.input_rate_dph, chunk.input_rate_dph);
     append(rows.coil_degc, chunk.coil_degc);
