@@ -29,7 +29,7 @@ class ModelRemover {
 
   Whitening whitening_;
   Eigen::Index priors_ = 0;  // rows for what is known beforehand
-  Eigen::MatrixXd basis_;  // orthonormal
+  Eigen::MatrixXd basis_;    // orthonormal
   Eigen::VectorXd residual_;
 };
 

@@ -29,7 +29,7 @@ struct NoiseModel {
   std::vector<Component> components;
   /// How well the level of slow noise is known: as many independent values as a variance from them.
   double freedom = 1000;
-  QuietSpectrum quiet_spectrum;  ///< empty without quiet parts
+  QuietSpectrum quiet_spectrum;   ///< empty without quiet parts
   bool from_quiet_parts = false;  ///< else from neighbouring rows alone: white, a lower bound
 
   /// A random walk of the bias beside all that, of a coefficient in deg/h/sqrt(h). Hours of it are
