@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# header_of_another_layout.sh FOGCOMP SOURCE HEADER: a header that does not match the firmware is refused,
+# header_of_another_layout.sh FOGCOMP SOURCE IMAGES HEADER: a header that does not match the firmware is refused,
 # by the compiler and by fogcomp, in words that say what to do.
 set -euo pipefail
-fogcomp=$1 source=$2 header=$3
+fogcomp=$1 source=$2 images=$3 header=$4
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -17,9 +17,8 @@ cat "$scratch/error"
 ((status == 2)) || { echo "exit code $status" >&2; exit 1; }
 grep -q "another layout version; export the header again" "$scratch/error"
 
-cmake -S "$source" -B "$scratch/build" --preset stm32f405 \
-  -DFOG_MODEL_HEADER="$scratch/fog_model.h" >/dev/null
-if cmake --build "$scratch/build" --target fogcomp >"$scratch/log"; then
+if "$source/tests/target/build_variant.sh" "$images" stm32f405 fogcomp "$scratch/fogcomp.elf" \
+  -DFOG_MODEL_HEADER="$scratch/fog_model.h" >"$scratch/log"; then
   echo "the firmware was built with a header of another layout" >&2
   exit 1
 fi

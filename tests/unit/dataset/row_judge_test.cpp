@@ -292,7 +292,7 @@ TEST(RefusedRows, AreAnErrorWhereNoneIsLeft) {
     const std::string message = error.what();
     EXPECT_NE(message.find("the board would refuse every row: temperature 293.15 degC at line 2 "
                            "(then 3, 4, 5, ...) is outside -70 to 130 degC; is temperature_degc in "
-                           "degC?"),
+                           "kelvin? subtract 273.15"),
               std::string::npos)
         << message;
   }
