@@ -272,7 +272,7 @@ void see_diagnosis(Numbers& numbers, const Diagnosis& diagnosis) {
                               finding.probability});
     numbers.see("candidate's terms", finding.term().coefficients_dph);
   }
-  for (const Diagnosis::Share& segment : diagnosis.segments) {
+  for (const NamedShare& segment : diagnosis.segments) {
     numbers.see("segment", segment.share);
   }
 }
