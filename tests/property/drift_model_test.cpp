@@ -11,6 +11,7 @@
 #include "model/drift_model.hpp"
 #include "support/overflow_guard.hpp"
 #include "support/random_history.hpp"
+#include "support/repeats.hpp"
 #include "support/sample_models.hpp"
 #include "support/typical_effects.hpp"
 
@@ -34,7 +35,7 @@ double worst_difference(const fogcomp::Model& model, std::uint64_t seed, int hou
   // Beyond the trained range too: both must clamp alike.
   fog::test::RandomHistory history(seed, -60, 100);
   double worst = 0;
-  for (int block = 0; block < hours * 3600; ++block) {
+  for (int block = 0; block < hours * fog::test::repeats(3600, 600); ++block) {
     const auto means = history.next();
     if (block == 0) {
       board.start(means);

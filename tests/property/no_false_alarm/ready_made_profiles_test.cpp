@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dataset/row_judge.hpp"
-#include "run_helper.hpp"
+#include "unit/simulation/run_helper.hpp"
 
 namespace fogcomp::simulation {
 namespace {
