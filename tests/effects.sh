@@ -4,9 +4,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=${1:-build/host}
-programs=(unit/test_core unit/test_model unit/test_diagnosis property_core)
+programs=(test_core test_model test_diagnosis property_core)
 cmake "$build" -DFOG_UNIT_TESTS=ON >/dev/null
-cmake --build "$build" --target fogcomp golden_effect_outputs fit_sweep "${programs[@]##*/}"
+cmake --build "$build" --target fogcomp golden_effect_outputs fit_sweep "${programs[@]}"
 for program in "${programs[@]}"; do "$build/tests/$program" --gtest_brief=1; done
 "$build/tests/fit_sweep" --count 80 --rows 64
 tests/golden/outputs_match.sh "$build/tests/golden_effect_outputs" tests/golden/effect_outputs.txt
