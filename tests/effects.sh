@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=${1:-build/host}
-programs=(test_core test_model test_diagnosis property_core)
+programs=(test_core test_model test_board test_diagnosis property_core)
 cmake "$build" -DFOG_UNIT_TESTS=ON >/dev/null
 cmake --build "$build" --target fogcomp golden_effect_outputs fit_sweep "${programs[@]}"
 for program in "${programs[@]}"; do "$build/tests/$program" --gtest_brief=1; done

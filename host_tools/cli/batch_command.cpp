@@ -14,7 +14,7 @@
 #include "batch/summary.hpp"
 #include "cli/arguments.hpp"
 #include "cli/gyro_calibration.hpp"
-#include "identification/effect_list.hpp"
+#include "model/effect_list.hpp"
 #include "report/batch_report.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"

@@ -1,7 +1,7 @@
 #include "cli/board_header.hpp"
 
+#include "board/header.hpp"
 #include "cli/board_options.hpp"
-#include "export/header.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

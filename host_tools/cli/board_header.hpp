@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "board/verification.hpp"
 #include "cli/arguments.hpp"
 #include "model/model.hpp"
-#include "quantization/verification.hpp"
 
 namespace fogcomp::cli {
 

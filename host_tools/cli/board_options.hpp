@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "board/board_table.hpp"
 #include "cli/arguments.hpp"
-#include "quantization/board_table.hpp"
 
 namespace fogcomp::cli {
 

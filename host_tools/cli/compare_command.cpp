@@ -7,8 +7,8 @@
 #include "cli/compare_text.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
-#include "dataset/data_hash.hpp"
 #include "model/model_file.hpp"
+#include "recording/data_hash.hpp"
 #include "report/compare_report.hpp"
 #include "support/input_error.hpp"
 

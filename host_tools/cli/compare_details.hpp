@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "evaluation/model_on_runs.hpp"
+#include "compare/model_on_runs.hpp"
 
 namespace fogcomp::cli {
 

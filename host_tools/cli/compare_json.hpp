@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "evaluation/model_on_runs.hpp"
+#include "compare/model_on_runs.hpp"
 #include "support/json.hpp"
 
 namespace fogcomp::cli {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/model_on_runs.hpp"
+#include "compare/model_on_runs.hpp"
 
 namespace fogcomp::cli {
 

@@ -8,14 +8,14 @@
 
 #include "cli/denoise_options.hpp"
 #include "cli/recording_options.hpp"
-#include "dataset/columns.hpp"
-#include "dataset/recording.hpp"
-#include "dataset/recording_writer.hpp"
-#include "dataset/segments.hpp"
+#include "denoise/denoise_parts.hpp"
+#include "recording/columns.hpp"
+#include "recording/recording.hpp"
+#include "recording/recording_writer.hpp"
+#include "recording/segments.hpp"
 #include "support/json.hpp"
 #include "support/progress.hpp"
 #include "support/text.hpp"
-#include "wavelet/denoise_parts.hpp"
 
 namespace fogcomp::cli {
 namespace {

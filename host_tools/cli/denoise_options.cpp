@@ -1,7 +1,7 @@
 #include "cli/denoise_options.hpp"
 
+#include "denoise/filters.hpp"
 #include "support/input_error.hpp"
-#include "wavelet/filters.hpp"
 
 namespace fogcomp::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
-#include "wavelet/denoise.hpp"
+#include "denoise/denoise.hpp"
 
 namespace fogcomp::cli {
 

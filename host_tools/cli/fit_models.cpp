@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "cli/training_options.hpp"
-#include "comparators/comparator.hpp"
-#include "comparators/polynomial.hpp"
+#include "research/comparator.hpp"
+#include "research/polynomial.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::cli {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
-#include "identification/signal_series.hpp"
-#include "training/network_training.hpp"
+#include "fit/network_training.hpp"
+#include "series/signal_series.hpp"
 
 namespace fogcomp::cli {
 

@@ -8,16 +8,16 @@
 #include "cli/fit_models.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/training_options.hpp"
-#include "dataset/recording_writer.hpp"
-#include "evaluation/board_delay.hpp"
-#include "identification/effect_list.hpp"
+#include "compare/board_delay.hpp"
+#include "denoise/filters.hpp"
+#include "fit/network_inputs.hpp"
+#include "fit/training_runs.hpp"
 #include "model/catalogue.hpp"
+#include "model/effect_list.hpp"
 #include "model/network.hpp"
-#include "refinement/network_inputs.hpp"
-#include "refinement/training_runs.hpp"
+#include "recording/recording_writer.hpp"
 #include "support/progress.hpp"
 #include "support/text.hpp"
-#include "wavelet/filters.hpp"
 
 namespace fogcomp::cli {
 namespace {

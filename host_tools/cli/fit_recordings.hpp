@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
-#include "evaluation/run_in_blocks.hpp"
-#include "refinement/fit_model.hpp"
-#include "refinement/physical_lags.hpp"
+#include "compare/run_in_blocks.hpp"
+#include "fit/fit_model.hpp"
+#include "fit/physical_lags.hpp"
 
 namespace fogcomp::cli {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/rate_resolution.hpp"
-#include "dataset/stream_reader.hpp"
-#include "identification/outlier_rows.hpp"
+#include "noise/outlier_rows.hpp"
+#include "recording/rate_resolution.hpp"
+#include "recording/stream_reader.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "dataset/recording.hpp"
-#include "evaluation/run_summary.hpp"
+#include "compare/run_summary.hpp"
+#include "recording/recording.hpp"
 
 namespace fogcomp::cli {
 

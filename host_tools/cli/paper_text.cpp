@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "evaluation/comparison.hpp"
-#include "paper/printed_tables.hpp"
+#include "compare/comparison.hpp"
+#include "research/printed_tables.hpp"
 
 namespace fogcomp::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "paper/gyros.hpp"
+#include "research/gyros.hpp"
 #include "support/json.hpp"
 
 namespace fogcomp::cli {

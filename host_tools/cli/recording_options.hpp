@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
-#include "dataset/recording.hpp"
+#include "recording/recording.hpp"
 
 namespace fogcomp::cli {
 

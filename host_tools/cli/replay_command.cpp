@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <memory>
 
+#include "board/board_source.hpp"
+#include "board/replay.hpp"
+#include "board/stream_source.hpp"
 #include "cli/arguments.hpp"
 #include "cli/board_header.hpp"
 #include "cli/board_options.hpp"
 #include "cli/recording_options.hpp"
-#include "replay/board_source.hpp"
-#include "replay/replay.hpp"
-#include "replay/stream_source.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
-#include "refinement/fit_model.hpp"
+#include "fit/fit_model.hpp"
 #include "support/interrupt.hpp"
 #include "support/progress.hpp"
 

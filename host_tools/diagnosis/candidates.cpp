@@ -4,12 +4,12 @@
 #include <cmath>
 #include <optional>
 
-#include "identification/effect_list.hpp"
-#include "identification/expression_survey.hpp"
-#include "identification/noise_weighted_fit.hpp"
-#include "identification/shape_search.hpp"
+#include "fit/expression_survey.hpp"
+#include "fit/noise_weighted_fit.hpp"
+#include "fit/shape_search.hpp"
 #include "model/catalogue.hpp"
-#include "numerics/least_squares.hpp"
+#include "model/effect_list.hpp"
+#include "support/least_squares.hpp"
 
 namespace fogcomp {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/signal_series.hpp"
+#include "series/signal_series.hpp"
 
 namespace fogcomp {
 

@@ -11,7 +11,7 @@
 #include "diagnosis/null_test.hpp"
 #include "diagnosis/residual_place.hpp"
 #include "model/catalogue.hpp"
-#include "numerics/decompositions.hpp"
+#include "support/decompositions.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/board_delay.hpp"
 #include "diagnosis/candidate_finding.hpp"
 #include "diagnosis/diagnosis_data.hpp"
 #include "diagnosis/experiment.hpp"
@@ -14,10 +15,9 @@
 #include "diagnosis/network_learnt.hpp"
 #include "diagnosis/residual_place.hpp"
 #include "diagnosis/walk_finding.hpp"
-#include "evaluation/board_delay.hpp"
-#include "identification/noise_model.hpp"
-#include "identification/signal_series.hpp"
 #include "model/model.hpp"
+#include "noise/noise_model.hpp"
+#include "series/signal_series.hpp"
 
 namespace fogcomp {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/rate_resolution.hpp"
-#include "identification/required_inputs.hpp"
+#include "recording/rate_resolution.hpp"
+#include "series/required_inputs.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -71,7 +71,7 @@ NoiseModel noise_of_static(const Model& model, const Recording& recording,
                             kLeastStaticRows));
   }
   return fit_noise({{rows.drift_dph}}, row_s,
-                   std::max(longest_run_s(rows), longest_run_s(data.series().rows())));
+                   std::max(rows.longest_run_s(), data.series().rows().longest_run_s()));
 }
 
 }  // namespace fogcomp

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "dataset/data_hash.hpp"
-#include "dataset/recording.hpp"
-#include "evaluation/run_in_blocks.hpp"
-#include "identification/noise_model.hpp"
-#include "identification/signal_series.hpp"
+#include "compare/run_in_blocks.hpp"
 #include "model/model.hpp"
+#include "noise/noise_model.hpp"
+#include "recording/data_hash.hpp"
+#include "recording/recording.hpp"
+#include "series/signal_series.hpp"
 
 namespace fogcomp {
 

@@ -5,9 +5,9 @@
 #include <tuple>
 #include <utility>
 
-#include "identification/outlier_rows.hpp"
-#include "identification/shape_limits.hpp"
 #include "model/catalogue.hpp"
+#include "model/shape_limits.hpp"
+#include "noise/outlier_rows.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 

@@ -1,6 +1,6 @@
 #include "diagnosis/evidence_space.hpp"
 
-#include "identification/random_walk.hpp"
+#include "noise/random_walk.hpp"
 
 namespace fogcomp {
 

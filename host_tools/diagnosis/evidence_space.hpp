@@ -8,8 +8,8 @@
 #include "diagnosis/hypotheses.hpp"
 #include "diagnosis/structure.hpp"
 #include "diagnosis/visible_part.hpp"
-#include "identification/explained_space.hpp"
-#include "identification/walk_rival.hpp"
+#include "fit/explained_space.hpp"
+#include "fit/walk_rival.hpp"
 
 namespace fogcomp {
 

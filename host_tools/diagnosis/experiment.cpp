@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "diagnosis/hypotheses.hpp"
-#include "identification/noise_weighted_fit.hpp"
-#include "identification/signal_series.hpp"
-#include "identification/whitening.hpp"
+#include "fit/noise_weighted_fit.hpp"
 #include "model/catalogue.hpp"
-#include "numerics/least_squares.hpp"
+#include "noise/whitening.hpp"
+#include "series/signal_series.hpp"
 #include "simulation/embedded_files.hpp"
 #include "simulation/profile_parser.hpp"
 #include "simulation/simulated_recording.hpp"
+#include "support/least_squares.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -68,7 +68,7 @@ class Trial {
     whitening_.emplace(noise, series_.rows(), series_.rows().weights);
   }
 
-  double hours() const { return (longest_run_s(series_.rows()) + series_.rows().row_s) / 3600; }
+  double hours() const { return (series_.rows().longest_run_s() + series_.rows().row_s) / 3600; }
 
   // By how many standard deviations `truth` differs from the best that `imitator` can do: of noise,
   // and of what a formula is allowed to be off. Many days of a faint difference tell nothing where

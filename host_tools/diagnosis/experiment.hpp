@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "identification/noise_model.hpp"
 #include "model/model.hpp"
+#include "noise/noise_model.hpp"
 
 namespace fogcomp {
 

@@ -7,7 +7,7 @@
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/refit.hpp"
-#include "identification/quiet_rows.hpp"
+#include "noise/quiet_rows.hpp"
 
 namespace fogcomp {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "numerics/periodogram.hpp"
 #include "support/chi_square.hpp"
 #include "support/median.hpp"
+#include "support/periodogram.hpp"
 
 namespace fogcomp {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "identification/signal_series.hpp"
+#include "series/signal_series.hpp"
 
 namespace fogcomp {
 

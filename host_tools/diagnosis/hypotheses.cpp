@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "diagnosis/decision_rules.hpp"
-#include "identification/shape_search.hpp"
+#include "fit/shape_search.hpp"
 #include "model/catalogue.hpp"
 
 namespace fogcomp {

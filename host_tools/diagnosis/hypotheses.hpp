@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "diagnosis/candidates.hpp"
-#include "identification/explained_space.hpp"
+#include "fit/explained_space.hpp"
 
 namespace fogcomp {
 

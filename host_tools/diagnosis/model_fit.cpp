@@ -4,10 +4,10 @@
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/structure.hpp"
-#include "identification/outlier_rows.hpp"
-#include "identification/quiet_rows.hpp"
-#include "numerics/least_squares.hpp"
+#include "noise/outlier_rows.hpp"
+#include "noise/quiet_rows.hpp"
 #include "support/input_error.hpp"
+#include "support/least_squares.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -30,7 +30,7 @@ NoiseModel noise_with_less_quiet(const Rows& rows, const NoiseWeightedFit& fit) 
         {rest.segment(static_cast<Eigen::Index>(run.first), static_cast<Eigen::Index>(run.size())),
          first_frequency});
   }
-  NoiseModel noise = fit_noise(samples, rows.row_s, longest_run_s(rows));
+  NoiseModel noise = fit_noise(samples, rows.row_s, rows.longest_run_s());
   noise.from_quiet_parts = fit.noise.from_quiet_parts;
   return noise;
 }

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "diagnosis/diagnosis_data.hpp"
-#include "identification/noise_weighted_fit.hpp"
+#include "fit/noise_weighted_fit.hpp"
 
 namespace fogcomp {
 

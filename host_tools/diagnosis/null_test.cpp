@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "numerics/decompositions.hpp"
+#include "support/decompositions.hpp"
 
 namespace fogcomp {
 namespace {

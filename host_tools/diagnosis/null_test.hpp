@@ -4,7 +4,7 @@
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/hypotheses.hpp"
-#include "identification/explained_space.hpp"
+#include "fit/explained_space.hpp"
 
 namespace fogcomp {
 

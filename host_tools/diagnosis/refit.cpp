@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "identification/whitening.hpp"
-#include "numerics/least_squares.hpp"
+#include "noise/whitening.hpp"
+#include "support/least_squares.hpp"
 
 namespace fogcomp {
 

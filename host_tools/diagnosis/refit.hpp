@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "identification/noise_weighted_fit.hpp"
+#include "fit/noise_weighted_fit.hpp"
 
 namespace fogcomp {
 

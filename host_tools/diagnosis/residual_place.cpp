@@ -1,6 +1,6 @@
 #include "diagnosis/residual_place.hpp"
 
-#include "identification/explained_space.hpp"
+#include "fit/explained_space.hpp"
 
 namespace fogcomp {
 

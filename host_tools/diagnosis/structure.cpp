@@ -5,10 +5,10 @@
 #include <cmath>
 #include <functional>
 
-#include "identification/row_filters.hpp"
 #include "model/input_value.hpp"
-#include "numerics/decompositions.hpp"
-#include "numerics/least_squares.hpp"
+#include "series/row_filters.hpp"
+#include "support/decompositions.hpp"
+#include "support/least_squares.hpp"
 
 namespace fogcomp {
 namespace {

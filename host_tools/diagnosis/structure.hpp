@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagnosis/visible_part.hpp"
-#include "identification/signal_series.hpp"
+#include "series/signal_series.hpp"
 
 namespace fogcomp {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "diagnosis/hypotheses.hpp"
-#include "identification/row_filters.hpp"
-#include "identification/term_columns.hpp"
 #include "model/catalogue.hpp"
-#include "numerics/least_squares.hpp"
+#include "series/row_filters.hpp"
+#include "series/term_columns.hpp"
+#include "support/least_squares.hpp"
 
 namespace fogcomp {
 namespace {

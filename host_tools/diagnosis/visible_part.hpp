@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 
 #include "diagnosis/candidates.hpp"
-#include "identification/noise_weighted_fit.hpp"
-#include "identification/whitening.hpp"
+#include "fit/noise_weighted_fit.hpp"
+#include "noise/whitening.hpp"
 
 namespace fogcomp {
 

@@ -8,7 +8,7 @@
 
 #include "core/thermal/first_order_lag.hpp"
 #include "core/thermal/signals.hpp"
-#include "expression/expression.hpp"
+#include "model/expression.hpp"
 #include "model/real_effect.hpp"
 
 namespace fogcomp {

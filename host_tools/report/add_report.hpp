@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "refinement/add_effect.hpp"
+#include "fit/add_effect.hpp"
 #include "report/report.hpp"
 
 namespace fogcomp::report {

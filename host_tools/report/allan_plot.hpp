@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/allan.hpp"
-#include "evaluation/noise_coefficients.hpp"
+#include "noise/allan.hpp"
+#include "noise/noise_coefficients.hpp"
 #include "report/plot.hpp"
 
 namespace fogcomp::report {

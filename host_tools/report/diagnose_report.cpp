@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "evaluation/comparison.hpp"
+#include "compare/comparison.hpp"
 #include "model/input_value.hpp"
 #include "report/figures.hpp"
 #include "report/labels.hpp"

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "evaluation/model_on_runs.hpp"
-#include "refinement/fit_model.hpp"
+#include "compare/model_on_runs.hpp"
+#include "fit/fit_model.hpp"
 #include "report/report.hpp"
 
 namespace fogcomp::report {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "evaluation/comparison.hpp"
-#include "identification/effect_list.hpp"
+#include "compare/comparison.hpp"
+#include "model/effect_list.hpp"
 #include "report/allan_plot.hpp"
 #include "report/figures.hpp"
 #include "report/run_plots.hpp"

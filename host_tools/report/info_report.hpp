@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dataset/recording.hpp"
-#include "evaluation/run_summary.hpp"
+#include "compare/run_summary.hpp"
+#include "recording/recording.hpp"
 #include "report/report.hpp"
 
 namespace fogcomp::report {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "evaluation/comparison.hpp"
-#include "paper/printed_tables.hpp"
+#include "compare/comparison.hpp"
 #include "report/figures.hpp"
 #include "report/run_plots.hpp"
+#include "research/printed_tables.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::report {

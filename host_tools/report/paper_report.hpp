@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "paper/gyros.hpp"
 #include "report/report.hpp"
+#include "research/gyros.hpp"
 
 namespace fogcomp::report {
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "dataset/segments.hpp"
-#include "evaluation/branches.hpp"
-#include "evaluation/comparison.hpp"
-#include "evaluation/dependence.hpp"
+#include "compare/branches.hpp"
+#include "compare/comparison.hpp"
+#include "compare/dependence.hpp"
+#include "recording/segments.hpp"
 #include "report/plot.hpp"
 
 namespace fogcomp::report {

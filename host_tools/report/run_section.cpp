@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "evaluation/autocorrelation.hpp"
-#include "evaluation/noise_coefficients.hpp"
+#include "noise/autocorrelation.hpp"
+#include "noise/noise_coefficients.hpp"
 #include "report/allan_plot.hpp"
 #include "report/figures.hpp"
 #include "report/labels.hpp"

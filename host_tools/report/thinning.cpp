@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dataset/segments.hpp"
+#include "recording/segments.hpp"
 
 namespace fogcomp::report {
 namespace {

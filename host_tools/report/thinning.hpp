@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "evaluation/branches.hpp"
+#include "compare/branches.hpp"
 
 namespace fogcomp::report {
 

@@ -1,6 +1,6 @@
 #include "simulation/simulated_recording.hpp"
 
-#include "dataset/columns.hpp"
+#include "recording/columns.hpp"
 
 namespace fogcomp::simulation {
 namespace {

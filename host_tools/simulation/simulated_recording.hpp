@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "dataset/recording.hpp"
+#include "recording/recording.hpp"
 #include "simulation/simulation.hpp"
 
 namespace fogcomp::simulation {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dataset/recording.hpp"
+#include "recording/recording.hpp"
 #include "simulation/gyro_model.hpp"
 #include "simulation/noise/noise_source.hpp"
 #include "simulation/row_means.hpp"

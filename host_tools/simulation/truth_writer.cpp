@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "dataset/fixed_decimal.hpp"
+#include "recording/fixed_decimal.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::simulation {

@@ -5,7 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <array>
 
-#include "identification/whitening.hpp"
+#include "noise/whitening.hpp"
 #include "simulation/thermal/thermal_network.hpp"
 
 namespace {

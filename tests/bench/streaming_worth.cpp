@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/denoise/any_denoiser.hpp"
-#include "dataset/recording.hpp"
-#include "evaluation/allan.hpp"
+#include "denoise/denoise.hpp"
+#include "noise/allan.hpp"
+#include "recording/recording.hpp"
 #include "support/sample_models.hpp"
-#include "wavelet/denoise.hpp"
 
 namespace {
 

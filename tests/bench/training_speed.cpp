@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "training/network_training.hpp"
-#include "training/uniform.hpp"
+#include "fit/network_training.hpp"
+#include "fit/uniform.hpp"
 
 namespace {
 

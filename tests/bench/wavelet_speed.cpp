@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "wavelet/denoise.hpp"
-#include "wavelet/filters.hpp"
+#include "denoise/denoise.hpp"
+#include "denoise/filters.hpp"
 
 namespace {
 

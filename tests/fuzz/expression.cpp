@@ -1,8 +1,8 @@
 // Expressions that users write by hand.
 #include <string>
 
-#include "expression/expression.hpp"
 #include "fuzzing.hpp"
+#include "model/expression.hpp"
 #include "support/input_error.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,12 +4,12 @@
 #include <random>
 #include <string>
 
+#include "board/header.hpp"
 #include "core/bytes/byte_order.hpp"
 #include "core/frames/extension_frame.hpp"
 #include "core/frames/health_record.hpp"
 #include "core/frames/health_request.hpp"
 #include "core/frames/sensor_frame.hpp"
-#include "export/header.hpp"
 #include "model/model_file.hpp"
 #include "support/output_file.hpp"
 #include "support/typical_effects.hpp"

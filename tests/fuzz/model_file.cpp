@@ -2,10 +2,10 @@
 // as it was, and its table, where the board can have it, is one that the firmware takes.
 #include <string>
 
+#include "board/board_table.hpp"
 #include "core/bytes/crc.hpp"
 #include "fuzzing.hpp"
 #include "model/model_file.hpp"
-#include "quantization/board_table.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

@@ -3,9 +3,9 @@
 // words there are.
 #include <vector>
 
+#include "board/replay.hpp"
 #include "core/bytes/byte_order.hpp"
 #include "fuzzing.hpp"
-#include "replay/replay.hpp"
 #include "support/overflow_guard.hpp"
 
 using fog::test::promise;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "dataset/columns.hpp"
-#include "dataset/recording.hpp"
 #include "fuzzing.hpp"
+#include "recording/columns.hpp"
+#include "recording/recording.hpp"
 #include "support/input_error.hpp"
 
 using fog::test::promise;

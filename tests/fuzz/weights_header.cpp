@@ -1,7 +1,7 @@
 // Exported headers as text.
 #include <string>
 
-#include "export/header.hpp"
+#include "board/header.hpp"
 #include "fuzzing.hpp"
 #include "support/input_error.hpp"
 

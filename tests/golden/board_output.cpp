@@ -4,9 +4,9 @@
 #include <random>
 #include <string>
 
+#include "board/replay.hpp"
 #include "core/bytes/crc.hpp"
 #include "golden/board_stream.hpp"
-#include "replay/replay.hpp"
 #include "support/text.hpp"
 
 namespace {

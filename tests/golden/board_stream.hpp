@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <random>
 
+#include "board/board_table.hpp"
 #include "core/frames/sensor_frame.hpp"
-#include "quantization/board_table.hpp"
 #include "support/sample_models.hpp"
 
 namespace fog::test {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "quantization/board_table.hpp"
+#include "board/board_table.hpp"
 #include "support/typical_effects.hpp"
 
 namespace fog::test {

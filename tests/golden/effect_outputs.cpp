@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <string>
 
+#include "board/verification_programme.hpp"
 #include "core/compensation/drift_model.hpp"
 #include "golden/effect_cases.hpp"
-#include "quantization/verification_programme.hpp"
 
 namespace {
 

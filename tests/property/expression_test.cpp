@@ -4,10 +4,10 @@
 #include <random>
 #include <string>
 
+#include "board/expression_code.hpp"
 #include "core/expression/expression_bank.hpp"
 #include "core/thermal/thermal_state.hpp"
 #include "model/drift_model.hpp"
-#include "quantization/expression_code.hpp"
 #include "support/input_error.hpp"
 #include "support/overflow_guard.hpp"
 #include "support/random_history.hpp"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
-#include "identification/block_walk.hpp"
+#include "board/replay.hpp"
+#include "board/sensor_stream.hpp"
 #include "model/drift_model.hpp"
-#include "replay/replay.hpp"
-#include "replay/sensor_stream.hpp"
+#include "series/block_walk.hpp"
 #include "support/typical_effects.hpp"
 
 // What fit and compare take a recording for is what the board makes of it: the same blocks, the

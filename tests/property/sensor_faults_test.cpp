@@ -8,7 +8,7 @@
 #include <memory>
 #include <random>
 
-#include "replay/replay.hpp"
+#include "board/replay.hpp"
 #include "support/overflow_guard.hpp"
 #include "support/sample_models.hpp"
 

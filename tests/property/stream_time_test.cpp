@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "board/replay.hpp"
 #include "core/frames/sensor_frame.hpp"
-#include "dataset/recording.hpp"
-#include "replay/replay.hpp"
+#include "recording/recording.hpp"
 #include "support/sample_models.hpp"
 #include "support/typical_effects.hpp"
-#include "unit/dataset/temporary_file.hpp"
+#include "unit/recording/temporary_file.hpp"
 
 namespace {
 

@@ -1,11 +1,11 @@
 // How often an addition is judged rightly.
-#include "refinement/add_effect.hpp"
+#include "fit/add_effect.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/chance.hpp"
 #include "support/typical_effects.hpp"
-#include "unit/refinement/simulated_addition.hpp"
+#include "unit/fit/simulated_addition.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // How often steps are found where there are some, and where there are none.
 #include <gtest/gtest.h>
 
-#include "unit/identification/recording_with_steps.hpp"
+#include "unit/fit/recording_with_steps.hpp"
 
 namespace {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "diagnosis/ladder.hpp"
-#include "identification/effect_list.hpp"
+#include "model/effect_list.hpp"
 #include "support/chance.hpp"
 #include "support/input_error.hpp"
 #include "support/typical_effects.hpp"
-#include "unit/identification/simulated_gyro.hpp"
+#include "unit/fit/simulated_gyro.hpp"
 
 namespace {
 

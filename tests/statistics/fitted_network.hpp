@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "identification/effect_list.hpp"
-#include "refinement/fit_model.hpp"
-#include "unit/identification/simulated_gyro.hpp"
+#include "fit/fit_model.hpp"
+#include "model/effect_list.hpp"
+#include "unit/fit/simulated_gyro.hpp"
 
 namespace fog::test {
 

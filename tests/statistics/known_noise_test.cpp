@@ -1,11 +1,11 @@
-#include "evaluation/noise_coefficients.hpp"
+#include "noise/noise_coefficients.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <optional>
 
-#include "unit/evaluation/noise_generator.hpp"
+#include "unit/compare/noise_generator.hpp"
 
 namespace fogcomp {
 namespace {

@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "diagnosis/diagnosis.hpp"
-#include "identification/effect_list.hpp"
-#include "refinement/fit_model.hpp"
+#include "fit/fit_model.hpp"
+#include "model/effect_list.hpp"
 #include "support/typical_effects.hpp"
-#include "unit/identification/simulated_gyro.hpp"
+#include "unit/fit/simulated_gyro.hpp"
 
 namespace {
 

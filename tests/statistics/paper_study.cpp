@@ -1,13 +1,13 @@
 // A small run of the whole pipeline: fewer epochs and models than `fogcomp paper` has by default.
-#include "paper/study.hpp"
+#include "research/study.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
 
-#include "paper/gyros.hpp"
-#include "paper/printed_tables.hpp"
+#include "research/gyros.hpp"
+#include "research/printed_tables.hpp"
 #include "support/text.hpp"
 
 namespace {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "identification/effect_list.hpp"
-#include "identification/identify.hpp"
+#include "fit/identify.hpp"
+#include "model/effect_list.hpp"
 #include "support/typical_effects.hpp"
-#include "unit/identification/simulated_gyro.hpp"
+#include "unit/fit/simulated_gyro.hpp"
 
 namespace {
 

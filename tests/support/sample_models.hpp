@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "board/board_table.hpp"
 #include "model/model.hpp"
-#include "quantization/board_table.hpp"
 
 // Models for tests: small, complete, and the same in every test.
 namespace fog::test {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "board/expression_code.hpp"
 #include "model/catalogue.hpp"
 #include "model/model.hpp"
-#include "quantization/expression_code.hpp"
 #include "support/sample_models.hpp"
 #include "support/text.hpp"
 

@@ -14,14 +14,14 @@
 #include <string>
 #include <vector>
 
-#include "dataset/columns.hpp"
+#include "compare/residual_analysis.hpp"
 #include "diagnosis/ladder.hpp"
-#include "evaluation/residual_analysis.hpp"
-#include "identification/effect_list.hpp"
+#include "fit/add_effect.hpp"
+#include "fit/physical_lags.hpp"
 #include "model/catalogue.hpp"
+#include "model/effect_list.hpp"
 #include "model/model_file.hpp"
-#include "refinement/add_effect.hpp"
-#include "refinement/physical_lags.hpp"
+#include "recording/columns.hpp"
 #include "simulation/embedded_files.hpp"
 #include "simulation/gyro_description.hpp"
 #include "simulation/profile_parser.hpp"

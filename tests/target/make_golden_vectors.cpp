@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "board/verification_programme.hpp"
 #include "golden/board_stream.hpp"
 #include "golden/effect_cases.hpp"
-#include "quantization/verification_programme.hpp"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "dataset/recording.hpp"
 #include "key_values.hpp"
+#include "recording/recording.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"

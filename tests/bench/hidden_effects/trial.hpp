@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "case_plan.hpp"
-#include "dataset/recording.hpp"
+#include "recording/recording.hpp"
 
 namespace fogcomp::bench {
 

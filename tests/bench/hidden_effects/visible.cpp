@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/effect_list.hpp"
-#include "identification/shape_search.hpp"
+#include "fit/shape_search.hpp"
 #include "model/catalogue.hpp"
-#include "numerics/least_squares.hpp"
+#include "model/effect_list.hpp"
+#include "support/least_squares.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::bench {

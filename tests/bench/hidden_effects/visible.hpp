@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "dataset/recording.hpp"
-#include "identification/signal_series.hpp"
+#include "recording/recording.hpp"
+#include "series/signal_series.hpp"
 
 namespace fogcomp::bench {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/frames/sensor_frame.hpp"
-#include "dataset/recording.hpp"
-#include "unit/dataset/temporary_file.hpp"
+#include "recording/recording.hpp"
+#include "unit/recording/temporary_file.hpp"
 
 namespace fogcomp {
 namespace {

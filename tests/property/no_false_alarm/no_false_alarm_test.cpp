@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <string>
 
+#include "board/board_table.hpp"
 #include "core/acquisition/calibration.hpp"
 #include "core/acquisition/sample_monitor.hpp"
-#include "quantization/board_table.hpp"
 #include "support/sample_models.hpp"
 #include "unit/simulation/run_helper.hpp"
 

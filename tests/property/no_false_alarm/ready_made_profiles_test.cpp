@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "dataset/row_judge.hpp"
+#include "recording/row_judge.hpp"
 #include "unit/simulation/run_helper.hpp"
 
 namespace fogcomp::simulation {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "board/replay.hpp"
 #include "core/pipeline/compensator.hpp"
-#include "replay/replay.hpp"
 #include "support/sample_models.hpp"
 
 namespace fog::test {

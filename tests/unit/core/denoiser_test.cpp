@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "denoise/filters.hpp"
 #include "support/overflow_guard.hpp"
 #include "support/removal_bound.hpp"
 #include "support/sample_models.hpp"
-#include "wavelet/filters.hpp"
 
 namespace {
 

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <map>
 
-#include "identification/effect_list.hpp"
-#include "identification/noise_weighted_fit.hpp"
+#include "fit/noise_weighted_fit.hpp"
 #include "model/catalogue.hpp"
-#include "numerics/least_squares.hpp"
+#include "model/effect_list.hpp"
 #include "support/input_error.hpp"
-#include "unit/identification/simulated_gyro.hpp"
+#include "support/least_squares.hpp"
+#include "unit/fit/simulated_gyro.hpp"
 
 namespace {
 

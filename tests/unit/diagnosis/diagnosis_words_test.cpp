@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "identification/effect_list.hpp"
+#include "model/effect_list.hpp"
 
 namespace fogcomp {
 namespace {

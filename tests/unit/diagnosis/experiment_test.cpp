@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/typical_effects.hpp"
-#include "unit/identification/simulated_gyro.hpp"
+#include "unit/fit/simulated_gyro.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "support/chance.hpp"
-#include "unit/identification/made_rows.hpp"
+#include "unit/fit/made_rows.hpp"
 
 namespace {
 

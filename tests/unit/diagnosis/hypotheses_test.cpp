@@ -8,7 +8,7 @@
 #include <set>
 
 #include "diagnosis/decision_rules.hpp"
-#include "identification/effect_list.hpp"
+#include "model/effect_list.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "identification/effect_list.hpp"
-#include "unit/identification/simulated_gyro.hpp"
+#include "model/effect_list.hpp"
+#include "unit/fit/simulated_gyro.hpp"
 
 namespace {
 

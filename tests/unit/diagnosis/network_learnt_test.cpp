@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "identification/effect_list.hpp"
-#include "numerics/least_squares.hpp"
-#include "unit/identification/simulated_gyro.hpp"
+#include "model/effect_list.hpp"
+#include "support/least_squares.hpp"
+#include "unit/fit/simulated_gyro.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "numerics/least_squares.hpp"
 #include "support/chance.hpp"
+#include "support/least_squares.hpp"
 
 namespace {
 

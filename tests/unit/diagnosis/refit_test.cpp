@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "identification/effect_list.hpp"
+#include "model/effect_list.hpp"
 #include "support/typical_effects.hpp"
-#include "unit/identification/simulated_gyro.hpp"
+#include "unit/fit/simulated_gyro.hpp"
 
 namespace {
 

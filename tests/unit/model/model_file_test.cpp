@@ -5,9 +5,9 @@
 #include <functional>
 #include <string>
 
-#include "export/header.hpp"
-#include "identification/effect_list.hpp"
+#include "board/header.hpp"
 #include "model/catalogue.hpp"
+#include "model/effect_list.hpp"
 #include "support/input_error.hpp"
 #include "support/sample_models.hpp"
 #include "support/typical_effects.hpp"

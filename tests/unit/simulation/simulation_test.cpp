@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "dataset/recording_writer.hpp"
+#include "recording/recording_writer.hpp"
 #include "simulation/row_means.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "board/board_table.hpp"
+
+namespace fogcomp {
+
+/// The weights of a board, from an exported header or straight from a model.
+class BoardSource {
+ public:
+  /// Throws InputError for a file that is neither, is damaged, or is of another version.
+  explicit BoardSource(const std::string& path);
+
+  /// nullptr for a header.
+  const Model* model() const { return is_model_ ? &model_ : nullptr; }
+  /// Counts per deg/s of its sensor stream.
+  double scale_factor() const;
+  /// What its effects need beside the coil's temperature.
+  fog::InputMask needs() const;
+  /// The board's table. A header has settings of its own: there `settings` does not matter.
+  const BoardTable& table(const BoardSettings& settings);
+
+ private:
+  std::string path_;
+  bool is_model_;
+  Model model_;
+  BoardTable table_;
+};
+
+}  // namespace fogcomp

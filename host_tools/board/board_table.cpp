@@ -1,0 +1,262 @@
+#include "board/board_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "board/expression_code.hpp"
+#include "board/table_parts.hpp"
+#include "core/bytes/crc.hpp"
+#include "model/catalogue.hpp"
+#include "model/drift_model.hpp"
+#include "model/model_file.hpp"
+#include "model/shape_limits.hpp"
+#include "recording/board_limits.hpp"
+#include "series/block_series.hpp"
+#include "series/block_walk.hpp"
+#include "support/input_error.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kStuckSeconds = 0.5;       // equal counts for longer than this ...
+constexpr double kLeastStuckSamples = 100;  // ... and for at least this many samples
+constexpr double kSettleTimeConstants = 5;
+
+struct Timing {
+  std::int64_t period_us = 0;
+  double period_s = 0;
+  std::uint32_t samples_per_block = 1;
+  double block_s = 0;
+};
+
+Timing timing_of(const BoardSettings& settings) {
+  Timing timing;
+  timing.period_us = std::llround(1e6 / settings.sample_rate_hz);
+  timing.period_s = static_cast<double>(timing.period_us) * 1e-6;
+  timing.samples_per_block = samples_per_block(timing.period_s);
+  timing.block_s = timing.period_s * timing.samples_per_block;
+  return timing;
+}
+
+void write_calibration(TableWriter& out, const Model& model, const Timing& timing) {
+  out.note(format("sample period, us (%.6g Hz)", 1e6 / static_cast<double>(timing.period_us)));
+  out.integer(timing.period_us, "the sample period");
+  out.note(format("samples per block (%.6g s)", timing.block_s));
+  out.integer(timing.samples_per_block, "samples per block");
+  out.note(
+      format("rate = counts * multiplier / 2^shift (%.9g counts per deg/s)", model.scale_factor));
+  out.gain(std::ldexp(3600 / model.scale_factor, fog::Rate::fractional_bits), "the scale factor");
+  out.note(format("range (+-%g deg/s)", kRangeDegPerS));
+  out.real<fog::Rate>(kRangeDegPerS * 3600, "the range");
+  const double stuck = kStuckSeconds * 1e6 / static_cast<double>(timing.period_us);
+  out.note("counts in a row within one LSB that mean a stuck gyro");
+  out.integer(std::llround(std::max(stuck, kLeastStuckSamples)), "stuck samples");
+}
+
+void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
+  const auto thermal = thermal_parameters(model, timing.block_s);
+  out.note(format("decay per block of the two derivative lags (tau %g s)", model.derivative_tau_s));
+  out.real(std::min(thermal.derivative.decay, 1 - std::ldexp(1, -31)), 31,
+           "the derivative's decay");
+  out.note("the same times blocks per minute: from the lags' distance to degC/min");
+  out.real(thermal.derivative.rate_gain, 24, "the derivative's gain");
+  const double least = std::max(model.least_degc, kColdestDegc);
+  const double most = std::min(model.most_degc, kWarmestDegc);
+  if (least > most) {
+    throw InputError("export", format("the trained range %.4g to %.4g degC lies outside %g to %g "
+                                      "degC, what a board has; %s and fit again",
+                                      model.least_degc, model.most_degc, kColdestDegc, kWarmestDegc,
+                                      temperature_question(model.least_degc, model.most_degc)));
+  }
+  out.note(format("trained range (%.4g to %.4g degC)", least, most));
+  out.real<fog::Temperature>(least, "the coldest trained temperature");
+  out.real<fog::Temperature>(most, "the warmest trained temperature");
+  out.note(format("blocks for which a drift is held without a temperature (%g s)", kHoldSeconds));
+  out.integer(hold_blocks(timing.block_s), "hold blocks");
+  const double settle = kSettleTimeConstants * model.derivative_tau_s / timing.block_s;
+  out.note("blocks until the temperature rate has settled");
+  out.integer(std::llround(std::ceil(settle)), "settle blocks");
+}
+
+double largest_coefficient(const Model& model) {
+  double largest = 0;
+  for (const EffectTerm& term : model.terms) {
+    for (const double coefficient : term.coefficients_dph) {
+      largest = std::max(largest, std::abs(coefficient));
+    }
+  }
+  return largest;
+}
+
+// Throws where a coefficient is larger than the board's numbers, in the unit that people read.
+void require_held(const EffectTerm& term, std::size_t coefficient, int fraction) {
+  const double most = std::ldexp(1, 31 - fraction);
+  if (std::abs(term.coefficients_dph[coefficient]) < most) return;
+  const fog::CoefficientDescription description = info_of(term).coefficients[coefficient];
+  std::string text = format("%s = %.5g %s is more than the board's numbers hold, %.5g %s",
+                            description.symbol, natural_coefficient(term, coefficient),
+                            description.unit, in_natural_unit(most, description), description.unit);
+  for (const ShapeDoubt& doubt : shape_doubts(term)) text += "; " + doubt.sentence;
+  throw InputError("effect '" + term.name + "'",
+                   text + "; fit again without it or with its shape given");
+}
+
+void write_effects(TableWriter& out, const Model& model, const Timing& timing, int fraction) {
+  out.note("fractional bits of all coefficients");
+  out.integer(fraction, "coefficient fraction");
+  out.note("number of effects");
+  out.integer(std::count_if(model.terms.begin(), model.terms.end(),
+                            [](const EffectTerm& term) { return !term.expression; }),
+              "number of effects");
+  for (const EffectTerm& term : model.terms) {
+    if (term.expression) continue;
+    const CatalogueEntry& entry = find_effect(term.name);
+    const std::vector<double> constants = entry.constants(term.parameters, timing.block_s);
+    out.note(format("%s: %s; id, constants, coefficients", term.name.c_str(),
+                    entry.description.equation));
+    out.integer(entry.description.id, "effect id");
+    out.integer(static_cast<std::int64_t>(constants.size()), "constants");
+    for (std::size_t i = 0; i < constants.size(); ++i) {
+      out.real(constants[i], entry.constant_fractions[i], term.name.c_str());
+    }
+    out.integer(static_cast<std::int64_t>(term.coefficients_dph.size()), "coefficients");
+    for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
+      out.note(format("%s = %.9g %s", entry.coefficients[i].symbol, natural_coefficient(term, i),
+                      entry.coefficients[i].unit));
+      require_held(term, i, fraction);
+      out.real(term.coefficients_dph[i], fraction, term.name.c_str());
+    }
+  }
+}
+
+// One program of all expressions; each of its parts ends with that expression's output.
+void write_expressions(TableWriter& out, const Model& model, const Timing& timing, int fraction) {
+  std::vector<const EffectTerm*> terms;
+  for (const EffectTerm& term : model.terms) {
+    if (term.expression) terms.push_back(&term);
+  }
+  out.note("expressions: coefficients");
+  out.integer(static_cast<std::int64_t>(terms.size()), "expressions");
+  for (const EffectTerm* term : terms) {
+    out.note(format("%s = %.9g deg/h per unit", term->name.c_str(), natural_coefficient(*term, 0)));
+    require_held(*term, 0, fraction);
+    out.real(term->coefficients_dph[0], fraction, term->name.c_str());
+  }
+  std::vector<ExpressionCode> codes;
+  std::size_t words = 0;
+  for (const EffectTerm* term : terms) {
+    codes.push_back(compile_expression(*term, model, timing.block_s));
+    words += codes.back().words.size();
+  }
+  out.note("expressions: words of the program");
+  out.integer(static_cast<std::int64_t>(words), "words of expressions");
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const ExpressionTerm& written = *terms[i]->expression;
+    out.note(format("%s: (%s) / 2^%d, within %.2g of it in double: %.2g deg/h",
+                    terms[i]->name.c_str(), written.expression.text.c_str(), written.scale_log2,
+                    codes[i].error, codes[i].error * std::abs(terms[i]->coefficients_dph[0])));
+    for (const std::int32_t word : codes[i].words) out.integer(word, "an operation");
+  }
+}
+
+// Whether what needs these inputs can run on a board that is fed like this one.
+void require_board(const std::string& who, fog::InputMask needs, const BoardSettings& settings) {
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (settings.extension || !is_extension(input.input) || !has(needs, input.input)) continue;
+    throw InputError(who, std::string("needs ") + input.column +
+                              ", which the sensor stream has in extension records only; give "
+                              "--extension if the demodulator sends them, or fit without it");
+  }
+}
+
+void require_board(const Model& model, const BoardSettings& settings) {
+  for (const EffectTerm& term : model.terms) {
+    require_board("effect '" + term.name + "'", info_of(term).needs, settings);
+  }
+  require_board("the network", model.network.needs(), settings);
+}
+
+// Throws where the program as a whole is more than an image has room for: `first` is the first word
+// that write_expressions() wrote.
+void check_expressions(const BoardTable& table, std::size_t first) {
+  const std::int32_t* next = table.words.data() + first;
+  const auto count = static_cast<std::size_t>(*next++);
+  fog::ExpressionParameters expressions;
+  expressions.coefficients = {next, count};
+  next += count;
+  const auto words = static_cast<std::size_t>(*next++);
+  expressions.program = {next, words};
+  if (words <= fog::kMostExpressionWords && fog::expressions_fit(expressions)) return;
+  throw InputError("export", format("the expressions are more than a board takes (%zu of them, %zu "
+                                    "lags and plays, a stack of %zu, %zu words at most); fit with "
+                                    "fewer or shorter ones",
+                                    fog::kMostExpressions, fog::kMostExpressionStates,
+                                    fog::kMostExpressionStack, fog::kMostExpressionWords));
+}
+
+std::int32_t as_signed(std::uint32_t word) {
+  return static_cast<std::int32_t>(word);
+}
+
+}  // namespace
+
+Model board_model(const Model& model) {
+  Model result = model;
+  const auto end = std::remove_if(result.terms.begin(), result.terms.end(), [](const auto& term) {
+    return info_of(term).host_only != nullptr;
+  });
+  result.terms.erase(end, result.terms.end());
+  return result;
+}
+
+BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
+  const Model model = board_model(whole);
+  require_board(model, settings);
+  const Timing timing = timing_of(settings);
+  if (timing.period_us < 1) {
+    throw InputError("--sample-rate", format("%g Hz is beyond 1 MHz", settings.sample_rate_hz));
+  }
+  const std::string text = model_text(whole);
+  BoardTable table;
+  TableWriter out(table);
+  out.note("magic number, layout version");
+  out.integer(fog::kModelMagic, "magic");
+  out.integer(fog::kModelLayout, "layout");
+  out.note("words in this table");
+  const std::size_t size_word = table.words.size();
+  out.integer(0, "size");
+  out.note("CRC-32 of the model file");
+  out.integer(
+      as_signed(fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size())),
+      "provenance");
+  write_calibration(out, model, timing);
+  write_thermal(out, model, timing);
+  const int fraction = fraction_within(largest_coefficient(model), fog::kLeastCoefficientFraction,
+                                       fog::kMostCoefficientFraction);
+  write_effects(out, model, timing, fraction);
+  const std::size_t first_expression_word = table.words.size();
+  write_expressions(out, model, timing, fraction);
+  check_expressions(table, first_expression_word);
+  write_network(out, model.network, timing.block_s);
+  const std::size_t denoise_word = table.words.size();
+  write_denoise(out, model, timing.period_s);
+  check_noise_fits(table, denoise_word, model.denoise);
+  out.note("output: 0 KVH format A, 1 compact, 2 both");
+  out.integer(static_cast<std::int32_t>(settings.output), "output");
+  table.words[size_word] = static_cast<std::int32_t>(table.words.size() + 1);
+  out.note("CRC-32 of the words above");
+  out.integer(0, "CRC");
+  table.words.back() = as_signed(fog::model_table_crc(table.span()));
+  return table;
+}
+
+fog::ModelParameters read_board_table(const BoardTable& table, const std::string& file) {
+  fog::ModelParameters parameters;
+  const fog::ModelError error = fog::read_model(table.span(), fog::kAnyModel, parameters);
+  if (error != fog::ModelError::none) {
+    throw InputError(file, std::string(fog::describe(error)) + "; export the header again");
+  }
+  return parameters;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,383 @@
+#include "board/expression_code.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/fixed_point/fixed.hpp"
+#include "core/signal/quantities.hpp"
+#include "model/drift_model.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+using Kind = ExpressionNode::Kind;
+using Op = fog::ExpressionOp;
+
+constexpr int kUsedBits = 30;  // of a value: one is spare
+constexpr int kMostFraction = 58;
+constexpr int kMostPower = 16;
+// Of the core's functions, from their headers.
+constexpr double kSineError = 5e-9;
+constexpr double kDecayError = 3e-9;
+constexpr double kTanhError = 2.4e-7;
+constexpr int kWaveFraction = 30;   // what sine, cosine, decay and tanh give
+constexpr int kDecayFraction = 26;  // what decay takes
+constexpr int kTanhFraction = 27;   // what tanh takes
+
+// A value on the board's stack: its real range, by how much it may be off, its fractional bits.
+struct Value {
+  double least = 0;
+  double most = 0;
+  double error = 0;
+  int fraction = 0;
+
+  double size() const { return std::max(std::abs(least), std::abs(most)); }
+};
+
+double half_lsb(int fraction) {
+  return std::ldexp(0.5, -fraction);
+}
+
+// Fractional bits at which a value of this size uses kUsedBits.
+int fraction_for(double size) {
+  return size > 0 ? std::min(kMostFraction, kUsedBits - 1 - std::ilogb(size)) : kUsedBits;
+}
+
+class Compiler {
+ public:
+  Compiler(const EffectTerm& term, const Model& model, double block_s)
+      : term_(term),
+        expression_(term.expression->expression),
+        constants_(expression_.constants(term.parameters)),
+        model_(model),
+        block_s_(block_s),
+        known_(expression_.nodes.size()) {}
+
+  ExpressionCode compile() {
+    const Value value = node(expression_.nodes.size() - 1);
+    const int scale = term_.expression->scale_log2;
+    constexpr int kRegressor = fog::Regressor::fractional_bits;
+    const int shift = value.fraction + scale - kRegressor;
+    if (shift < -31 || shift > 62) refuse("its regressor's scale is out of range");
+    emit(Op::output, shift);
+    code_.most = std::ldexp(value.size(), -scale);
+    code_.error = std::ldexp(value.error, -scale) + half_lsb(kRegressor);
+    return std::move(code_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw InputError("expression '" + term_.name + "'",
+                     "cannot go to the board: " + why + "; write it otherwise, or fit without it");
+  }
+
+  void emit(Op op, int bits = 0) {
+    code_.words.push_back(static_cast<std::int32_t>(op) + 256 * bits);
+    if (code_.words.size() > fog::kMostExpressionWords) refuse("it is too long");
+  }
+  void emit_word(double raw) {
+    if (!(std::abs(raw) <= 2147483647.0)) refuse("a value is beyond 32 bits");
+    code_.words.push_back(static_cast<std::int32_t>(std::llround(raw)));
+  }
+
+  // The value on top with other fractional bits.
+  Value in_format(Value value, int fraction) {
+    const int dropped = value.fraction - fraction;
+    if (dropped == 0) return value;
+    if (dropped < -31 || dropped > 62) refuse("sizes that are too far apart meet");
+    emit(Op::shift, dropped);
+    if (dropped > 0) value.error += half_lsb(fraction);
+    value.fraction = fraction;
+    return value;
+  }
+  // A value that a node has worked out: its size must have a format.
+  Value checked(const Value& value) const {
+    if (!(value.size() < 2147483648.0) || !(value.error < 1e9)) {
+      refuse("a value could become larger than 2^31");
+    }
+    return value;
+  }
+
+  Value constant(double value) {
+    const int fraction = fraction_for(std::abs(value));
+    emit(Op::constant);
+    emit_word(std::ldexp(value, fraction));
+    return {value, value, half_lsb(fraction), fraction};
+  }
+
+  Value signal(fog::Input which) {
+    SignalRange range = term_.expression->ranges[static_cast<std::size_t>(which)];
+    if (which == fog::Input::elapsed) return elapsed(range);
+    if (which == fog::Input::temperature) {
+      range = {std::max({range.least, model_.least_degc, -70.0}),
+               std::min({range.most, model_.most_degc, 130.0})};
+    }
+    const int fraction = description_of(which).fraction;
+    const double own_error = which == fog::Input::temperature_rate ? rate_error() : 0;
+    push_signal(which, range.least, range.most, fraction);
+    // The clamp's own rounding.
+    return {range.least, range.most, own_error + half_lsb(fraction), fraction};
+  }
+
+  void push_signal(fog::Input which, double least, double most, int fraction) {
+    emit(Op::signal, static_cast<int>(which));
+    emit_word(std::ldexp(least, fraction));
+    emit_word(std::ldexp(most, fraction));
+  }
+
+  // Blocks times their length.
+  Value elapsed(const SignalRange& range) {
+    const double most_blocks = std::min(range.most / block_s_, 2147483647.0);
+    push_signal(fog::Input::elapsed, 0, most_blocks, 0);
+    // Where time stands at its most, blocks that are no whole number are off by up to a half.
+    const double off = std::abs(most_blocks - std::round(most_blocks)) < 1e-6 ? 1e-6 : 0.5;
+    const Value blocks{0, most_blocks, off, 0};
+    return product(blocks, constant(block_s_));
+  }
+
+  // The two lags behind the derivative stand still within half an LSB of 22 bits each; their
+  // difference is rounded to 26 bits, the decay to 31 and the gain to 24.
+  double rate_error() const {
+    const auto real = thermal_parameters(model_, block_s_).derivative;
+    const double lags = 3 * half_lsb(22) + half_lsb(26);
+    const double rate = fog::kMostRateDegcPerMin;
+    return lags * real.rate_gain + rate * (half_lsb(24) / real.rate_gain) +
+           4 * rate * half_lsb(31) / real.decay + half_lsb(fog::TemperatureRate::fractional_bits);
+  }
+
+  // Of two values on the stack.
+  Value product(const Value& a, const Value& b) {
+    const double corners[] = {a.least * b.least, a.least * b.most, a.most * b.least,
+                              a.most * b.most};
+    Value result;
+    result.least = *std::min_element(std::begin(corners), std::end(corners));
+    result.most = *std::max_element(std::begin(corners), std::end(corners));
+    result.error = a.size() * b.error + b.size() * a.error + a.error * b.error;
+    return multiplied(result, a.fraction + b.fraction);
+  }
+  Value multiplied(Value result, int exact_fraction) {
+    checked(result);
+    result.fraction = std::min(fraction_for(result.size()), exact_fraction);
+    if (exact_fraction - result.fraction > 62) refuse("sizes that are too far apart meet");
+    emit(Op::multiply, exact_fraction - result.fraction);
+    result.error += half_lsb(result.fraction);
+    return result;
+  }
+
+  Value node(std::size_t index) {
+    const ExpressionNode& now = expression_.nodes[index];
+    if (now.constant) return constant(constants_[index]);
+    switch (now.kind) {
+      case Kind::signal:
+        return signal(now.signal);
+      case Kind::add:
+      case Kind::subtract:
+      case Kind::least:
+      case Kind::most:
+        return sum(now);
+      case Kind::multiply: {
+        const Value left = node(now.left);
+        return product(left, node(now.right));
+      }
+      case Kind::divide:
+        return quotient(now);
+      case Kind::power:
+        return power(node(now.left), constants_[now.right]);
+      case Kind::negate: {
+        const Value x = node(now.left);
+        emit(Op::negate);
+        return {-x.most, -x.least, x.error, x.fraction};
+      }
+      case Kind::absolute: {
+        const Value x = node(now.left);
+        emit(Op::absolute);
+        const bool crosses = x.least < 0 && x.most > 0;
+        const double least = crosses ? 0 : std::min(std::abs(x.least), std::abs(x.most));
+        return {least, x.size(), x.error, x.fraction};
+      }
+      case Kind::sine:
+      case Kind::cosine:
+        return wave(now);
+      case Kind::exponential:
+        return exponential(now.left);
+      case Kind::hyperbolic_tangent: {
+        const Value x = in_format(node(now.left), kTanhFraction);
+        emit(Op::tanh);
+        return {std::tanh(x.least), std::tanh(x.most), x.error + kTanhError, kWaveFraction};
+      }
+      case Kind::lag:
+        return lag(now);
+      case Kind::play:
+        return play(now);
+      case Kind::number:
+      case Kind::parameter:
+        break;
+    }
+    return constant(constants_[index]);
+  }
+
+  // The format of a sum's operands depends on both, so they are compiled once to learn their
+  // ranges.
+  Value trial(std::size_t index) {
+    if (!known_[index]) {
+      const ExpressionCode saved = code_;
+      known_[index] = node(index);
+      code_ = saved;
+    }
+    return *known_[index];
+  }
+
+  Value sum(const ExpressionNode& now) {
+    const Value a = trial(now.left);
+    const Value b = trial(now.right);
+    Value result;
+    if (now.kind == Kind::add) {
+      result = {a.least + b.least, a.most + b.most, 0, 0};
+    } else if (now.kind == Kind::subtract) {
+      result = {a.least - b.most, a.most - b.least, 0, 0};
+    } else if (now.kind == Kind::least) {
+      result = {std::min(a.least, b.least), std::min(a.most, b.most), 0, 0};
+    } else {
+      result = {std::max(a.least, b.least), std::max(a.most, b.most), 0, 0};
+    }
+    checked(result);
+    const int fraction = std::min(
+        {a.fraction, b.fraction, fraction_for(std::max({a.size(), b.size(), result.size()}))});
+    const Value left = in_format(node(now.left), fraction);
+    const Value right = in_format(node(now.right), fraction);
+    const bool chooses = now.kind == Kind::least || now.kind == Kind::most;
+    emit(now.kind == Kind::add        ? Op::add
+         : now.kind == Kind::subtract ? Op::subtract
+         : now.kind == Kind::least    ? Op::least
+                                      : Op::most);
+    result.error = chooses ? std::max(left.error, right.error) : left.error + right.error;
+    result.fraction = fraction;
+    return result;
+  }
+
+  Value quotient(const ExpressionNode& now) {
+    if (expression_.nodes[now.right].constant) {
+      const double divisor = constants_[now.right];
+      if (divisor == 0) refuse("it divides by 0");
+      const Value left = node(now.left);
+      return product(left, constant(1 / divisor));
+    }
+    const Value b = trial(now.right);
+    const Value a = trial(now.left);
+    const double nearest = b.least > 0 ? b.least : -b.most;
+    if (!(nearest > 2 * b.error)) {
+      refuse(format("a divisor goes from %.4g to %.4g within the ranges that it was fitted in",
+                    b.least, b.most));
+    }
+    const double corners[] = {a.least / b.least, a.least / b.most, a.most / b.least,
+                              a.most / b.most};
+    Value result;
+    result.least = *std::min_element(std::begin(corners), std::end(corners));
+    result.most = *std::max_element(std::begin(corners), std::end(corners));
+    checked(result);
+    result.fraction = std::min(fraction_for(result.size()), a.fraction - b.fraction + 30);
+    const int left_fraction = std::min(a.fraction, result.fraction + b.fraction);
+    const Value left = in_format(node(now.left), left_fraction);
+    const Value right = node(now.right);
+    emit(Op::divide, result.fraction - left_fraction + right.fraction);
+    result.error = (left.error + result.size() * right.error) / (nearest - right.error) +
+                   half_lsb(result.fraction);
+    return result;
+  }
+
+  // x on the stack to a whole power.
+  Value power(const Value& x, double exponent) {
+    if (exponent != std::round(exponent) || std::abs(exponent) > kMostPower || exponent == 0) {
+      refuse(format("a power of %.6g; it has whole powers from -%d to %d but 0", exponent,
+                    kMostPower, kMostPower));
+    }
+    if (exponent < 0) {
+      refuse("a negative power; write a division");
+    }
+    if (exponent == 1) return x;
+    emit(Op::duplicate);
+    Value result = x;
+    for (int n = 2; n <= static_cast<int>(exponent); ++n) {
+      emit(Op::over);
+      // Of one and the same value: the range is that of the power, the error that of a product.
+      const double ends[] = {std::pow(x.least, n), std::pow(x.most, n)};
+      const bool turns = n % 2 == 0 && x.least < 0 && x.most > 0;
+      Value next{turns ? 0 : std::min(ends[0], ends[1]), std::max(ends[0], ends[1]), 0, 0};
+      next.error = result.size() * x.error + x.size() * result.error + x.error * result.error;
+      result = multiplied(next, result.fraction + x.fraction);
+    }
+    emit(Op::nip);
+    return result;
+  }
+
+  Value wave(const ExpressionNode& now) {
+    Value x = node(now.left);
+    if (x.fraction < 0) refuse("an angle could become larger than 2^30");
+    emit(now.kind == Kind::sine ? Op::sine : Op::cosine, x.fraction);
+    return {-1, 1, x.error + kSineError + x.size() * half_lsb(30) + half_lsb(30), kWaveFraction};
+  }
+
+  // exp(x) = exp(most) exp(-(most - x)).
+  Value exponential(std::size_t operand) {
+    const Value x = trial(operand);
+    const double factor = std::exp(x.most);
+    if (!(factor < 1073741824.0)) refuse(format("exp() of up to %.4g is too large", x.most));
+    const int fraction = std::min(x.fraction, fraction_for(std::max(x.size(), x.most - x.least)));
+    emit(Op::constant);
+    emit_word(std::ldexp(x.most, fraction));
+    const Value right = in_format(node(operand), fraction);
+    emit(Op::subtract);
+    Value below{0, x.most - x.least, right.error + half_lsb(fraction), fraction};
+    below = in_format(below, kDecayFraction);  // clips at 32
+    emit(Op::decay);
+    constexpr double kBeyond = 1.3e-14;  // exp(-32)
+    const Value share{std::exp(-below.most), 1, below.error + kDecayError + kBeyond, kWaveFraction};
+    Value result = product(share, constant(factor));
+    result.least = std::exp(x.least);
+    return result;
+  }
+
+  // Lags and plays keep the format, so the value gets as fine a one as it can have.
+  Value lag(const ExpressionNode& now) {
+    const double tau_s = constants_[now.right];
+    if (!(tau_s > 0)) refuse("a lag's time constant is not above 0");
+    const double decay = RealNumbers::decay(block_s_ / tau_s);
+    Value x = node(now.left);
+    x = in_format(x, std::max(x.fraction, fraction_for(x.size())));
+    emit(Op::lag);
+    emit_word(std::ldexp(decay, 31));
+    if (code_.words.back() == 0) refuse("a lag's time constant is too long");
+    x.error += 2 * half_lsb(x.fraction) + (x.most - x.least) * half_lsb(31) / decay;
+    return x;
+  }
+
+  Value play(const ExpressionNode& now) {
+    const double radius = constants_[now.right];
+    Value x = node(now.left);
+    if (!(radius >= 0 && radius < 1e9)) refuse("a play's radius is below 0 or out of range");
+    x = in_format(x, std::min(std::max(x.fraction, fraction_for(x.size())), fraction_for(radius)));
+    emit(Op::play);
+    emit_word(std::ldexp(radius, x.fraction));
+    x.error += half_lsb(x.fraction);
+    return x;
+  }
+
+  const EffectTerm& term_;
+  const Expression& expression_;
+  std::vector<double> constants_;
+  const Model& model_;
+  double block_s_;
+  std::vector<std::optional<Value>> known_;
+  ExpressionCode code_;
+};
+
+}  // namespace
+
+ExpressionCode compile_expression(const EffectTerm& term, const Model& model, double block_s) {
+  return Compiler(term, model, block_s).compile();
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,26 @@
+#include "board/replay.hpp"
+
+#include <array>
+
+namespace fogcomp {
+
+Replay::Replay(const fog::ModelParameters& parameters)
+    : compensator_(std::make_unique<HostCompensator>(parameters, fog::ImageProof::not_needed())) {}
+
+fog::Span<const std::uint8_t> Replay::feed(fog::Span<const std::uint8_t> bytes) {
+  output_.clear();
+  std::array<std::uint8_t, fog::kMostOutputBytes> frames;
+  for (const std::uint8_t byte : bytes) {
+    const std::size_t size = compensator_->feed(byte, frames.data());
+    if (size == 0) continue;
+    output_.insert(output_.end(), frames.data(), frames.data() + size);
+    const fog::OutputSample& sample = compensator_->last();
+    ++summary_.frames;
+    if (!sample.compensated_valid()) ++summary_.invalid_rates;
+    if (any(sample.status, fog::Status::temperature_clamped)) ++summary_.clamped_samples;
+  }
+  summary_.output_bytes += output_.size();
+  return {output_.data(), output_.size()};
+}
+
+}  // namespace fogcomp

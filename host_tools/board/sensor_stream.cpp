@@ -1,0 +1,52 @@
+#include "board/sensor_stream.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/frames/sensor_frame.hpp"
+#include "recording/recording_writer.hpp"
+#include "series/block_series.hpp"
+#include "support/progress.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr std::size_t kPieceBytes = 1U << 16U;
+
+std::int32_t rounded_to_int32(double value) {
+  return static_cast<std::int32_t>(
+      std::llround(std::clamp(value, double{INT32_MIN}, double{INT32_MAX})));
+}
+
+}  // namespace
+
+void make_sensor_stream(const Recording& recording, double scale_factor, fog::InputMask extension,
+                        const ByteSink& sink) {
+  Progress progress("sending " + recording.file);
+  std::vector<std::uint8_t> piece;
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+      const fog::Input input = fog::extension_input(i);
+      if (!has(extension, input)) continue;
+      const auto frame = extension_frame(input, recording[input][row]);
+      if (frame) piece.insert(piece.end(), frame->begin(), frame->end());
+    }
+    fog::SensorSample sample;
+    sample.sequence = static_cast<std::uint16_t>(sample_number(recording, row));
+    sample.rate_counts = rounded_to_int32(recording.rate_dph[row] * scale_factor / 3600);
+    sample.temperature_q16 = rounded_to_int32(recording.temperature_degc[row] * 65536);
+    sample.gyro_valid = true;
+    sample.temperature_valid = true;
+    const fog::SensorFrame frame = fog::encode_sensor_frame(sample);
+    piece.insert(piece.end(), frame.begin(), frame.end());
+    if (piece.size() >= kPieceBytes) {
+      sink({piece.data(), piece.size()});
+      piece.clear();
+      progress.update(static_cast<double>(row) / static_cast<double>(recording.rows()));
+    }
+  }
+  if (!piece.empty()) sink({piece.data(), piece.size()});
+}
+
+}  // namespace fogcomp

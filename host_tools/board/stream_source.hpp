@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "board/sensor_stream.hpp"
+#include "recording/recording.hpp"
+
+namespace fogcomp {
+
+/// Bytes of the sensor stream for a file: a captured stream as it is, damage and all; a CSV as the
+/// board would have seen it.
+class StreamSource {
+ public:
+  /// Reads a CSV whole (its errors come from here, also for a column that `needs` names and it
+  /// lacks); only opens a capture, which has what it has.
+  StreamSource(const std::string& path, const ReadOptions& options, double scale_factor,
+               fog::InputMask needs);
+
+  bool is_capture() const { return capture_; }
+  /// Of a CSV.
+  double period_s() const { return recording_.period_s; }
+  std::size_t rows() const { return recording_.rows(); }
+
+  void send(const ByteSink& sink) const;
+
+ private:
+  std::string path_;
+  double scale_factor_;
+  fog::InputMask extension_;
+  bool capture_;
+  Recording recording_;
+};
+
+}  // namespace fogcomp

@@ -1,0 +1,90 @@
+#include "compare/board_delay.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "series/signal_series.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+struct Delay {
+  Eigen::VectorXd drift_dph;  // per row of the board: with the delay less without
+  Eigen::VectorXd weights;
+};
+
+// After a start or a gap the two have different rows, which are matched by their time.
+Delay delay_of(const Model& model, const RunInBlocks& run) {
+  SignalSeries board(model);
+  SignalSeries coil(model, Phase::zero);
+  board.add(run.blocks);
+  coil.add(run.blocks);
+  const Eigen::VectorXd exact = coil.drift_dph(model.terms);
+  const Rows& rows = board.rows();
+  Delay delay{board.drift_dph(model.terms), rows.weights};
+  Eigen::Index at = 0;
+  for (Eigen::Index row = 0; row < rows.size(); ++row) {
+    const double time_s = rows.time_s[static_cast<std::size_t>(row)];
+    while (at + 1 < exact.size() &&
+           coil.rows().time_s[static_cast<std::size_t>(at)] < time_s - rows.row_s / 2) {
+      ++at;
+    }
+    delay.drift_dph[row] -= exact[at];
+  }
+  return delay;
+}
+
+}  // namespace
+
+double delay_error_dph(const Model& model, const std::vector<RunInBlocks>& runs) {
+  double square = 0;
+  double weight = 0;
+  for (const RunInBlocks& run : runs) {
+    const Delay delay = delay_of(model, run);
+    square += delay.drift_dph.cwiseAbs2().dot(delay.weights);
+    weight += delay.weights.sum();
+  }
+  return std::sqrt(square / std::max(weight, 1e-300));
+}
+
+void BoardError::add(const BoardError& other) {
+  const auto pooled = [&](double own, double others) {
+    const double square = rows * own * own + other.rows * others * others;
+    return std::sqrt(square / std::max(rows + other.rows, 1e-300));
+  };
+  rms_dph = pooled(rms_dph, other.rms_dph);
+  without_delay_dph = pooled(without_delay_dph, other.without_delay_dph);
+  rows += other.rows;
+}
+
+bool BoardError::delay_matters() const {
+  constexpr double kTellsApart = 0.01;
+  return std::abs(rms_dph - without_delay_dph) > kTellsApart * rms_dph;
+}
+
+std::string delay_words(const BoardError& error) {
+  return format(
+      "as the board computes it the residual is %.4g deg/h rms; without the board's delay "
+      "(block means, derivative filter) it would be %.4g",
+      error.rms_dph, error.without_delay_dph);
+}
+
+BoardError board_error(const Model& model, const RunInBlocks& run, const Comparison& comparison) {
+  Model averaging = model;
+  averaging.average_s = run.average_s;
+  const Delay delay = delay_of(averaging, run);
+  BoardError error{comparison.whole.rms_dph, 0, 0};
+  double square = 0;
+  for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
+    const Comparison::Row& row = comparison.rows[i];
+    if (row.outlier) continue;
+    const double residual = row.residual_dph() + delay.drift_dph[static_cast<Eigen::Index>(i)];
+    square += row.weight * residual * residual;
+    error.rows += row.weight;
+  }
+  error.without_delay_dph = std::sqrt(square / std::max(error.rows, 1e-300));
+  return error;
+}
+
+}  // namespace fogcomp

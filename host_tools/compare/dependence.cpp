@@ -1,0 +1,256 @@
+#include "compare/dependence.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "compare/branches.hpp"
+#include "noise/autocorrelation.hpp"
+#include "support/chi_square.hpp"
+#include "support/decompositions.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr std::size_t kLeastInClass = 5;  // of a class that counts
+constexpr double kStructured = 5;         // standard score
+constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
+
+// Equal divisions of a variable's range.
+class Grid {
+ public:
+  Grid(const std::vector<double>& values, std::size_t bins) : bins_(bins) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    if (values.empty()) return;
+    least_ = *least;
+    width_ = (*most - *least) / static_cast<double>(bins);
+  }
+  std::size_t bin(double value) const {
+    if (width_ <= 0) return 0;
+    return std::min(static_cast<std::size_t>((value - least_) / width_), bins_ - 1);
+  }
+
+ private:
+  std::size_t bins_;
+  double least_ = 0;
+  double width_ = 0;
+};
+
+// Means of the residual over classes, those with enough rows, and the covariance of the means.
+struct ClassMeans {
+  std::vector<std::size_t> place;  // of each class among those that count, else kNoClass
+  Eigen::VectorXd rows;
+  Eigen::VectorXd mean_dph;
+  Eigen::MatrixXd covariance;  // (deg/h)^2
+};
+
+// Covariance of the sums over classes, from the noise model: for each component, the rows before
+// weigh on a row by what is left of them. Rows without a class are 0 in every sum.
+Eigen::MatrixXd covariance_of_sums(const ResidualRows& rows,
+                                   const std::vector<std::size_t>& place_of_row,
+                                   Eigen::Index size) {
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(size, size);
+  for (const std::size_t place : place_of_row) {
+    if (place == kNoClass) continue;
+    covariance(static_cast<Eigen::Index>(place), static_cast<Eigen::Index>(place)) +=
+        std::pow(rows.noise.white_dph(), 2) + std::pow(rows.noise.wander_dph(), 2);
+  }
+  for (const NoiseModel::Component& component : rows.noise.components) {
+    Eigen::MatrixXd before = Eigen::MatrixXd::Zero(size, size);
+    Eigen::VectorXd weight = Eigen::VectorXd::Zero(size);
+    for (std::size_t i = 0; i < place_of_row.size(); ++i) {
+      if (i > 0) weight *= std::exp((rows.time_s[i - 1] - rows.time_s[i]) / component.tau_s);
+      if (place_of_row[i] == kNoClass) continue;
+      const auto place = static_cast<Eigen::Index>(place_of_row[i]);
+      before.col(place) += component.variance * weight;
+      ++weight[place];
+    }
+    covariance += before + before.transpose();
+  }
+  return covariance;
+}
+
+// Long-run variance of a row: what many rows together scatter by, times their number.
+double long_run_variance(const NoiseModel& noise) {
+  double variance = noise.white_variance;
+  for (const NoiseModel::Component& component : noise.components) {
+    const double phi = std::exp(-noise.row_s / component.tau_s);
+    variance += component.variance * (1 + phi) / (1 - phi);
+  }
+  return variance;
+}
+
+// How much more the rows scatter within their classes than the noise model says, at least 1.
+double excess_scatter(const ResidualRows& rows, const std::vector<std::size_t>& place_of_row,
+                      const ClassMeans& means) {
+  std::vector<double> within(place_of_row.size(), 0);
+  double square = 0;
+  double freedom = -static_cast<double>(means.mean_dph.size());
+  for (std::size_t i = 0; i < place_of_row.size(); ++i) {
+    if (place_of_row[i] == kNoClass) continue;
+    within[i] = rows.residual_dph[i] - means.mean_dph[static_cast<Eigen::Index>(place_of_row[i])];
+    square += within[i] * within[i];
+    ++freedom;
+  }
+  const double expected = long_run_variance(rows.noise);
+  if (expected <= 0) return 1;
+  const double seen = square / std::max(1.0, freedom) * correlated_values(within, rows.stretches);
+  return std::max(1.0, seen / expected);
+}
+
+// `class_of`: each row's class, or kNoClass.
+ClassMeans means_of(const std::vector<std::size_t>& class_of, std::size_t classes,
+                    const ResidualRows& rows) {
+  std::vector<std::size_t> count(classes);
+  for (const std::size_t one : class_of) {
+    if (one != kNoClass) ++count[one];
+  }
+  ClassMeans means;
+  Eigen::Index size = 0;
+  for (std::size_t i = 0; i < classes; ++i) {
+    means.place.push_back(count[i] >= kLeastInClass ? static_cast<std::size_t>(size++) : kNoClass);
+  }
+  means.rows.setZero(size);
+  means.mean_dph.setZero(size);
+  std::vector<std::size_t> place_of_row;
+  for (std::size_t i = 0; i < class_of.size(); ++i) {
+    place_of_row.push_back(class_of[i] == kNoClass ? kNoClass : means.place[class_of[i]]);
+    if (place_of_row.back() == kNoClass) continue;
+    const auto place = static_cast<Eigen::Index>(place_of_row.back());
+    ++means.rows[place];
+    means.mean_dph[place] += rows.residual_dph[i];
+  }
+  const Eigen::VectorXd per_row = means.rows.cwiseInverse();
+  means.mean_dph = means.mean_dph.cwiseProduct(per_row);
+  means.covariance = excess_scatter(rows, place_of_row, means) * per_row.asDiagonal() *
+                     covariance_of_sums(rows, place_of_row, size) * per_row.asDiagonal();
+  return means;
+}
+
+bool has_noise(const ResidualRows& rows) {
+  return rows.noise.white_variance > 0;
+}
+
+ClassTest test_means(const ClassMeans& means, const ResidualRows& rows) {
+  ClassTest test;
+  const Eigen::Index size = means.mean_dph.size();
+  if (size < 2 || !has_noise(rows)) return test;
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(size);
+  const Eigen::VectorXd weights = solve_semidefinite(means.covariance, ones);
+  const Eigen::VectorXd apart =
+      means.mean_dph.array() - weights.dot(means.mean_dph) / weights.sum();
+  test.score = standard_score(apart.dot(solve_semidefinite(means.covariance, apart)),
+                              static_cast<double>(size - 1));
+
+  const Eigen::VectorXd share = means.rows / means.rows.sum();
+  const double common = share.dot(means.mean_dph);
+  const Eigen::VectorXd with_common = means.covariance * share;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const double of_noise = means.covariance(i, i) - 2 * with_common[i] + share.dot(with_common);
+    test.variance_dph2 += share[i] * (std::pow(means.mean_dph[i] - common, 2) - of_noise);
+  }
+  test.variance_dph2 = std::max(0.0, test.variance_dph2);
+  return test;
+}
+
+}  // namespace
+
+bool ClassTest::structured() const {
+  return score > kStructured;
+}
+
+Dependence dependence_on(const std::vector<double>& variable, const ResidualRows& rows,
+                         std::size_t bins) {
+  const Grid grid(variable, bins);
+  std::vector<std::size_t> class_of;
+  std::vector<double> at(bins);
+  for (const double value : variable) {
+    class_of.push_back(grid.bin(value));
+    at[class_of.back()] += value;
+  }
+  const ClassMeans means = means_of(class_of, bins, rows);
+  Dependence dependence;
+  dependence.test = test_means(means, rows);
+  for (std::size_t i = 0; i < bins; ++i) {
+    if (means.place[i] == kNoClass) continue;
+    const auto place = static_cast<Eigen::Index>(means.place[i]);
+    dependence.bins.push_back({at[i] / means.rows[place], means.mean_dph[place],
+                               std::sqrt(means.covariance(place, place)),
+                               static_cast<std::size_t>(means.rows[place])});
+  }
+  return dependence;
+}
+
+double sigma_of_mean(const ResidualRows& rows) {
+  const std::vector<std::size_t> one_class(rows.residual_dph.size(), 0);
+  const ClassMeans means = means_of(one_class, 1, rows);
+  return means.mean_dph.size() == 0 ? 0 : std::sqrt(means.covariance(0, 0));
+}
+
+ClassTest test_of_mean(const ResidualRows& rows) {
+  const double sigma = sigma_of_mean(rows);
+  ClassTest test;
+  if (sigma == 0) return test;
+  double sum = 0;
+  for (const double value : rows.residual_dph) sum += value;
+  const double mean = sum / static_cast<double>(rows.residual_dph.size());
+  test.score = std::abs(mean) / sigma;
+  test.variance_dph2 = std::max(0.0, mean * mean - sigma * sigma);
+  return test;
+}
+
+const LoopBin* Loop::widest() const {
+  const auto widest =
+      std::max_element(bins.begin(), bins.end(), [](const LoopBin& a, const LoopBin& b) {
+        return std::abs(a.width_dph()) < std::abs(b.width_dph());
+      });
+  return widest == bins.end() ? nullptr : &*widest;
+}
+
+Loop loop_over(const std::vector<double>& temperature_degc, const ResidualRows& rows,
+               std::size_t bins) {
+  const Grid grid(temperature_degc, bins);
+  const std::vector<Branch> branch = branches(temperature_degc);
+  std::vector<std::size_t> class_of;
+  std::vector<double> at(bins);
+  std::vector<double> count(bins);
+  for (std::size_t i = 0; i < branch.size(); ++i) {
+    const std::size_t bin = grid.bin(temperature_degc[i]);
+    class_of.push_back(branch[i] == Branch::none ? kNoClass
+                                                 : 2 * bin + static_cast<std::size_t>(branch[i]));
+    at[bin] += temperature_degc[i];
+    ++count[bin];
+  }
+  const ClassMeans means = means_of(class_of, 2 * bins, rows);
+  Loop loop;
+  std::vector<Eigen::Index> pairs;  // places of the heating classes; cooling is the next
+  for (std::size_t i = 0; i < bins; ++i) {
+    const std::size_t heating = means.place[2 * i];
+    if (heating == kNoClass || means.place[2 * i + 1] == kNoClass) continue;
+    const auto h = static_cast<Eigen::Index>(heating);
+    pairs.push_back(h);
+    const double variance =
+        means.covariance(h, h) + means.covariance(h + 1, h + 1) - 2 * means.covariance(h, h + 1);
+    loop.bins.push_back(
+        {at[i] / count[i], means.mean_dph[h], means.mean_dph[h + 1], std::sqrt(variance)});
+    const double rows_of_both = means.rows[h] + means.rows[h + 1];
+    loop.test.variance_dph2 += means.rows[h] * means.rows[h + 1] / rows_of_both *
+                               (std::pow(loop.bins.back().width_dph(), 2) - variance);
+  }
+  if (pairs.empty() || !has_noise(rows)) return loop;
+  loop.test.variance_dph2 =
+      std::max(0.0, loop.test.variance_dph2 / static_cast<double>(branch.size()));
+  const auto size = static_cast<Eigen::Index>(pairs.size());
+  Eigen::MatrixXd differ = Eigen::MatrixXd::Zero(size, means.mean_dph.size());
+  for (Eigen::Index i = 0; i < size; ++i) {
+    differ(i, pairs[static_cast<std::size_t>(i)]) = 1;
+    differ(i, pairs[static_cast<std::size_t>(i)] + 1) = -1;
+  }
+  const Eigen::VectorXd width = differ * means.mean_dph;
+  const Eigen::MatrixXd noise = differ * means.covariance * differ.transpose();
+  loop.test.score =
+      standard_score(width.dot(solve_semidefinite(noise, width)), static_cast<double>(size));
+  return loop;
+}
+
+}  // namespace fogcomp

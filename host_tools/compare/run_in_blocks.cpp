@@ -1,0 +1,75 @@
+#include "compare/run_in_blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "noise/noise_floor.hpp"
+#include "recording/data_hash.hpp"
+#include "recording/rate_resolution.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+// Two digits, rounded down.
+double rounded_down(double value) {
+  const double step = std::pow(10, std::floor(std::log10(value)) - 1);
+  return step * std::floor(value / step);
+}
+
+// Ramps and soaks that rows of that length do not show apart. Where rows begin is chance: a part of
+// two rows' length has a whole row in it however they lie, a shorter one may be seen only together
+// with what comes before and after. Less than a tenth of the time are pieces between gaps.
+std::vector<std::string> long_row_notes(const Recording& recording,
+                                        const std::vector<Segment>& segments, double row_s) {
+  constexpr double kMatters = 0.1;
+  if (row_s <= recording.period_s || segments.size() < 2) return {};
+  std::size_t parts = 0;
+  double in_parts_s = 0;
+  double whole_s = 0;
+  double shortest_s = HUGE_VAL;
+  std::string shortest;
+  for (const Segment& segment : segments) {
+    const double length_s = recording.time_s[segment.end_row - 1] -
+                            recording.time_s[segment.first_row] + recording.period_s;
+    whole_s += length_s;
+    if (length_s >= 2 * row_s) continue;
+    ++parts;
+    in_parts_s += length_s;
+    if (length_s >= shortest_s) continue;
+    shortest_s = length_s;
+    shortest = segment.name;
+  }
+  if (in_parts_s <= kMatters * whole_s) return {};
+  return {format(
+      "%s: rows of %.4g s average ramps and soaks together: %zu of its %s shorter than "
+      "two rows (%s: %.4g s); use an --average of %.4g or less",
+      recording.file.c_str(), row_s, parts,
+      (counted(segments.size(), "part") + (parts == 1 ? " is" : " are")).c_str(), shortest.c_str(),
+      shortest_s, std::max(recording.period_s, rounded_down(shortest_s / 2)))};
+}
+
+}  // namespace
+
+RunInBlocks run_in_blocks(const Recording& recording, double average_s) {
+  require_moving_rate(recording);
+  RunInBlocks run;
+  run.file = recording.file;
+  run.refused_rows = recording.refused_rows;
+  run.rows_hash = rows_hash(recording);
+  run.blocks = make_blocks(recording);
+  const std::vector<Segment> segments = find_segments(recording);
+  for (const Segment& segment : segments) {
+    const bool last = segment.end_row == recording.rows();
+    run.segments.push_back(
+        {segment.name, segment.kind, last ? HUGE_VAL : recording.time_s[segment.end_row]});
+  }
+  run.average_s = average_s;
+  // Of the rows as they are: a whole number of blocks.
+  const double row_s = row_length_s(average_s, run.blocks.block_s);
+  run.noise_floor_dph = noise_floor_dph(recording, row_s);
+  run.notes = long_row_notes(recording, segments, row_s);
+  return run;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recording/recording.hpp"
+#include "recording/segments.hpp"
+#include "series/block_series.hpp"
+
+namespace fogcomp {
+
+/// What fit, add and compare keep of a recording: its blocks of 1 s, where its segments lie, and
+/// how quiet its rows could be. A two-hundredth of a 200 Hz recording's memory, so that many runs
+/// can be held at once.
+struct RunInBlocks {
+  struct TimedSegment {
+    std::string name;
+    SegmentKind kind = SegmentKind::soak;
+    double end_s = 0;  ///< where the next one begins; infinite for the last
+  };
+  std::string file;
+  std::size_t refused_rows = 0;  ///< left out of it because the board would refuse them
+  std::uint64_t rows_hash = 0;   ///< of the recording (recording/data_hash.hpp)
+  BlockSeries blocks;
+  std::vector<TimedSegment> segments;     ///< in order of time, all of the run
+  double average_s = 0;                   ///< wanted length of a row
+  std::optional<double> noise_floor_dph;  ///< of such a row, from the recording alone
+  std::vector<std::string> notes;         ///< what such rows cannot show, a line each
+};
+
+/// `average_s` in seconds, > 0: the length of the rows that a model will be judged in. Throws
+/// InputError for a rate that does not move (recording/rate_resolution.hpp).
+RunInBlocks run_in_blocks(const Recording& recording, double average_s);
+
+}  // namespace fogcomp

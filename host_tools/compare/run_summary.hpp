@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/temperature_sensitivity.hpp"
+#include "noise/allan.hpp"
+#include "noise/noise_coefficients.hpp"
+#include "recording/recording.hpp"
+#include "recording/segments.hpp"
+
+namespace fogcomp {
+
+/// Bias (rate less input rate) over some rows. Standard deviations have n - 1 in the denominator
+/// and are absent for a single value.
+struct BiasSummary {
+  double mean_dph = 0;                   ///< of all rows
+  std::optional<double> std_dph;         ///< of block means: GJB 2426A's bias stability
+  std::optional<double> sample_std_dph;  ///< of all rows
+};
+
+struct SegmentSummary {
+  std::string name;
+  SegmentKind kind = SegmentKind::soak;
+  BiasSummary bias;
+  std::size_t rows = 0;
+  std::size_t blocks = 0;
+  double start_s = 0;
+  double end_s = 0;       ///< time of the last row
+  double duration_s = 0;  ///< its period included
+  double temperature_min_degc = 0;
+  double temperature_max_degc = 0;
+  double temperature_rate_degc_per_min = 0;  ///< mean: from the first row to the last
+};
+
+/// What one recording shows without any model.
+struct RunSummary {
+  BiasSummary bias;
+  double average_s = 0;      ///< length of a block
+  std::size_t outliers = 0;  ///< blocks left out of all figures (outlier_rows.hpp)
+  Recording blocks;          ///< their means
+  std::optional<double> noise_floor_dph;
+  std::vector<SegmentSummary> segments;
+  double soak_s = 0;  ///< of data behind the Allan deviation
+  std::vector<AllanPoint> allan;
+  NoiseCoefficients noise;
+  TemperatureSensitivity sensitivity;
+};
+
+/// Everything in blocks of `average_s`, as whole a number of the board's blocks as fit and compare
+/// take; of one row where the recording's period is longer.
+RunSummary summarize(const Recording& recording, double average_s);
+
+}  // namespace fogcomp

@@ -1,0 +1,53 @@
+#include "compare/trained_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/catalogue.hpp"
+
+namespace fogcomp {
+namespace {
+
+// Beyond the trained rates: sensor noise, and the last percent of a chamber's control.
+constexpr double kRateMargin = 0.05;  // of the range
+constexpr double kLeastRateMarginDegcPerMin = 0.02;
+
+constexpr Range kEverything{-HUGE_VAL, HUGE_VAL};
+
+Range rate_limits(const Model& model) {
+  if (!model.rate_range_degc_per_min) return kEverything;
+  const Range& trained = *model.rate_range_degc_per_min;
+  const double margin =
+      std::max(kLeastRateMarginDegcPerMin, kRateMargin * (trained.most - trained.least));
+  return {trained.least - margin, trained.most + margin};
+}
+
+Range time_limits(const Model& model, double row_s) {
+  if (!model.time_range_s) return kEverything;
+  const bool needs_time = (needs_of(model) & bit_of(fog::Input::elapsed)) != 0;
+  return {model.time_range_s->least - row_s,
+          needs_time ? model.time_range_s->most + row_s : HUGE_VAL};
+}
+
+}  // namespace
+
+TrainedRange::TrainedRange(const Model& model, double row_s)
+    : degc_{model.least_degc, model.most_degc},
+      rate_(rate_limits(model)),
+      time_(time_limits(model, row_s)) {}
+
+void TrainedRange::count(double time_s, double temperature_degc, double rate_degc_per_min) {
+  ++rows_;
+  if (!degc_.holds(temperature_degc)) ++rows_outside_.temperature;
+  if (!rate_.holds(rate_degc_per_min)) ++rows_outside_.temperature_rate;
+  if (time_s < time_.least) ++rows_outside_.sooner;
+  if (time_s > time_.most) ++rows_outside_.later;
+}
+
+OutsideTraining TrainedRange::outside() const {
+  const double rows = std::max(1.0, rows_);
+  return {rows_outside_.temperature / rows, rows_outside_.temperature_rate / rows,
+          rows_outside_.sooner / rows, rows_outside_.later / rows};
+}
+
+}  // namespace fogcomp

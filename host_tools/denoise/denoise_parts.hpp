@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "denoise/denoise.hpp"
+
+namespace fogcomp {
+
+/// Denoises the parts of a signal between its gaps, each by itself and in place. A part too short
+/// for all levels gets those that its length allows. Returns the report of the longest part, with
+/// the outliers and shortened values of all. Throws InputError naming `where` if even the longest
+/// part is too short.
+DenoiseReport denoise_parts(const std::vector<fog::Span<double>>& parts,
+                            const DenoiseMethod& method, const std::string& where);
+
+}  // namespace fogcomp

@@ -1,0 +1,38 @@
+#include "denoise/outliers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "denoise/thresholds.hpp"
+
+namespace fogcomp {
+
+std::size_t remove_outliers(fog::Span<double> values, double limit) {
+  std::size_t removed = 0;
+  for (std::size_t i = 2; i + 1 < values.size; ++i) {
+    const double before = values[i] - values[i - 1];
+    const double after = values[i] - values[i + 1];
+    if ((before > 0) != (after > 0)) continue;
+    const double activity =
+        std::abs(values[i + 1] - values[i - 1]) + std::abs(values[i - 1] - values[i - 2]);
+    if (std::min(std::abs(before), std::abs(after)) <= limit + activity) continue;
+    values[i] = (values[i - 1] + values[i + 1]) / 2;
+    ++removed;
+  }
+  return removed;
+}
+
+double outlier_limit(fog::Span<const double> values) {
+  constexpr std::size_t kMostPlaces = 65536;
+  constexpr double kSigmas = 5;
+  const std::size_t stride = values.size / kMostPlaces + 1;
+  std::vector<double> differences;
+  for (std::size_t i = 1; i < values.size; i += stride) {
+    differences.push_back(values[i] - values[i - 1]);
+  }
+  if (differences.empty()) return 0;
+  return kSigmas / std::sqrt(2) * noise_of(Magnitudes({differences.data(), differences.size()}));
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "denoise/magnitudes.hpp"
+
+namespace fogcomp {
+
+/// How the threshold of n coefficients with noise of standard deviation 1 is chosen; definitions of
+/// MATLAB's thselect, n being the coefficients of the level.
+enum class ThresholdRule : std::uint8_t {
+  heursure,  ///< sqtwolog where the signal is weak: (mean square - 1) < log2(n)^1.5 / sqrt(n); else
+             ///< the smaller of sqtwolog and rigrsure. (Donoho & Johnstone 1995, "hybrid".)
+  sqtwolog,  ///< sqrt(2 ln n): universal, the largest of n noise values lies about there
+  rigrsure,  ///< minimises Stein's unbiased estimate of the risk
+  minimaxi,  ///< 0.3936 + 0.1829 log2(n), 0 up to n = 32: minimax risk, approximated
+};
+
+const std::vector<std::string>& threshold_rule_names();
+/// Throws InputError for another name.
+ThresholdRule threshold_rule(const std::string& name);
+
+/// The threshold for coefficients of these magnitudes, n of them, with noise `sigma` (same unit). 0
+/// for sigma = 0.
+double threshold_of(ThresholdRule rule, const Magnitudes& magnitudes, std::size_t n, double sigma);
+
+/// Noise from the median absolute deviation of detail coefficients: median / 0.6745, which a signal
+/// in less than half of them does not carry away.
+double noise_of(const Magnitudes& details);
+
+/// Towards 0 by `threshold` (soft), or to 0 what is not beyond it (hard).
+void shrink(fog::Span<double> coefficients, double threshold, bool hard);
+
+}  // namespace fogcomp

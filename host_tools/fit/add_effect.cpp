@@ -1,0 +1,179 @@
+#include "fit/add_effect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fit/noise_weighted_fit.hpp"
+#include "fit/walk_rival.hpp"
+#include "model/shape_limits.hpp"
+#include "noise/autocorrelation.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+// Whether the holdouts' squares rose from one model to the other by more than chance does once in
+// 100 times.
+class RiseTest {
+ public:
+  void add(const Comparison& before, const Comparison& after) {
+    const std::size_t first = rise_.size();
+    for (std::size_t i = 0; i < before.rows.size(); ++i) {
+      if (before.rows[i].outlier) continue;
+      const double weight = before.rows[i].weight;
+      const double square_before = std::pow(before.rows[i].residual_dph(), 2);
+      const double square_after = std::pow(after.rows[i].residual_dph(), 2);
+      rise_.push_back(square_after - square_before);
+      before_ += weight * square_before;
+      after_ += weight * square_after;
+      weight_ += weight;
+    }
+    runs_.push_back({first, rise_.size()});
+  }
+  bool rose() const {
+    constexpr double kOneIn100 = 2.33;
+    const auto rows = static_cast<double>(rise_.size());
+    double sum = 0;
+    double squares = 0;
+    for (const double one : rise_) {
+      sum += one;
+      squares += one * one;
+    }
+    const double variance = squares - sum * sum / std::max(1.0, rows);
+    return sum > kOneIn100 * std::sqrt(variance * correlated_values(rise_, runs_));
+  }
+  HistoryEntry::Holdout rms_dph() const {
+    return {std::sqrt(before_ / weight_), std::sqrt(after_ / weight_)};
+  }
+
+ private:
+  std::vector<double> rise_;
+  std::vector<RowRange> runs_;
+  double before_ = 0;
+  double after_ = 0;
+  double weight_ = 0;
+};
+
+FitSettings fit_settings(const Model& model, const AddSettings& settings) {
+  FitSettings fit;
+  if (model.network.present()) fit.network_inputs = model.network.inputs;
+  fit.identify.run_offsets = settings.run_offsets;
+  fit.network.hidden = static_cast<int>(model.network.hidden.biases.size());
+  fit.network.training.seed = settings.seed;
+  return fit;
+}
+
+OutOfSample judge(const Model& before, const Addition& after, const SignalSeries& series,
+                  const std::vector<RunInBlocks>& holdouts, bool run_offsets) {
+  const Identification& identified = after.fit.identified;
+  if (holdouts.empty()) {
+    return cross_validate(series, before.terms, after.model.terms, after.changed,
+                          {identified.noise, identified.row_weights, run_offsets});
+  }
+  return judge_on_holdouts(before, after.model, holdouts, identified.noise, run_offsets);
+}
+
+// What the change explains may be a random walk.
+double chance_of_walk_instead(const Model& before, const Addition& after,
+                              const SignalSeries& series, bool run_offsets) {
+  const Rows& rows = series.rows();
+  std::vector<Eigen::MatrixXd> columns;
+  for (const EffectTerm& term : before.terms) columns.push_back(series.regressors(term));
+  columns.push_back(run_offset_columns(rows, run_offsets));
+  return chance_of_walk(rows, after.fit.identified.noise, after.fit.identified.row_weights,
+                        side_by_side(columns, rows.size()),
+                        series.regressors(after.model.terms[after.changed]), rows.drift_dph);
+}
+
+// Steps that are searched for anew stand behind all other terms after a fit.
+std::size_t place_of(const std::string& name, const std::vector<EffectTerm>& terms) {
+  const auto found = std::find_if(terms.begin(), terms.end(),
+                                  [&](const EffectTerm& term) { return term.name == name; });
+  return static_cast<std::size_t>(found - terms.begin());
+}
+
+// Why what is new in a term is not believed although it helps; "" where nothing speaks against it.
+std::string doubt_of(const EffectTerm& term, const Model& before) {
+  const EffectTerm* own = before.find(term.name);
+  for (const ShapeDoubt& doubt : shape_doubts(term)) {
+    if (own == nullptr || !own->identified[doubt.parameter]) return doubt.sentence;
+  }
+  return own == nullptr ? coefficient_doubt(term) : "";
+}
+
+}  // namespace
+
+Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
+                    const std::vector<RunInBlocks>& holdouts, const AddSettings& settings) {
+  Addition result;
+  Model before = model;
+  before.noise_dph_rthz = training.noise_dph_rthz;
+  result.model = before;
+  result.model.terms = change.terms;
+
+  SignalSeries series(result.model);
+  for (const RunInBlocks& run : training.runs) series.add(run.blocks);
+  // The model as it was, refitted, is half of the work.
+  FitSettings fitting = fit_settings(model, settings);
+  double half = 0;
+  fitting.network.training.go_on = [&](double done) {
+    if (settings.progress) settings.progress((half + done) / 2);
+    return true;
+  };
+  fit_model(before, series, fitting);
+  half = 1;
+  result.fit = fit_model(result.model, series, fitting);
+  result.changed = place_of(change.terms[change.changed].name, result.model.terms);
+  result.out_of_sample = judge(before, result, series, holdouts, settings.run_offsets);
+
+  result.halves = judge_halves(
+      series, before.terms, result.model.terms, result.changed,
+      {result.fit.identified.noise, result.fit.identified.row_weights, settings.run_offsets});
+
+  RiseTest on_holdouts;
+  const auto compare = [&](const RunInBlocks& run, bool holdout) {
+    Comparison without = compare_with(before, run);
+    Comparison with = compare_with(result.model, run);
+    if (holdout) on_holdouts.add(without, with);
+    result.runs.push_back({run.file, holdout, without.whole.rms_dph, with.whole.rms_dph,
+                           run.noise_floor_dph, with.outside.temperature, std::move(without),
+                           std::move(with)});
+  };
+  for (const RunInBlocks& run : training.runs) compare(run, false);
+  for (const RunInBlocks& run : holdouts) compare(run, true);
+
+  HistoryEntry step{"add " + change.what, training.data_hash, before.residual_rms_dph,
+                    result.model.residual_rms_dph, training.noise_floor_dph};
+  if (!holdouts.empty()) step.holdout = on_holdouts.rms_dph();
+  const OutOfSample& judged = result.out_of_sample;
+  const bool rose = !holdouts.empty() && on_holdouts.rose();
+  if (judged.within_runs && result.fit.identified.noise.from_quiet_parts) {
+    result.chance_of_walk = chance_of_walk_instead(before, result, series, settings.run_offsets);
+  }
+  const bool walk = result.chance_of_walk.value_or(0) >= kMaxChanceOfWalk;
+  result.accepted = judged.helps() && !rose && !walk;
+  result.reason =
+      format("%s out of sample: the effects alone leave %s",
+             judged.helps() ? "helps" : "does not help", out_of_sample_words(judged).c_str());
+  if (judged.helps() && rose) {
+    result.reason = format("makes the whole model worse on the holdouts: %s -> %s deg/h",
+                           rounded(step.holdout->rms_before_dph).c_str(),
+                           rounded(step.holdout->rms_after_dph).c_str());
+  }
+  if (judged.helps() && walk) {
+    result.reason =
+        "on these runs alone a random walk of the bias explains it as well: let a run that was not "
+        "fitted decide, with --holdout";
+  }
+  const std::string doubt = doubt_of(result.model.terms[result.changed], model);
+  if (judged.helps() && !rose && !doubt.empty()) {
+    result.accepted = false;
+    result.reason = doubt;
+  }
+  step.forced = !result.accepted;
+  result.model.history.push_back(step);
+  return result;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/comparison.hpp"
+#include "fit/effect_change.hpp"
+#include "fit/fit_model.hpp"
+#include "fit/out_of_sample.hpp"
+#include "fit/training_runs.hpp"
+
+namespace fogcomp {
+
+struct AddSettings {
+  bool run_offsets = false;  ///< as IdentifySettings has it; holdouts too
+  std::uint64_t seed = 1;    ///< of the network's first weights
+  /// Told how much of its trainings is done, 0..1; or empty.
+  std::function<void(double)> progress{};
+};
+
+/// A model with one effect more, or one changed, and whether that was worth it.
+struct Addition {
+  struct RunError {
+    std::string file;
+    bool holdout = false;
+    double rms_before_dph = 0;  ///< of the whole model, network included, rows of average_s
+    double rms_after_dph = 0;
+    std::optional<double> noise_floor_dph;
+    /// Part of the rows outside the new model's trained temperatures, 0..1: there a holdout judges
+    /// how the board holds the drift, not the effect.
+    double outside_temperature = 0;
+    Comparison before;  ///< row by row
+    Comparison after;
+  };
+  Model model;                 ///< as refitted, with its history
+  std::size_t changed = 0;     ///< the term that was added or changed
+  FitResult fit;               ///< of the new model
+  std::vector<RunError> runs;  ///< training runs, then holdouts
+  OutOfSample out_of_sample;   ///< the effects alone, before against after
+  /// Where no other run judged: chance that a random walk of the bias, and no effect, is what the
+  /// addition explains, 0..1. Stretches of one run lie between others that walked along.
+  std::optional<double> chance_of_walk;
+  std::vector<HalfTest> halves;  ///< the same on the halves of the training runs; for information
+  bool accepted = false;
+  std::string reason;  ///< one line: why it is accepted or not
+};
+
+/// Makes `change` to the terms of `model`, from which it was made, and refits everything on
+/// `training`: all effects together, then, if the model has a network, a new one of the same size
+/// on what they leave. "Before" is the model without the change, refitted on the same runs, so that
+/// refitting alone earns nothing.
+///
+/// Accepted if the effects alone gain out of sample (OutOfSample::helps): on the holdouts, or where
+/// there are none on stretches or runs left out; and if the whole model's rms on the holdouts has
+/// not risen beyond chance; on stretches of one run, if a random walk of the bias is unlikely, too
+/// (kMaxChanceOfWalk); and if the data determine what is new: no shape at a bound or anywhere
+/// within its range, a coefficient larger than its uncertainty. Throws InputError for a run that
+/// lacks what the effect needs, and for data that cannot determine it.
+Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
+                    const std::vector<RunInBlocks>& holdouts, const AddSettings& settings);
+
+}  // namespace fogcomp

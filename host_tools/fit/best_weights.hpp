@@ -1,0 +1,45 @@
+#pragma once
+
+#include <limits>
+
+#include "fit/trainer.hpp"
+
+namespace fogcomp {
+
+/// Remembers the best weights of a training: by the held-out rows where there are some, else by the
+/// training rows.
+class BestWeights {
+ public:
+  /// `patience`: offers without a better one after which the held-out rows end the training.
+  BestWeights(const TrainingProblem& problem, int patience)
+      : problem_(problem), patience_(patience) {}
+
+  /// `mean_square` is that of the training rows.
+  void offer(const Eigen::VectorXd& weights, double mean_square) {
+    const double judged = problem_.held_out == nullptr
+                              ? mean_square
+                              : problem_.held_out->mean_square(problem_.shape, weights);
+    ++since_best_;
+    if (!(judged < least_)) return;
+    least_ = judged;
+    weights_ = weights;
+    mean_square_ = mean_square;
+    since_best_ = 0;
+  }
+  bool exhausted() const { return problem_.held_out != nullptr && since_best_ > patience_; }
+
+  void put_into(TrainerResult& result) const {
+    result.weights = weights_;
+    result.mean_square = mean_square_;
+  }
+
+ private:
+  const TrainingProblem& problem_;
+  int patience_;
+  int since_best_ = 0;
+  double least_ = std::numeric_limits<double>::infinity();
+  double mean_square_ = 0;
+  Eigen::VectorXd weights_;
+};
+
+}  // namespace fogcomp

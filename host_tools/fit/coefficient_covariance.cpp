@@ -1,0 +1,272 @@
+#include "fit/coefficient_covariance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "noise/outlier_rows.hpp"
+#include "noise/whitening.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr Eigen::Index kMaxModes = 96;  // of each recording; what is faster counts as white
+constexpr Eigen::Index kMaxAllModes = 192;
+constexpr Eigen::Index kMinModes = 16;
+// Slow parts over white, in the first mode of the longest recording: from next to none up.
+constexpr double kMinRatio = 0.25;
+constexpr double kRatioStep = 4;
+constexpr int kRatios = 10;
+
+// What can be slow in a residual: the slow noise of the quiet parts, more flicker, a random walk,
+// and what an effect leaves that the model lacks. The latter goes with the ramps, of which a
+// programme has about ten to thirty: as much power in every mode up to there, less beyond.
+enum Kind : Eigen::Index { kQuiet, kFlicker, kWalk, kLackingSlow, kLackingFast, kKinds };
+constexpr double kCornerSlow = 8;
+constexpr double kCornerFast = 32;
+using Amounts = Eigen::Matrix<double, kKinds, 1>;
+
+// Slowly varying cosines over each recording, orthonormal, and the power that each kind has along
+// them: kQuiet relative to white noise, the others to the first mode of the longest recording.
+struct SlowModes {
+  Eigen::MatrixXd cosines;            // rows x modes
+  Eigen::MatrixXd powers;             // modes x kinds
+  double first_angle_of_longest = 0;  // per row
+};
+
+void set_cosines(Eigen::Ref<Eigen::MatrixXd> cosines) {
+  const auto size = static_cast<double>(cosines.rows());
+  for (Eigen::Index k = 0; k < cosines.cols(); ++k) {
+    const double angle = kPi * static_cast<double>(k) / size;
+    const double norm = std::sqrt((k == 0 ? 1.0 : 2.0) / size);
+    for (Eigen::Index i = 0; i < cosines.rows(); ++i) {
+      cosines(i, k) = norm * std::cos(angle * (static_cast<double>(i) + 0.5));
+    }
+  }
+}
+
+// Of mode k of a recording that has `relative` of the longest one's length. The mean of a recording
+// is mode 0: a walk from 0 has pi^2/3 of the first mode there. Of flicker what is slower than the
+// recording is its bias; what else moves the mean is about a third.
+Amounts powers_of_mode(Eigen::Index k, double first_angle, double relative,
+                       const NoiseModel& noise) {
+  const auto mode = static_cast<double>(k);
+  const auto beyond = [&](double corner) {
+    return 1 / (1 + std::pow(mode / (relative * corner), 2));
+  };
+  Amounts powers;
+  powers[kQuiet] = noise.slow_density(std::max(mode, 1.0) * first_angle);
+  powers[kFlicker] = relative * (k == 0 ? 1.0 / 3 : 1 / mode);
+  powers[kWalk] = relative * relative * (k == 0 ? kPi * kPi / 3 : 1 / (mode * mode));
+  powers[kLackingSlow] = beyond(kCornerSlow);
+  powers[kLackingFast] = beyond(kCornerFast);
+  return powers;
+}
+
+SlowModes slow_modes(const Rows& rows, const NoiseModel& noise) {
+  const std::vector<RowRange> runs = rows.runs();
+  const Eigen::Index most =
+      std::clamp(kMaxAllModes / static_cast<Eigen::Index>(runs.size()), kMinModes, kMaxModes);
+  const auto modes_of = [&](const RowRange& run) {
+    return std::min(most, std::max<Eigen::Index>(1, static_cast<Eigen::Index>(run.size()) / 4));
+  };
+  std::size_t longest = 0;
+  Eigen::Index count = 0;
+  for (const RowRange& run : runs) {
+    longest = std::max(longest, run.size());
+    count += modes_of(run);
+  }
+  SlowModes modes{Eigen::MatrixXd::Zero(rows.size(), count), Eigen::MatrixXd(count, kKinds),
+                  kPi / static_cast<double>(longest)};
+  Eigen::Index first = 0;
+  for (const RowRange& run : runs) {
+    const auto size = static_cast<Eigen::Index>(run.size());
+    set_cosines(
+        modes.cosines.block(static_cast<Eigen::Index>(run.first), first, size, modes_of(run)));
+    const double relative = static_cast<double>(run.size()) / static_cast<double>(longest);
+    for (Eigen::Index k = 0; k < modes_of(run); ++k) {
+      modes.powers.row(first + k) =
+          powers_of_mode(k, kPi / static_cast<double>(size), relative, noise).transpose();
+    }
+    first += modes_of(run);
+  }
+  return modes;
+}
+
+// What the residual shows: squares along the modes and beside them, and what white noise and each
+// kind of amount 1 would make of the former.
+struct Shown {
+  Eigen::ArrayXd squares;
+  double fast_square = 0;
+  double fast_rows = 0;
+  Eigen::ArrayXd white;
+  Eigen::MatrixXd slow;  // modes x kinds
+};
+
+Shown shown_by(const Rows& rows, const NoiseWeightedFit& fit, const SlowModes& modes,
+               const Eigen::MatrixXd& of_modes, double mean_variance) {
+  const Eigen::ArrayXd counted = (fit.row_weights.array() > 0).cast<double>();
+  const Eigen::VectorXd residual = bridged(rows, fit.residual_dph, counted.matrix());
+  // What the fit leaves of one in each mode, along every mode.
+  const Eigen::MatrixXd left =
+      Eigen::MatrixXd::Identity(modes.cosines.cols(), modes.cosines.cols()) -
+      (modes.cosines.transpose() * fit.columns) * of_modes.topRows(fit.columns.cols());
+  const Eigen::MatrixXd share = left.cwiseAbs2();
+  Shown shown;
+  shown.squares = (modes.cosines.transpose() * residual).array().square();
+  shown.fast_rows = counted.sum() - static_cast<double>(modes.cosines.cols());
+  shown.fast_square =
+      ((residual.array().square() * counted).sum() - shown.squares.sum()) / mean_variance;
+  shown.white = mean_variance * share.rowwise().sum().array() + 1e-3 * mean_variance;
+  shown.slow = mean_variance * (share * modes.powers);
+  return shown;
+}
+
+// How much there is of each kind, and how likely that is.
+struct Level {
+  Amounts amounts = Amounts::Zero();
+  double white = 0;            // variance of a full row
+  double log_probability = 0;  // but for a constant
+};
+
+// With the white level that suits best.
+void judge_by_residual(const Shown& shown, Level& level) {
+  const Eigen::VectorXd slow = shown.slow * level.amounts;
+  const Eigen::ArrayXd expected = shown.white + slow.array();
+  const double squares = (shown.squares / expected).sum() + shown.fast_square;
+  const double count = static_cast<double>(shown.squares.size()) + shown.fast_rows;
+  level.white = squares / count;
+  level.log_probability -= (expected.log().sum() + count * std::log(level.white)) / 2;
+}
+
+// Densities of the kinds that are noise, over white, in the spectrum of the quiet parts. A straight
+// line was taken from each of them: what is left of a walk has 6/5 of its density there.
+Eigen::MatrixXd quiet_densities(const NoiseModel& noise, double first_angle) {
+  const Eigen::ArrayXd& angle = noise.quiet_spectrum.angle;
+  Eigen::MatrixXd densities = Eigen::MatrixXd::Zero(angle.size(), kKinds);
+  densities.col(kQuiet) = angle.unaryExpr([&](double one) { return noise.slow_density(one); });
+  densities.col(kFlicker) = first_angle / angle;
+  densities.col(kWalk) = 1.2 * first_angle * first_angle / (2 - 2 * angle.cos());
+  return densities;
+}
+
+// Beforehand every fourth gyro has flicker beside what its quiet parts show, every fourth a random
+// walk, and every fourth model lacks something.
+std::vector<Level> levels_of(const Shown& shown, const NoiseModel& noise, double first_angle) {
+  std::vector<double> ratios{0};
+  for (int i = 0; i < kRatios; ++i) ratios.push_back(kMinRatio * std::pow(kRatioStep, i));
+  const double any = -std::log(3.0 * kRatios);
+  const Eigen::MatrixXd densities = quiet_densities(noise, first_angle);
+  std::vector<Level> levels;
+  const auto add = [&](Level level, Kind lacking, double amount) {
+    level.amounts[lacking] = amount;
+    if (amount > 0) level.log_probability += any - std::log(2.0);
+    judge_by_residual(shown, level);
+    levels.push_back(level);
+  };
+  for (const double quiet : {0.0, 0.5, 1.0, 2.0}) {
+    for (const double flicker : ratios) {
+      for (const double walk : ratios) {
+        Level noises;
+        noises.amounts << quiet, flicker, walk, 0, 0;
+        noises.log_probability =
+            noise.quiet_spectrum.log_likelihood(1 + (densities * noises.amounts).array()) +
+            (flicker > 0 ? any : 0) + (walk > 0 ? any : 0);
+        add(noises, kLackingSlow, 0);
+        for (int i = 1; i <= kRatios; ++i) {
+          for (const Kind lacking : {kLackingSlow, kLackingFast}) {
+            add(noises, lacking, ratios[static_cast<std::size_t>(i)]);
+          }
+        }
+      }
+    }
+  }
+  return levels;
+}
+
+// Half of the range about 0 that holds 95 % of a mixture of normal distributions, over 1.96.
+double mixed_sigma(const Eigen::ArrayXd& probabilities, const Eigen::ArrayXd& variances) {
+  constexpr double kOutside = 0.05;
+  constexpr double kNormal95 = 1.959964;
+  constexpr int kHalvings = 40;
+  const Eigen::ArrayXd scale = (2 * variances.max(1e-300)).sqrt().inverse();
+  double inside = 0;
+  double beyond = 4 * std::sqrt(variances.maxCoeff());
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    const double middle = (inside + beyond) / 2;
+    double outside = 0;
+    for (Eigen::Index i = 0; i < scale.size(); ++i) {
+      outside += probabilities[i] * std::erfc(middle * scale[i]);
+    }
+    (outside > kOutside ? inside : beyond) = middle;
+  }
+  return beyond / kNormal95;
+}
+
+// Levels that matter, likeliest first; probabilities add up to 1.
+struct LikelyLevels {
+  std::vector<Level> levels;
+  Eigen::ArrayXd probabilities;
+};
+
+LikelyLevels likely(std::vector<Level> levels) {
+  constexpr double kNegligible = -14;  // a millionth of the likeliest
+  std::sort(levels.begin(), levels.end(),
+            [](const Level& a, const Level& b) { return a.log_probability > b.log_probability; });
+  const double best = levels.front().log_probability;
+  const auto end = std::find_if(levels.begin(), levels.end(), [&](const Level& level) {
+    return level.log_probability < best + kNegligible;
+  });
+  levels.erase(end, levels.end());
+  Eigen::ArrayXd probabilities(levels.size());
+  for (Eigen::Index i = 0; i < probabilities.size(); ++i) {
+    probabilities[i] = std::exp(levels[static_cast<std::size_t>(i)].log_probability - best);
+  }
+  probabilities /= probabilities.sum();
+  return {std::move(levels), std::move(probabilities)};
+}
+
+}  // namespace
+
+Eigen::MatrixXd coefficient_covariance(const Rows& rows, const NoiseWeightedFit& fit) {
+  if (fit.covariance.size() == 0) return {};
+  // Coefficients are estimator' * rows.
+  const Whitening whitening(fit.noise, rows, fit.row_weights);
+  const Eigen::MatrixXd estimator = whitening.apply_transposed(fit.whitened * fit.covariance);
+  const SlowModes modes = slow_modes(rows, fit.noise);
+  const Eigen::MatrixXd of_modes = estimator.transpose() * modes.cosines;
+  const Eigen::ArrayXd row_variance =
+      (fit.row_weights.array() > 0).select(fit.row_weights.array().max(1e-300).inverse(), 0.0);
+  const double mean_variance =
+      row_variance.sum() / std::max<double>(1, static_cast<double>((row_variance > 0).count()));
+  const LikelyLevels likely_levels =
+      likely(levels_of(shown_by(rows, fit, modes, of_modes, mean_variance), fit.noise,
+                       modes.first_angle_of_longest));
+
+  const Eigen::MatrixXd by_rows =
+      estimator.transpose() * row_variance.matrix().asDiagonal() * estimator;
+  const Eigen::MatrixXd squares = of_modes.cwiseAbs2();
+  const Eigen::ArrayXd& probabilities = likely_levels.probabilities;
+  Eigen::ArrayXXd variances(by_rows.rows(), probabilities.size());
+  double white = 0;
+  Eigen::VectorXd slow = Eigen::VectorXd::Zero(modes.powers.rows());
+  for (Eigen::Index i = 0; i < probabilities.size(); ++i) {
+    const Level& level = likely_levels.levels[static_cast<std::size_t>(i)];
+    const Eigen::VectorXd along = level.white * mean_variance * (modes.powers * level.amounts);
+    variances.col(i) = level.white * by_rows.diagonal().array() + (squares * along).array();
+    white += probabilities[i] * level.white;
+    slow += probabilities[i] * along;
+  }
+  const Eigen::MatrixXd covariance =
+      white * by_rows + of_modes * slow.asDiagonal() * of_modes.transpose();
+  Eigen::VectorXd scale(covariance.rows());
+  for (Eigen::Index i = 0; i < scale.size(); ++i) {
+    scale[i] =
+        mixed_sigma(probabilities, variances.row(i).transpose()) / std::sqrt(covariance(i, i));
+  }
+  return scale.asDiagonal() * covariance * scale.asDiagonal();
+}
+
+}  // namespace fogcomp

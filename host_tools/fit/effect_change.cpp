@@ -1,0 +1,92 @@
+#include "fit/effect_change.hpp"
+
+#include <algorithm>
+
+#include "fit/shape_search.hpp"
+#include "model/catalogue.hpp"
+#include "model/effect_list.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+EffectTerm parse_one(const std::string& effect) {
+  if (effect.empty()) throw InputError("effect", "is not named; fogcomp effects lists them");
+  const std::vector<EffectTerm> terms = parse_effects(effect);
+  if (terms.size() != 1) {
+    throw InputError("effect '" + effect + "'", "is more than one; add them one after the other");
+  }
+  return terms[0];
+}
+
+// The parameters that were given, not identified, written as for `fit --effects`.
+std::string given_parameters(const EffectTerm& term) {
+  const CatalogueEntry& entry = find_effect(term.name);
+  std::string text;
+  for (std::size_t i = 0; i < term.parameters.size(); ++i) {
+    if (term.identified[i]) continue;
+    text += text.empty() ? ":" : ",";
+    text += format("%s=%.17g", entry.parameters[i].name, term.parameters[i]);
+  }
+  return text;
+}
+
+EffectTerm with_settings(const EffectTerm& old, const std::string& effect) {
+  const std::size_t colon = effect.find(':');
+  std::string given = given_parameters(old);
+  if (colon != std::string::npos) {
+    given += (given.empty() ? ":" : ",") + effect.substr(colon + 1);
+  }
+  EffectTerm term = parse_one(old.name + given);
+  for (const ShapeParameter& shape : shape_parameters({term})) {
+    const double value = old.parameters[shape.index];
+    if (shape.least <= value && value <= shape.most) term.parameters[shape.index] = value;
+  }
+  return term;
+}
+
+}  // namespace
+
+EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect) {
+  EffectChange change{terms, 0, effect};
+  const EffectTerm added = parse_one(effect);
+  if (is_event(added)) {
+    throw InputError("effect '" + effect + "'",
+                     "is an event of one recording, which nothing out of sample can confirm; "
+                     "fit --effects ...," +
+                         added.name + " finds steps and masks them");
+  }
+  const auto old = std::find_if(terms.begin(), terms.end(),
+                                [&](const EffectTerm& term) { return term.name == added.name; });
+  change.changed = static_cast<std::size_t>(old - terms.begin());
+  if (old == terms.end()) {
+    change.terms.push_back(added);
+    return change;
+  }
+  const std::vector<EffectTerm> grown = grown_terms(*old);
+  if (effect.find(':') == std::string::npos && !grown.empty()) {
+    change.terms[change.changed] = grown.front();
+    return change;
+  }
+  const EffectTerm changed = with_settings(*old, effect);
+  const bool has_bounds = effect.find('[') != std::string::npos;
+  if (!has_bounds && changed.parameters == old->parameters &&
+      changed.identified == old->identified) {
+    throw InputError("effect '" + effect + "'",
+                     effect.find(':') == std::string::npos
+                         ? "is in the model already; name a parameter to change, or another effect"
+                         : "is in the model just so already; give another value or ?[min,max]");
+  }
+  change.terms[change.changed] = changed;
+  return change;
+}
+
+EffectChange change_expression(const std::vector<EffectTerm>& terms,
+                               const std::string& definition) {
+  EffectChange change{terms, terms.size(), definition};
+  add_expression(change.terms, definition);
+  return change;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,94 @@
+#include "fit/explained_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/decompositions.hpp"
+#include "support/least_squares.hpp"
+
+namespace fogcomp {
+namespace {
+
+// Of unit columns: two that agree to 1e-8 count as one.
+constexpr double kSystemRidge = 1e-8;
+
+}  // namespace
+
+ColumnRange ExplainedSpace::add(const Eigen::MatrixXd& columns) {
+  const ColumnRange range{width_, columns.cols()};
+  pending_.push_back(columns);
+  width_ += columns.cols();
+  return range;
+}
+
+void ExplainedSpace::finish() {
+  const Eigen::MatrixXd all = side_by_side(pending_, residual_.size());
+  pending_.clear();
+  gram_ = fogcomp::gram(all);
+  along_ = all.transpose() * residual_;
+}
+
+// Woodbury: with noise of covariance I + R V R', a'b becomes a'b - a'R (R'R + 1/V)^-1 R'b.
+ExplainedSpace::WithNoise ExplainedSpace::with_noise(const ColumnRange& random,
+                                                     const Eigen::VectorXd& variances) const {
+  Eigen::MatrixXd inner = gram_.block(random.first, random.first, random.count, random.count);
+  inner.diagonal() += variances.cwiseInverse();
+  const Eigen::MatrixXd root = cholesky_factor(inner);
+  const auto half = root.triangularView<Eigen::Lower>();
+  const Eigen::MatrixXd columns = half.solve(gram_.middleRows(random.first, random.count));
+  const Eigen::VectorXd residual = half.solve(along_.segment(random.first, random.count));
+  WithNoise with{*this, 0};
+  with.space.gram_ -= columns.transpose() * columns;
+  with.space.along_ -= columns.transpose() * residual;
+  const double log_determinant = (root.diagonal().array().square() * variances.array()).log().sum();
+  with.log_likelihood = (residual.squaredNorm() - log_determinant) / 2;
+  return with;
+}
+
+ExplainedSpace::System ExplainedSpace::system(const std::vector<ColumnRange>& parts,
+                                              const Eigen::VectorXd& along) const {
+  Eigen::Index size = 0;
+  for (const ColumnRange& part : parts) size += part.count;
+  System system{Eigen::MatrixXd(size, size), Eigen::VectorXd(size)};
+  Eigen::Index row = 0;
+  for (const ColumnRange& a : parts) {
+    Eigen::Index column = 0;
+    for (const ColumnRange& b : parts) {
+      system.matrix.block(row, column, a.count, b.count) =
+          gram_.block(a.first, b.first, a.count, b.count);
+      column += b.count;
+    }
+    system.right.segment(row, a.count) = along.segment(a.first, a.count);
+    row += a.count;
+  }
+  system.matrix.diagonal().array() += kSystemRidge;
+  return system;
+}
+
+double ExplainedSpace::gain(const std::vector<ColumnRange>& parts,
+                            const Eigen::VectorXd& along) const {
+  if (parts.size() == 1 && parts[0].count == 1) {
+    const Eigen::Index column = parts[0].first;
+    return std::pow(along[column], 2) / std::max(gram_(column, column), kSystemRidge);
+  }
+  const System all = system(parts, along);
+  return all.right.dot(solve_definite(all.matrix, all.right));
+}
+
+Eigen::VectorXd ExplainedSpace::coefficients(const std::vector<ColumnRange>& parts) const {
+  const System all = system(parts, along_);
+  return solve_definite(all.matrix, all.right);
+}
+
+double column_count(const std::vector<ColumnRange>& ranges) {
+  double columns = 0;
+  for (const ColumnRange& range : ranges) columns += static_cast<double>(range.count);
+  return columns;
+}
+
+double log_evidence(double gain, double columns) {
+  if (gain <= columns) return 0;
+  return (gain - columns) / 2 - columns / 2 * std::log(gain / columns);
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,70 @@
+#include "fit/expression_survey.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/thermal/filtered_derivative.hpp"
+#include "support/input_error.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kWidening = 0.25;
+constexpr double kTimes = 16;   // longer than any recording that was fitted
+constexpr double kHour = 3600;  // in s: a whole number of blocks
+
+SignalRange widened(fog::Input input, const SignalRange& seen) {
+  switch (input) {
+    case fog::Input::temperature_rate:
+      return {-fog::kMostRateDegcPerMin, fog::kMostRateDegcPerMin};
+    case fog::Input::elapsed:
+      return {0, kHour * std::ceil(kTimes * seen.most / kHour)};
+    default:
+      break;
+  }
+  const double size = std::max(std::abs(seen.least), std::abs(seen.most));
+  const double more = kWidening * std::max(seen.most - seen.least, size);
+  return {seen.least - more, seen.most + more};
+}
+
+void check(const EffectTerm& term, const Eigen::VectorXd& column) {
+  if (!column.allFinite()) {
+    throw InputError("expression '" + term.name + "'",
+                     "is not finite over these recordings; does it divide by 0, or take a power of "
+                     "a negative value?");
+  }
+  if (column.cwiseAbs().maxCoeff() == 0) {
+    throw InputError("expression '" + term.name + "'",
+                     "is 0 all the time on these recordings; leave it out");
+  }
+}
+
+}  // namespace
+
+void set_expression_ranges(std::vector<EffectTerm>& terms, const SignalSeries& series) {
+  const bool any = std::any_of(terms.begin(), terms.end(),
+                               [](const EffectTerm& term) { return term.expression.has_value(); });
+  if (!any) return;
+  const SignalRanges seen = series.signal_ranges();
+  for (EffectTerm& term : terms) {
+    if (!term.expression) continue;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      term.expression->ranges[i] = widened(static_cast<fog::Input>(i), seen[i]);
+    }
+    term.expression->scale_log2 = 0;
+    check(term, series.regressors(term));
+  }
+}
+
+void set_expression_scale(EffectTerm& term, const SignalSeries& series) {
+  if (!term.expression) return;
+  const Eigen::VectorXd column = series.regressors(term);
+  check(term, column);
+  const int scale_log2 = term.expression->scale_log2 + std::ilogb(column.cwiseAbs().maxCoeff());
+  const int risen = scale_log2 - term.expression->scale_log2;
+  term.expression->scale_log2 = scale_log2;
+  for (double& coefficient : term.coefficients_dph) coefficient = std::ldexp(coefficient, risen);
+  for (double& sigma : term.sigma_dph) sigma = std::ldexp(sigma, risen);
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,71 @@
+#include "fit/fit_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "denoise/denoise_parts.hpp"
+#include "noise/outlier_rows.hpp"
+
+namespace fogcomp {
+namespace {
+
+// n - 1 in the denominator, as everywhere.
+double weighted_std(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+  const Eigen::ArrayXd deviation = values.array() - values.dot(weights) / weights.sum();
+  return std::sqrt((deviation.square() * weights.array()).sum() / std::max(weights.sum() - 1, 1.0));
+}
+
+// What the network is trained on, without its noise, as the reference paper does it. Rows further
+// apart than one and a half times their length are not neighbours.
+void denoise_rows(const Rows& rows, const DenoiseMethod& method, Eigen::VectorXd& values) {
+  std::vector<fog::Span<double>> parts;
+  for (std::size_t row = 0; row < rows.time_s.size(); ++row) {
+    if (rows.starts_run(row) || rows.time_s[row] - rows.time_s[row - 1] > 1.5 * rows.row_s) {
+      parts.push_back({values.data() + row, 0});
+    }
+    ++parts.back().size;
+  }
+  denoise_parts(parts, method, "--denoise-rows");
+}
+
+RealNetwork as_model(const TrainedNetwork& trained, std::vector<RealInput> inputs) {
+  RealNetwork network;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    inputs[i].centre = trained.inputs[i].centre;
+    inputs[i].half_range = trained.inputs[i].half_range;
+  }
+  network.inputs = std::move(inputs);
+  network.hidden = trained.hidden;
+  network.output = trained.output;
+  network.centre_dph = trained.centre_dph;
+  network.amplitude_dph = trained.amplitude_dph;
+  return network;
+}
+
+}  // namespace
+
+FitResult fit_model(Model& model, const SignalSeries& series, const FitSettings& settings) {
+  const Rows& rows = series.rows();
+  FitResult result;
+  model.network = RealNetwork();
+  result.identified = identify(model, series, settings.identify);
+  result.raw_std_dph =
+      weighted_std(rows.drift_dph, counted_weights(rows, result.identified.row_weights));
+  result.effects_rms_dph = model.residual_rms_dph;
+  if (settings.network.hidden == 0) return result;
+
+  Eigen::VectorXd target = result.identified.residual_dph;
+  if (settings.row_denoising) denoise_rows(rows, *settings.row_denoising, target);
+  const ResidualNetwork network =
+      train_on_residual(rows, series.network_inputs(settings.network_inputs), target,
+                        result.identified, settings.network, !settings.force_network);
+  result.training = network.trained.result;
+  result.network_judged = network.judged;
+  if (!network.worth_keeping()) return result;
+  model.network = as_model(network.trained, settings.network_inputs);
+  model.residual_rms_dph = network.trained.rms_after_dph;
+  return result;
+}
+
+}  // namespace fogcomp

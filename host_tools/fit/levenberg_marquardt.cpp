@@ -1,0 +1,146 @@
+// Levenberg-Marquardt on beta * sum e^2 + alpha * sum w^2, with alpha and beta re-estimated after
+// every step by MacKay's evidence rules (Foresee & Hagan, ICNN 1997), so that a network with
+// nothing to learn shrinks to nothing instead of learning noise. Rows with slow noise must come
+// whitened: taken for independent, they would make it something to learn.
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "fit/best_weights.hpp"
+#include "fit/trainer.hpp"
+#include "support/decompositions.hpp"
+
+namespace fogcomp {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kLeastDamping = 1e-12;
+constexpr double kMostDamping = 1e12;
+constexpr double kSmallFall = 1e-7;  // relative fall of the cost in a step
+// Steps without a better held-out error. Long, because the prices of error and of weights settle in
+// the middle of a training, and the error on other runs falls again when they do.
+constexpr int kStepsWithoutGain = 60;
+constexpr int kMaxIterations = 200;
+constexpr int kStarts = 3;  // from different first weights, as the cost has many minima
+// Of a weight, in variances of an error. The evidence finds a maximum near its start: from a low
+// price that of a network which has learnt noise, from a price ten times as high no network at all.
+constexpr double kFirstPrice = 10;
+constexpr double kVarianceGuessed = 1e-3;  // of a normalised error, where nothing is known of it
+
+// The prices of error and of weights, and how many weights the data determine. One common factor of
+// the prices is free; it keeps that of errors at 1.
+struct Evidence {
+  double rows;            // that count
+  double least_variance;  // of an error
+  double variance;        // of an error
+  double alpha;
+  double gamma = 0;
+
+  Evidence(const VectorXd& errors, bool whitened)
+      : rows(static_cast<double>((errors.array() != 0).count())),
+        least_variance(whitened ? 1 : 0),
+        variance(whitened ? 1 : kVarianceGuessed),
+        alpha(kFirstPrice * variance) {}
+
+  double cost(const VectorXd& errors, const VectorXd& w) const {
+    return errors.squaredNorm() + alpha * w.squaredNorm();
+  }
+  void update(const MatrixXd& normal, const VectorXd& errors, const VectorXd& w) {
+    const auto size = static_cast<double>(w.size());
+    MatrixXd hessian = normal;
+    hessian.diagonal().array() += alpha;
+    const MatrixXd inverse = inverse_of_definite(hessian);
+    gamma = std::clamp(size - alpha * inverse.trace(), 0.0, size);
+    // Errors beyond the noise are what this network cannot learn: noise to it.
+    variance =
+        std::max({errors.squaredNorm() / std::max(rows - gamma, 1.0), least_variance, 1e-12});
+    alpha = variance * gamma / std::max(w.squaredNorm(), 1e-12);
+  }
+  // How probable a network that came to `w` makes the rows: MacKay's logarithm of the evidence, but
+  // for what is the same wherever it began.
+  double logarithm(const MatrixXd& normal, const VectorXd& errors, const VectorXd& w) const {
+    MatrixXd hessian = normal;
+    hessian.diagonal().array() += alpha;
+    const VectorXd root = cholesky_factor(hessian).diagonal();
+    return -cost(errors, w) / (2 * variance) - root.array().log().sum() +
+           (static_cast<double>(w.size()) * std::log(std::max(alpha, 1e-300)) -
+            rows * std::log(variance)) /
+               2;
+  }
+};
+
+struct Start {
+  TrainerResult result;
+  double worth = 0;  // by the held-out rows, or where there are none by the evidence
+};
+
+Start train_from(const TrainingProblem& problem, const TrainerSettings& settings, int start) {
+  const Perceptron& shape = problem.shape;
+  const Batch& rows = *problem.rows;
+  VectorXd w = shape.first_weights(settings.seed * kStarts + static_cast<std::uint64_t>(start));
+  VectorXd errors;
+  MatrixXd jacobian;
+  rows.errors(shape, w, errors, &jacobian);
+  MatrixXd normal = gram(jacobian);
+  Evidence evidence(errors, rows.whitens());
+  double damping = 1;
+  BestWeights best(problem, kStepsWithoutGain);
+  if (problem.held_out != nullptr) best.offer(w, rows.mean_square(shape, w));
+  TrainerResult result;
+  const int most_steps = std::min(settings.epochs, kMaxIterations);
+  for (; result.epochs < most_steps; ++result.epochs) {
+    result.stopped_early = best.exhausted();
+    result.interrupted =
+        settings.go_on &&
+        !settings.go_on((start + static_cast<double>(result.epochs) / most_steps) / kStarts);
+    if (result.stopped_early || result.interrupted) break;
+    const double cost = evidence.cost(errors, w);
+    const VectorXd gradient = jacobian.transpose() * errors + evidence.alpha * w;
+    double fall = 0;
+    for (; damping <= kMostDamping; damping *= 10) {
+      MatrixXd system = normal;
+      system.diagonal().array() += evidence.alpha + damping;
+      const VectorXd tried = w - solve_definite(system, gradient);
+      VectorXd tried_errors;
+      rows.errors(shape, tried, tried_errors, nullptr);
+      fall = cost - evidence.cost(tried_errors, tried);
+      if (fall > 0) {
+        w = tried;
+        damping = std::max(damping / 10, kLeastDamping);
+        break;
+      }
+    }
+    if (fall <= 0) break;
+    rows.errors(shape, w, errors, &jacobian);
+    normal = gram(jacobian);
+    evidence.update(normal, errors, w);
+    if (problem.held_out != nullptr) best.offer(w, rows.mean_square(shape, w));
+    if (fall < kSmallFall * cost) break;
+  }
+  if (problem.held_out == nullptr) best.offer(w, rows.mean_square(shape, w));
+  best.put_into(result);
+  result.effective_parameters = evidence.gamma;
+  const double worth = problem.held_out == nullptr
+                           ? evidence.logarithm(normal, errors, w)
+                           : -problem.held_out->mean_square(shape, result.weights);
+  return {result, worth};
+}
+
+}  // namespace
+
+TrainerResult train_levenberg_marquardt(const TrainingProblem& problem,
+                                        const TrainerSettings& settings) {
+  Start best;
+  for (int start = 0; start < kStarts; ++start) {
+    const Start tried = train_from(problem, settings, start);
+    if (start == 0 || tried.worth > best.worth) best = tried;
+    if (!tried.result.interrupted) continue;
+    best.result.interrupted = true;
+    break;
+  }
+  return best.result;
+}
+
+}  // namespace fogcomp

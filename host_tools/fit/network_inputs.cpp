@@ -1,0 +1,63 @@
+#include "fit/network_inputs.hpp"
+
+#include <algorithm>
+
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr const char* kWhere = "--inputs";
+constexpr double kLeastTau_s = 1;
+constexpr double kMostTau_s = 1e5;
+
+fog::NetworkInput input_named(const std::string& name) {
+  const std::vector<std::string> names = network_input_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end())
+    return kEveryNetworkInput[static_cast<std::size_t>(found - names.begin())];
+  throw InputError(kWhere, "'" + name + "' is no input of a network" + did_you_mean(name, names) +
+                               "; there are " + join(names, ", "));
+}
+
+RealInput parse_input(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  RealInput input;
+  input.signal = input_named(text.substr(0, colon));
+  const bool lagged = input.signal == fog::NetworkInput::lagged_temperature;
+  const std::string setting = colon == std::string::npos ? "" : text.substr(colon + 1);
+  if (!lagged) {
+    if (setting.empty()) return input;
+    throw InputError(kWhere, "'" + text + "': only lagged_temperature has a setting, tau");
+  }
+  const auto tau_s = setting.rfind("tau=", 0) == 0 ? parse_number(setting.substr(4)) : std::nullopt;
+  if (!tau_s || *tau_s < kLeastTau_s || *tau_s > kMostTau_s) {
+    throw InputError(kWhere, format("lagged_temperature needs its time constant: "
+                                    "lagged_temperature:tau=300, from %g to %g s",
+                                    kLeastTau_s, kMostTau_s));
+  }
+  input.tau_s = *tau_s;
+  return input;
+}
+
+}  // namespace
+
+std::vector<RealInput> parse_network_inputs(const std::string& list) {
+  std::vector<RealInput> inputs;
+  for (const std::string& text : split(list, ',')) {
+    const RealInput input = parse_input(text);
+    const bool twice = std::any_of(inputs.begin(), inputs.end(), [&](const RealInput& other) {
+      return other.signal == input.signal && other.tau_s == input.tau_s;
+    });
+    if (twice) throw InputError(kWhere, "'" + text + "' is listed twice");
+    inputs.push_back(input);
+  }
+  if (inputs.empty() || inputs.size() > fog::kMostNetworkInputs) {
+    throw InputError(
+        kWhere, format("takes 1 to %zu inputs, not %zu", fog::kMostNetworkInputs, inputs.size()));
+  }
+  return inputs;
+}
+
+}  // namespace fogcomp

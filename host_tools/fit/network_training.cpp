@@ -1,0 +1,107 @@
+#include "fit/network_training.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "support/input_error.hpp"
+#include "support/least_squares.hpp"
+
+namespace fogcomp {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kHeadRoom = 1.25;        // the largest target lies at 1/1.25 of tansig's reach
+constexpr double kLeastHalfRange = 1e-3;  // of an input that stands still
+constexpr double kLeastAmplitude = 1e-9;  // deg/h
+
+std::vector<TrainedNetwork::Input> min_max(const MatrixXd& inputs) {
+  std::vector<TrainedNetwork::Input> scales;
+  for (Index i = 0; i < inputs.cols(); ++i) {
+    const double least = inputs.col(i).minCoeff();
+    const double most = inputs.col(i).maxCoeff();
+    scales.push_back({(least + most) / 2, std::max((most - least) / 2, kLeastHalfRange)});
+  }
+  return scales;
+}
+
+MatrixXd normalised(const MatrixXd& rows, const std::vector<TrainedNetwork::Input>& scales) {
+  MatrixXd values(rows.rows(), rows.cols());
+  for (Index i = 0; i < rows.cols(); ++i) {
+    const TrainedNetwork::Input& scale = scales[static_cast<std::size_t>(i)];
+    values.col(i) = ((rows.col(i).array() - scale.centre) / scale.half_range).max(-1).min(1);
+  }
+  return values;
+}
+
+void set_target_scale(TrainedNetwork& network, const VectorXd& target, TargetScaling scaling) {
+  if (scaling == TargetScaling::about_zero) {
+    network.amplitude_dph = kHeadRoom * std::max(target.cwiseAbs().maxCoeff(), kLeastAmplitude);
+    return;
+  }
+  const double least = target.minCoeff();
+  const double most = target.maxCoeff();
+  network.centre_dph = (least + most) / 2;
+  network.amplitude_dph = std::max((most - least) / 2, kLeastAmplitude);
+}
+
+}  // namespace
+
+VectorXd TrainedNetwork::drift_dph(const MatrixXd& rows) const {
+  const auto run = [](const RealLayer& layer, const MatrixXd& in) -> MatrixXd {
+    MatrixXd sums = in * layer.weights.transpose();
+    sums.rowwise() += layer.biases.transpose();
+    return sums.unaryExpr([&](double x) { return activate(layer.activation, x); });
+  };
+  const VectorXd y = run(output, run(hidden, normalised(rows, inputs))).col(0);
+  return (amplitude_dph * y).array() + centre_dph;
+}
+
+TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& settings) {
+  TrainedNetwork network;
+  network.inputs = min_max(task.inputs);
+  set_target_scale(network, task.target_dph, settings.scaling);
+
+  const MatrixXd inputs = normalised(task.inputs, network.inputs);
+  const VectorXd target = (task.target_dph.array() - network.centre_dph) / network.amplitude_dph;
+  const Index rows = target.size();
+  const auto last_run = static_cast<Index>(task.run_starts.back());
+  const bool hold_out = last_run > 0 && task.weights.tail(rows - last_run).sum() > 0;
+  const Index trained = hold_out ? last_run : rows;
+  const Index rest = rows - trained;
+  Whiten whiten;
+  if (task.whiten) {
+    whiten = [&](const MatrixXd& values) -> MatrixXd {
+      return network.amplitude_dph * task.whiten(values);
+    };
+  }
+  const Batch batch(inputs.topRows(trained), target.head(trained), task.weights.head(trained),
+                    whiten);
+  std::optional<Batch> held_out;
+  if (hold_out) {
+    held_out.emplace(inputs.bottomRows(rest), target.tail(rest), task.weights.tail(rest));
+  }
+
+  TrainingProblem problem;
+  problem.shape = {inputs.cols(), settings.hidden, settings.hidden_activation,
+                   settings.output_activation};
+  problem.rows = &batch;
+  problem.held_out = held_out ? &*held_out : nullptr;
+  network.result = find_trainer(settings.trainer).train(problem, settings.training);
+  if (network.result.weights.size() == 0) {
+    throw InputError("--network",
+                     "there are too few rows for it to learn anything; use a longer "
+                     "recording or leave it out");
+  }
+  network.hidden = problem.shape.hidden_layer(network.result.weights);
+  network.output = problem.shape.output_layer(network.result.weights);
+  network.rms_before_dph = weighted_rms(task.target_dph, task.weights);
+  network.rms_after_dph =
+      weighted_rms(task.target_dph - network.drift_dph(task.inputs), task.weights);
+  return network;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "fit/trainer.hpp"
+
+namespace fogcomp {
+
+/// What a network is to learn, row by row, in its own units. Where the inputs come from is the
+/// caller's business.
+struct NetworkTask {
+  Eigen::MatrixXd inputs;               ///< rows x inputs
+  Eigen::VectorXd target_dph;           ///< a value per row
+  Eigen::VectorXd weights;              ///< how much each row counts
+  std::vector<std::size_t> run_starts;  ///< first row of each recording; starts with 0
+  Whiten whiten = nullptr;              ///< of target_dph's noise; empty: rows are independent
+};
+
+/// How the target is brought to the output's +-1.
+enum class TargetScaling : std::uint8_t {
+  about_zero,  ///< with head room; a network that learns nothing gives 0: for what effects leave
+  min_max,     ///< least and most become -1 and +1, as MATLAB's mapminmax: for a whole drift
+};
+
+struct NetworkSettings {
+  int hidden = 10;  ///< 1 to kMostTrainedHidden
+  fog::Activation hidden_activation = fog::Activation::logsig;
+  fog::Activation output_activation = fog::Activation::tansig;
+  TargetScaling scaling = TargetScaling::about_zero;
+  std::string trainer = "lm";  ///< one of trainer_names()
+  TrainerSettings training;
+};
+
+struct TrainedNetwork {
+  struct Input {
+    double centre = 0;      ///< min-max normalisation: (x - centre) / half_range, clipped to +-1
+    double half_range = 1;  ///< > 0
+  };
+  std::vector<Input> inputs;
+  RealLayer hidden;
+  RealLayer output;
+  double centre_dph = 0;  ///< drift = centre + amplitude * output
+  double amplitude_dph = 0;
+  double rms_before_dph = 0;  ///< of the target, over all rows
+  double rms_after_dph = 0;   ///< of target - drift, over all rows
+  TrainerResult result;
+
+  /// For any rows: rows x inputs -> deg/h.
+  Eigen::VectorXd drift_dph(const Eigen::MatrixXd& rows) const;
+};
+
+/// Normalises, trains, and puts the scales into the result. With several runs, the last one is held
+/// out where its rows count: training stops where the error on it is least (never on rows of the
+/// same run, whose noise and history they share). Throws InputError where no row counts.
+TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& settings);
+
+}  // namespace fogcomp

@@ -1,0 +1,123 @@
+#include "fit/noise_weighted_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/undetermined.hpp"
+#include "noise/noise_scale.hpp"
+#include "noise/outlier_rows.hpp"
+#include "noise/quiet_rows.hpp"
+#include "noise/whitening.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr int kRounds = 3;  // of noise and solution
+
+Eigen::MatrixXd all_columns(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+                            const Eigen::MatrixXd& nuisance) {
+  std::vector<Eigen::MatrixXd> parts;
+  for (const EffectTerm& term : terms) parts.push_back(series.regressors(term));
+  parts.push_back(nuisance);
+  return side_by_side(parts, series.rows().size());
+}
+
+// Relative to the rows that the noise model is of, the quiet ones. Without any, what differs from
+// part to part may be drift as well as noise.
+Eigen::VectorXd relative_scale(const std::vector<RowRange>& quiet, const Eigen::VectorXd& scale) {
+  double square = 0;
+  double count = 0;
+  for (const Eigen::VectorXd& stretch : parts_of(scale, quiet)) {
+    square += stretch.squaredNorm();
+    count += static_cast<double>(stretch.size());
+  }
+  if (count == 0) return Eigen::VectorXd::Ones(scale.size());
+  return scale / std::sqrt(square / count);
+}
+
+}  // namespace
+
+double NoiseWeightedFit::misfit() const {
+  const auto freedom = static_cast<double>((row_weights.array() > 0).count() - whitened.cols());
+  return std::sqrt(whitened_residual.squaredNorm() / std::max(1.0, freedom));
+}
+
+NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+                          const Eigen::MatrixXd& nuisance, const RowSettings& settings) {
+  const Rows& rows = series.rows();
+  const Eigen::VectorXd kept =
+      settings.kept.size() > 0 ? settings.kept : Eigen::VectorXd::Ones(rows.size());
+  const Eigen::VectorXd counted = counted_rows(rows);
+  const std::vector<RowRange> quiet = quiet_ranges(rows);
+  NoiseWeightedFit fit;
+  fit.robust = kept.cwiseProduct(counted);
+  fit.outliers = static_cast<std::size_t>((counted.array() <= 0 && kept.array() > 0).count());
+  fit.row_weights = rows.weights.cwiseProduct(fit.robust);
+  fit.terms = terms;
+  fit.shapes = shape_parameters(terms);
+  fit.columns = all_columns(series, terms, nuisance);
+  const LinearFit first =
+      solve_linear(fit.robust.asDiagonal() * fit.columns, fit.robust.cwiseProduct(rows.drift_dph));
+  fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
+  for (int round = 0; round < kRounds; ++round) {
+    fit.noise = settings.noise ? *settings.noise
+                               : noise_of(rows, bridged(rows, fit.residual_dph, fit.robust));
+    fit.noise.white_variance = std::max(std::pow(rows.rounding_dph, 2), fit.noise.white_variance);
+    fit.noise_scale = relative_scale(quiet, noise_scale(rows, fit.residual_dph, fit.robust));
+    fit.row_weights =
+        rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
+    const Whitening whitening(fit.noise, rows, fit.row_weights);
+    WhitenedProblem problem(series, whitening, fit.terms, nuisance);
+    search_shapes(problem, fit.shapes, [&](double done) {
+      if (settings.progress) settings.progress((round + done) / kRounds);
+    });
+    fit.terms = problem.terms();
+    const LinearFit solved = problem.solve();
+    fit.coefficients = solved.coefficients;
+    fit.whitened = problem.jacobian(fit.shapes);
+    fit.whitened_measured = problem.measured();
+    fit.whitened_residual = solved.residual;
+    if (round + 1 == kRounds) fit.covariance = problem.solve(fit.shapes).covariance;
+    if (!fit.shapes.empty()) fit.columns = all_columns(series, fit.terms, nuisance);
+    fit.residual_dph = rows.drift_dph - fit.columns * fit.coefficients;
+  }
+  return fit;
+}
+
+NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+                                const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
+                                const std::function<void(double)>& progress) {
+  const Rows& rows = series.rows();
+  NoiseWeightedFit fit = fit_rows(series, terms, nuisance, {kept, std::nullopt, progress});
+  const Eigen::Index unknowns = fit.linear() + static_cast<Eigen::Index>(fit.shapes.size());
+  if (rows.size() <= unknowns) {
+    throw InputError(
+        "fit", format("%s of %g s: too few for %s; use a longer "
+                      "recording, fewer effects or a shorter --average",
+                      counted(static_cast<std::size_t>(rows.size()), "row").c_str(), rows.row_s,
+                      counted(static_cast<std::size_t>(unknowns), "unknown").c_str()));
+  }
+  if (!is_determined(fit)) refuse_undetermined(fit, rows);
+  return fit;
+}
+
+Eigen::VectorXd step_column(const Rows& rows, std::size_t row) {
+  const RowRange run = rows.runs()[rows.run_at(row)];
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(rows.size());
+  column.segment(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(run.end - row))
+      .setOnes();
+  return column;
+}
+
+Eigen::MatrixXd run_offset_columns(const Rows& rows, bool wanted) {
+  const std::size_t runs = wanted ? rows.run_starts.size() : 1;
+  Eigen::MatrixXd columns(rows.size(), static_cast<Eigen::Index>(runs) - 1);
+  for (std::size_t run = 1; run < runs; ++run) {
+    columns.col(static_cast<Eigen::Index>(run) - 1) = step_column(rows, rows.run_starts[run]);
+  }
+  return columns;
+}
+
+}  // namespace fogcomp

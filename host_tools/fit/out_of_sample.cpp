@@ -1,0 +1,323 @@
+#include "fit/out_of_sample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "compare/comparison.hpp"
+#include "fit/noise_weighted_fit.hpp"
+#include "fit/shape_search.hpp"
+#include "noise/autocorrelation.hpp"
+#include "noise/outlier_rows.hpp"
+#include "noise/whitening.hpp"
+#include "support/least_squares.hpp"
+#include "support/median.hpp"
+#include "support/text.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kOutlier = 4;  // standard deviations; beyond, a row counts as if it were there
+
+auto segment(Eigen::VectorXd& values, const RowRange& range) {
+  return values.segment(static_cast<Eigen::Index>(range.first),
+                        static_cast<Eigen::Index>(range.size()));
+}
+
+// The residuals of both, a row each, as no fit has seen them. `weights`: 0 for rows that do not
+// count.
+OutOfSample judge(const Rows& rows, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
+                  const NoiseModel& noise, const Eigen::VectorXd& weights) {
+  OutOfSample result;
+  const Eigen::VectorXd counted = counted_weights(rows, weights);
+  result.rms_before_dph = weighted_rms(before, counted);
+  result.rms_after_dph = weighted_rms(after, counted);
+  const Whitening whitening(noise, rows, weights);
+  Eigen::VectorXd white_before = whitening.apply(before);
+  Eigen::VectorXd white_after = whitening.apply(after);
+  const double typical = sigma_by_median({white_before.begin(), white_before.end()});
+  const double most = kOutlier * std::max(1.0, typical);
+  white_before = white_before.cwiseMax(-most).cwiseMin(most);
+  white_after = white_after.cwiseMax(-most).cwiseMin(most);
+  const double variance =
+      std::max(1.0, white_after.squaredNorm() / static_cast<double>(rows.size()));
+  const double together = correlated_values({white_after.begin(), white_after.end()}, rows.runs());
+  result.gain = (white_before.squaredNorm() - white_after.squaredNorm()) / (variance * together);
+  return result;
+}
+
+// The longest that the noise remembers in any part that counts.
+double noise_memory_s(const NoiseModel& noise) {
+  constexpr double kCounts = 0.01;  // of the noise variance
+  double total = noise.white_variance;
+  for (const NoiseModel::Component& component : noise.components) total += component.variance;
+  double longest = noise.row_s;
+  for (const NoiseModel::Component& component : noise.components) {
+    if (component.variance >= kCounts * total) longest = std::max(longest, component.tau_s);
+  }
+  return longest;
+}
+
+using Part = std::vector<RowRange>;  // left out together
+
+constexpr double kFewestStretches = 10;
+constexpr double kMostStretches = 50;
+
+// How many stretches of a run tell something of their own. `residual`: as fitted.
+double stretches_of(const Rows& rows, const std::vector<double>& residual,
+                    const NoiseModel& noise) {
+  constexpr double kMemories = 3;
+  const double residual_s = rows.row_s * correlated_values(residual, rows.runs());
+  const double memory_s = std::max(noise_memory_s(noise), residual_s);
+  const double length_s = static_cast<double>(rows.size()) * rows.row_s;
+  return std::clamp(std::floor(length_s / (kMemories * memory_s)), kFewestStretches,
+                    kMostStretches);
+}
+
+// Stretches of time in turns: every part has some of each phase of the run, so that what is left
+// out lies between what is known and not beyond it.
+std::vector<Part> parts_of(const Rows& rows, double count) {
+  constexpr std::size_t kParts = 5;
+  const auto size = static_cast<std::size_t>(rows.size());
+  const std::size_t stretches = std::min(static_cast<std::size_t>(count), size);
+  std::vector<Part> parts(kParts);
+  for (std::size_t i = 0; i < stretches; ++i) {
+    parts[i % kParts].push_back({i * size / stretches, (i + 1) * size / stretches});
+  }
+  return parts;
+}
+
+std::string how_of(const std::vector<Part>& parts, const Rows& rows) {
+  return format("on stretches of %.2g h, a fifth of them left out in turn",
+                static_cast<double>(parts[0][0].size()) * rows.row_s / kSecondsPerHour);
+}
+
+// What one set of effects leaves in all rows when identified without those of `left_out`.
+struct Fold {
+  Eigen::VectorXd residual_dph;
+  bool determined = false;    // the other rows determine every coefficient
+  Eigen::VectorXd sigma_dph;  // of the coefficients, where they do
+};
+
+Fold leave_out(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+               const Part& left_out, const JudgedWith& with) {
+  const Rows& rows = series.rows();
+  Eigen::VectorXd weights = with.row_weights;
+  for (const RowRange& range : left_out) segment(weights, range).setZero();
+  const Whitening whitening(with.noise, rows, weights);
+  const Eigen::MatrixXd offsets = run_offset_columns(rows, with.run_offsets);
+  WhitenedProblem problem(series, whitening, terms, offsets);
+  search_shapes(problem, shape_parameters(terms));
+  const LinearFit fit = problem.solve();
+  Fold fold;
+  fold.determined = fit.rank == fit.coefficients.size();
+  if (fold.determined) fold.sigma_dph = fit.covariance.diagonal().cwiseSqrt();
+  fold.residual_dph = rows.drift_dph;
+  Eigen::Index column = 0;
+  for (const EffectTerm& term : problem.terms()) {
+    const Eigen::MatrixXd regressors = series.regressors(term);
+    fold.residual_dph -= regressors * fit.coefficients.segment(column, regressors.cols());
+    column += regressors.cols();
+  }
+  fold.residual_dph -= offsets * fit.coefficients.tail(offsets.cols());
+  return fold;
+}
+
+// Whether the rows of `fold` tell some coefficients about as well as all rows do. A run in which an
+// effect was never excited cannot speak for the one in which it was.
+bool tells(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::Index count,
+           double much_worse) {
+  if (!fold.determined || !all.determined) return false;
+  return (fold.sigma_dph.segment(first, count).array() <=
+          much_worse * all.sigma_dph.segment(first, count).array())
+      .all();
+}
+bool tells_all(const Fold& fold, const Fold& all) {
+  constexpr double kFarWorse = 20;
+  return tells(fold, all, 0, all.sigma_dph.size(), kFarWorse);
+}
+
+// Every shape stays but those of one term.
+std::vector<EffectTerm> shapes_kept(std::vector<EffectTerm> terms, std::size_t free) {
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (i != free) std::fill(terms[i].identified.begin(), terms[i].identified.end(), false);
+  }
+  return terms;
+}
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+struct Residuals {
+  Eigen::VectorXd before;
+  Eigen::VectorXd after;
+  std::vector<Fold> added;  // of the set `after`, one for each part left out
+};
+
+Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTerm>& before,
+                         const std::vector<EffectTerm>& after, const std::vector<Part>& parts,
+                         const JudgedWith& with) {
+  Residuals residuals{
+      Eigen::VectorXd(series.rows().size()), Eigen::VectorXd(series.rows().size()), {}};
+  for (const Part& part : parts) {
+    Fold without = leave_out(series, before, part, with);
+    Fold added = leave_out(series, after, part, with);
+    for (const RowRange& range : part) {
+      segment(residuals.before, range) = segment(without.residual_dph, range);
+      segment(residuals.after, range) = segment(added.residual_dph, range);
+    }
+    residuals.added.push_back(std::move(added));
+  }
+  return residuals;
+}
+
+// Whether every fold tells the coefficients of one term.
+bool tell_term(const std::vector<Fold>& folds, const SignalSeries& series,
+               const std::vector<EffectTerm>& terms, std::size_t term, const JudgedWith& with) {
+  constexpr double kMuchWorse = 4;
+  Eigen::Index first = 0;
+  for (std::size_t i = 0; i < term; ++i) first += series.regressors(terms[i]).cols();
+  const Eigen::Index count = series.regressors(terms[term]).cols();
+  const Fold all = leave_out(series, terms, {}, with);
+  return std::all_of(folds.begin(), folds.end(),
+                     [&](const Fold& fold) { return tells(fold, all, first, count, kMuchWorse); });
+}
+
+Eigen::VectorXd residual_of_effects(Model model, const std::vector<RunInBlocks>& runs,
+                                    bool run_offsets) {
+  model.network = RealNetwork();
+  std::vector<double> residual;
+  for (const RunInBlocks& run : runs) {
+    const Comparison comparison = compare_with(model, run);
+    const double offset = run_offsets ? comparison.whole.mean_dph : 0;
+    for (const Comparison::Row& row : comparison.rows) {
+      residual.push_back(row.residual_dph() - offset);
+    }
+  }
+  return Eigen::Map<const Eigen::VectorXd>(residual.data(),
+                                           static_cast<Eigen::Index>(residual.size()));
+}
+
+// As fitted, in the rows of the fit.
+std::vector<double> fitted_residual(const SignalSeries& series,
+                                    const std::vector<EffectTerm>& terms) {
+  Eigen::VectorXd residual = series.rows().drift_dph;
+  for (const EffectTerm& term : terms) {
+    const Eigen::Map<const Eigen::VectorXd> coefficients(
+        term.coefficients_dph.data(), static_cast<Eigen::Index>(term.coefficients_dph.size()));
+    residual -= series.regressors(term) * coefficients;
+  }
+  return {residual.begin(), residual.end()};
+}
+
+}  // namespace
+
+std::string out_of_sample_words(const OutOfSample& judged) {
+  const bool rises = judged.gain >= kLeastGain && !judged.helps();
+  return format("%s -> %s deg/h %s (gain %.1f, needed %g%s)",
+                rounded(judged.rms_before_dph).c_str(), rounded(judged.rms_after_dph).c_str(),
+                judged.how.c_str(), judged.gain, kLeastGain, rises ? " without a rise" : "");
+}
+
+bool OutOfSample::helps() const {
+  return gain >= kLeastGain && rms_after_dph <= rms_before_dph;
+}
+
+OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectTerm>& before,
+                           const std::vector<EffectTerm>& after, std::size_t changed,
+                           const JudgedWith& with) {
+  constexpr std::size_t kEnoughRuns = 3;
+  const Rows& rows = series.rows();
+  const std::vector<EffectTerm> fixed_before = shapes_kept(before, kNone);
+  const std::vector<EffectTerm> fixed_after = shapes_kept(after, changed);
+  const std::vector<RowRange> runs = rows.runs();
+  // A run's own offset cannot be known without the run.
+  if (runs.size() >= kEnoughRuns && !with.run_offsets) {
+    std::vector<Part> parts;
+    for (const RowRange& run : runs) parts.push_back({run});
+    const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
+    if (tell_term(left.added, series, fixed_after, changed, with)) {
+      OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
+      result.how = "on " + counted(runs.size(), "run") + ", each left out once";
+      return result;
+    }
+  }
+  const std::vector<Part> parts =
+      parts_of(rows, stretches_of(rows, fitted_residual(series, after), with.noise));
+  const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
+  OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
+  result.how = how_of(parts, rows);
+  result.within_runs = true;
+  return result;
+}
+
+OutOfSample cross_validate_learner(const Rows& rows, const Eigen::VectorXd& residual_dph,
+                                   const JudgedWith& with, const Learner& learner) {
+  const std::vector<Part> parts = parts_of(rows, kMostStretches);
+  Eigen::VectorXd after = residual_dph;
+  for (const Part& part : parts) {
+    Eigen::VectorXd weights = with.row_weights;
+    for (const RowRange& range : part) segment(weights, range).setZero();
+    Eigen::VectorXd learnt = learner(weights);
+    for (const RowRange& range : part) segment(after, range) -= segment(learnt, range);
+  }
+  OutOfSample result = judge(rows, residual_dph, after, with.noise, with.row_weights);
+  result.how = how_of(parts, rows);
+  result.within_runs = true;
+  return result;
+}
+
+std::vector<HalfTest> judge_halves(const SignalSeries& series,
+                                   const std::vector<EffectTerm>& before,
+                                   const std::vector<EffectTerm>& after, std::size_t changed,
+                                   const JudgedWith& with) {
+  const Rows& rows = series.rows();
+  Part first;
+  Part second;
+  for (const RowRange& run : rows.runs()) {
+    const std::size_t middle = run.first + run.size() / 2;
+    first.push_back({run.first, middle});
+    second.push_back({middle, run.end});
+  }
+  const Fold all = leave_out(series, shapes_kept(after, kNone), {}, with);
+  std::vector<HalfTest> tests;
+  for (const bool on_first : {true, false}) {
+    const Part& judged = on_first ? second : first;
+    const Fold without = leave_out(series, shapes_kept(before, kNone), judged, with);
+    const Fold added = leave_out(series, shapes_kept(after, changed), judged, with);
+    HalfTest test;
+    test.identified_on = on_first ? "first" : "second";
+    test.determined = without.determined && tells_all(added, all);
+    Eigen::VectorXd weights = counted_weights(rows, with.row_weights);
+    for (const RowRange& range : on_first ? first : second) segment(weights, range).setZero();
+    test.rms_before_dph = weighted_rms(without.residual_dph, weights);
+    test.rms_after_dph = weighted_rms(added.residual_dph, weights);
+    tests.push_back(test);
+  }
+  return tests;
+}
+
+OutOfSample judge_on_holdouts(const Model& before, const Model& after,
+                              const std::vector<RunInBlocks>& holdouts, const NoiseModel& noise,
+                              bool run_offsets) {
+  SignalSeries series(after);
+  for (const RunInBlocks& run : holdouts) series.add(run.blocks);
+  const Rows& rows = series.rows();
+  OutOfSample result = judge(rows, residual_of_effects(before, holdouts, run_offsets),
+                             residual_of_effects(after, holdouts, run_offsets), noise,
+                             rows.weights.cwiseProduct(counted_rows(rows)));
+  result.how =
+      holdouts.size() == 1 ? "on the holdout" : "on " + counted(holdouts.size(), "holdout");
+  return result;
+}
+
+std::string half_words(const HalfTest& half) {
+  const std::string on = half.identified_on;
+  if (!half.determined) return "the " + on + " half alone cannot identify this model";
+  return format("identified on the %s half, judged on the %s: %s -> %s%s", on.c_str(),
+                on == "first" ? "second" : "first", rounded(half.rms_before_dph).c_str(),
+                rounded(half.rms_after_dph).c_str(),
+                half.rms_after_dph < half.rms_before_dph ? "" : ", does not hold there");
+}
+
+}  // namespace fogcomp

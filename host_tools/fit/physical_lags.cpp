@@ -1,0 +1,65 @@
+#include "fit/physical_lags.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/noise_weighted_fit.hpp"
+#include "fit/undetermined.hpp"
+#include "model/catalogue.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+// Leaves those shapes free that are time constants of the temperature rate; false where none is.
+bool free_lags(std::vector<EffectTerm>& terms) {
+  bool any = false;
+  for (EffectTerm& term : terms) {
+    const TermInfo info = info_of(term);
+    for (std::size_t i = 0; i < term.identified.size(); ++i) {
+      const bool free =
+          term.identified[i] && is_lag_of_rate(info.parameters[i].unit, info.coefficients);
+      term.identified[i] = free;
+      any = any || free;
+    }
+  }
+  return any;
+}
+
+}  // namespace
+
+std::vector<PhysicalLag> physical_lags(const Model& model, const std::vector<RunInBlocks>& runs,
+                                       bool run_offsets) {
+  std::vector<PhysicalLag> lags;
+  std::vector<EffectTerm> terms = model.terms;
+  if (!free_lags(terms)) return lags;
+  // Smoothing on both sides delays nothing but rounds corners, and a corner is where a short lag
+  // shows: at the board's own time constant 300 s would become 277 s, at a quarter of it 300 s.
+  constexpr double kSharper = 4;
+  Model sharper = model;
+  sharper.derivative_tau_s /= kSharper;
+  SignalSeries series(sharper, Phase::zero);
+  for (const RunInBlocks& run : runs) series.add(run.blocks);
+  const NoiseWeightedFit fit =
+      fit_rows(series, terms, run_offset_columns(series.rows(), run_offsets));
+  if (!is_determined(fit)) return lags;
+  const double widening = std::max(1.0, fit.misfit());
+  for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
+    const ShapeParameter& shape = fit.shapes[i];
+    const EffectTerm& term = fit.terms[shape.term];
+    const double value_s = term.parameters[shape.index];
+    const Eigen::Index at = fit.linear() + static_cast<Eigen::Index>(i);
+    const double sigma = widening * std::sqrt(fit.covariance(at, at));
+    lags.push_back({term.name, info_of(term).parameters[shape.index].name, value_s,
+                    sigma * std::abs(shape.slope(value_s))});
+  }
+  return lags;
+}
+
+std::string physical_lag_words(const PhysicalLag& lag) {
+  return format(
+      "%-24s %s without the lags of the board's derivative, the gyro's own: %.4g +- %.2g s",
+      lag.effect.c_str(), lag.parameter.c_str(), lag.value_s, lag.sigma_s);
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,43 @@
+#include "fit/residual_network.hpp"
+
+#include "noise/whitening.hpp"
+
+namespace fogcomp {
+
+ResidualNetwork train_on_residual(const Rows& rows, const Eigen::MatrixXd& inputs,
+                                  const Eigen::VectorXd& target_dph,
+                                  const Identification& identified, const NetworkSettings& settings,
+                                  bool judge) {
+  constexpr double kParts = 5;
+  const double trainings = judge ? 1 + kParts : 1;
+  double done_before = 0;
+  NetworkSettings training = settings;
+  if (settings.training.go_on) {
+    training.training.go_on = [&](double done) {
+      return settings.training.go_on((done_before + done) / trainings);
+    };
+  }
+  const auto train = [&](const Eigen::VectorXd& weights) {
+    const Whitening whitening(identified.noise, rows, weights);
+    const Whiten whiten = [&](const Eigen::MatrixXd& values) { return whitening.apply(values); };
+    TrainedNetwork trained =
+        train_network({inputs, target_dph, weights, rows.run_starts, whiten}, training);
+    ++done_before;
+    return trained;
+  };
+
+  ResidualNetwork network{train(identified.row_weights), std::nullopt};
+  if (!judge || network.trained.result.interrupted) return network;
+  bool interrupted = false;
+  const auto learn = [&](const Eigen::VectorXd& weights) {
+    const TrainedNetwork trained = train(weights);
+    interrupted = interrupted || trained.result.interrupted;
+    return trained.drift_dph(inputs);
+  };
+  const OutOfSample judged = cross_validate_learner(
+      rows, identified.residual_dph, {identified.noise, identified.row_weights, false}, learn);
+  if (!interrupted) network.judged = judged;
+  return network;
+}
+
+}  // namespace fogcomp

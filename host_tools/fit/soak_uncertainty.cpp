@@ -1,0 +1,83 @@
+#include "fit/soak_uncertainty.hpp"
+
+#include <cmath>
+
+#include "model/catalogue.hpp"
+#include "series/term_columns.hpp"
+
+namespace fogcomp {
+namespace {
+
+using Signals = fog::Signals<RealNumbers>;
+
+// Means of all inputs, at rest.
+Signals mean_signals(const Rows& rows) {
+  Signals mean;
+  const auto count = static_cast<double>(rows.signals.size());
+  for (std::size_t row = 0; row < rows.signals.size(); ++row) {
+    const Signals& signals = rows.signals[row];
+    mean.block.input_rate += signals.block.input_rate / count;
+    mean.block.elapsed += rows.time_s[row] / rows.row_s / count;
+    for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+      mean.block.extension[i] += signals.block.extension[i] / count;
+    }
+  }
+  return mean;
+}
+
+Eigen::VectorXd regressors(const EffectTerm& term, const Signals& signals, double row_s) {
+  const auto effect = make_effect(term, row_s);
+  Eigen::VectorXd values(static_cast<Eigen::Index>(effect->regressor_count()));
+  effect->reset(signals);
+  effect->step(signals, values.data());
+  return values;
+}
+
+// How the drift changes with each unknown, in the order of the fit's covariance.
+Eigen::VectorXd gradient(const std::vector<EffectTerm>& terms, const NoiseWeightedFit& fit,
+                         const Signals& signals, double row_s) {
+  constexpr double kStep = 1e-4;  // of a shape's range
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(fit.covariance.rows());
+  const std::vector<ColumnRange> columns = columns_of(terms, row_s);
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    result.segment(columns[i].first, columns[i].count) = regressors(terms[i], signals, row_s);
+  }
+  for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
+    const ShapeParameter& shape = fit.shapes[i];
+    const ColumnRange& range = columns[shape.term];
+    EffectTerm moved = terms[shape.term];
+    double& value = moved.parameters[shape.index];
+    const double unit = shape.to_unit(value);
+    const double up = std::min(unit + kStep, 1.0);
+    const double down = std::max(unit - kStep, 0.0);
+    const auto drift_at = [&](double place) {
+      value = shape.from_unit(place);
+      return regressors(moved, signals, row_s)
+          .dot(fit.coefficients.segment(range.first, range.count));
+    };
+    const double above = drift_at(up);
+    result[fit.linear() + static_cast<Eigen::Index>(i)] = (above - drift_at(down)) / (up - down);
+  }
+  return result;
+}
+
+}  // namespace
+
+SoakUncertainty soak_uncertainty(const Model& model, const NoiseWeightedFit& fit,
+                                 const Eigen::MatrixXd& covariance, const Rows& rows) {
+  constexpr int kTemperatures = 33;
+  Signals signals = mean_signals(rows);
+  SoakUncertainty worst;
+  for (int i = 0; i < kTemperatures; ++i) {
+    const double share = static_cast<double>(i) / (kTemperatures - 1);
+    signals.temperature = model.least_degc + share * (model.most_degc - model.least_degc);
+    signals.block.temperature = signals.temperature;
+    const Eigen::VectorXd slope = gradient(fit.terms, fit, signals, rows.row_s);
+    const double sigma_dph = std::sqrt(std::max(0.0, slope.dot(covariance * slope)));
+    if (sigma_dph <= worst.sigma_dph) continue;
+    worst = {sigma_dph, signals.temperature};
+  }
+  return worst;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,87 @@
+#include "fit/step_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "fit/undetermined.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kEarned = 60;         // chi^2 of a step that is believed
+constexpr double kWorthALook = 8;      // before its noise is taken from a fit that knows it
+constexpr double kSlowSeconds = 3600;  // drift over hours is no jump
+constexpr std::size_t kMostSteps = 8;
+
+Eigen::MatrixXd with_column(const Eigen::MatrixXd& columns, const Eigen::VectorXd& column) {
+  Eigen::MatrixXd all(columns.rows(), columns.cols() + 1);
+  all << columns, column;
+  return all;
+}
+
+// The best place for a step in what a fit leaves, with that fit's noise. The first `columns` of its
+// matrix are the model beside the step; whatever comes after them is put back into the residual.
+std::optional<ChangePoint> locate(const Rows& rows, const NoiseWeightedFit& fit,
+                                  Eigen::Index columns) {
+  const Eigen::Index others = fit.linear() - columns;
+  const Eigen::VectorXd residual =
+      fit.residual_dph + fit.columns.rightCols(others) * fit.coefficients.segment(columns, others);
+  const Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(fit.robust));
+  const Eigen::MatrixXd slow = slow_columns(rows, kSlowSeconds);
+  Eigen::MatrixXd model(rows.size(), columns + slow.cols());
+  model << fit.columns.leftCols(columns), slow;
+  return find_change_point(whitening, rows, whitening.apply(residual), whitening.apply(model));
+}
+
+bool earns(const ChangePoint& step, double chi_square) {
+  return step.chi_square > chi_square * std::max(1.0, step.chi_square_left);
+}
+
+// Of the last columns of a fit, the least that one brings beside all others.
+double least_chi_square(const NoiseWeightedFit& fit, std::size_t steps) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = fit.linear() - static_cast<Eigen::Index>(steps); i < fit.linear(); ++i) {
+    const double size = fit.coefficients[i];
+    least = std::min(least, size * size / fit.covariance(i, i));
+  }
+  return least / std::pow(std::max(1.0, fit.misfit()), 2);
+}
+
+}  // namespace
+
+FitWithSteps fit_with_steps(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+                            const Eigen::MatrixXd& nuisance,
+                            const std::function<void(double)>& progress) {
+  const Rows& rows = series.rows();
+  Eigen::VectorXd kept = Eigen::VectorXd::Ones(rows.size());
+  Eigen::MatrixXd columns = nuisance;
+  FitWithSteps result;
+  result.fit = fit_determined(series, terms, columns, kept, progress);
+  while (result.steps.size() < kMostSteps) {
+    const auto seen = locate(rows, result.fit, result.fit.linear());
+    if (!seen || !earns(*seen, kWorthALook)) break;
+    const NoiseWeightedFit tried = fit_rows(
+        series, terms, with_column(columns, step_column(rows, static_cast<std::size_t>(seen->row))),
+        {kept, std::nullopt, {}});
+    if (!is_determined(tried)) break;
+    const auto found = locate(rows, tried, tried.linear() - 1);
+    if (!found || !earns(*found, kEarned)) break;
+    const Eigen::MatrixXd more =
+        with_column(columns, step_column(rows, static_cast<std::size_t>(found->row)));
+    Eigen::VectorXd fewer = kept;
+    fewer.segment(found->first, found->last - found->first + 1).setZero();
+    NoiseWeightedFit fit = fit_rows(series, terms, more, {fewer, std::nullopt, {}});
+    if (!is_determined(fit)) break;
+    if (least_chi_square(fit, result.steps.size() + 1) < kEarned) break;
+    result.steps.push_back(*found);
+    result.fit = std::move(fit);
+    columns = more;
+    kept = fewer;
+  }
+  result.masked = static_cast<std::size_t>((kept.array() <= 0).count());
+  return result;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,79 @@
+#include "fit/training_runs.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "core/bytes/crc.hpp"
+#include "noise/white_noise.hpp"
+#include "recording/data_hash.hpp"
+#include "support/input_error.hpp"
+
+namespace fogcomp {
+namespace {
+
+std::optional<double> common_floor(const std::vector<RunInBlocks>& runs) {
+  double square = 0;
+  double length_s = 0;
+  for (const RunInBlocks& run : runs) {
+    if (!run.noise_floor_dph) continue;
+    const double run_s = static_cast<double>(run.blocks.blocks.size()) * run.blocks.block_s;
+    square += run_s * std::pow(*run.noise_floor_dph, 2);
+    length_s += run_s;
+  }
+  if (length_s == 0) return std::nullopt;
+  return std::sqrt(square / length_s);
+}
+
+}  // namespace
+
+TrainingRuns read_training_runs(const std::vector<std::string>& files, const ReadOptions& options,
+                                double average_s) {
+  TrainingRuns training;
+  training.data_hash = fog::kCrc32Initial;
+  double noise_square = 0;
+  KnownRows known;
+  for (const std::string& file : files) {
+    const Recording recording = read_recording(file, options);
+    RunInBlocks run = run_in_blocks(recording, average_s);
+    const std::string same = known.file_with(run.rows_hash);
+    if (!same.empty()) {
+      training.notes.push_back(same_rows_words(file, same));
+      continue;
+    }
+    known.add(run.rows_hash, file);
+    training.notes.insert(training.notes.end(), run.notes.begin(), run.notes.end());
+    training.data_hash = data_hash(recording, training.data_hash);
+    noise_square += std::pow(white_noise_dph_rthz(recording), 2);
+    training.runs.push_back(std::move(run));
+  }
+  training.noise_dph_rthz = std::sqrt(noise_square / static_cast<double>(training.runs.size()));
+  training.noise_floor_dph = common_floor(training.runs);
+  return training;
+}
+
+Holdouts read_holdouts(const std::vector<std::string>& files, const ReadOptions& options,
+                       double average_s, const std::vector<RunInBlocks>& training) {
+  KnownRows fitted;
+  for (const RunInBlocks& run : training) fitted.add(run.rows_hash, run.file);
+  KnownRows known;
+  Holdouts holdouts;
+  for (const std::string& file : files) {
+    RunInBlocks run = run_in_blocks(read_recording(file, options), average_s);
+    const std::string same = fitted.file_with(run.rows_hash);
+    if (!same.empty()) {
+      throw InputError(file, "has the same rows as " + same +
+                                 ", which is fitted to; a holdout must be another run");
+    }
+    const std::string twice = known.file_with(run.rows_hash);
+    if (!twice.empty()) {
+      holdouts.notes.push_back(same_rows_words(file, twice));
+      continue;
+    }
+    known.add(run.rows_hash, file);
+    holdouts.notes.insert(holdouts.notes.end(), run.notes.begin(), run.notes.end());
+    holdouts.runs.push_back(std::move(run));
+  }
+  return holdouts;
+}
+
+}  // namespace fogcomp

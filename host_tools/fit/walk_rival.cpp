@@ -1,0 +1,90 @@
+#include "fit/walk_rival.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "noise/random_walk.hpp"
+#include "noise/whitening.hpp"
+#include "support/least_squares.hpp"
+
+namespace fogcomp {
+
+WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
+  constexpr double kVisibleMode = 1e-9;
+  const Eigen::VectorXd square = modes.colwise().squaredNorm();
+  const double most = square.size() > 0 ? square.maxCoeff() : 0;
+  Eigen::MatrixXd kept(modes.rows(), modes.cols());
+  WalkModes walk{{}, Eigen::VectorXd(modes.cols())};
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < modes.cols(); ++i) {
+    if (square[i] <= kVisibleMode * most) continue;
+    kept.col(count) = modes.col(i) / std::sqrt(square[i]);
+    walk.square[count++] = square[i];
+  }
+  walk.square.conservativeResize(count);
+  walk.columns = space.add(kept.leftCols(count));
+  return walk;
+}
+
+WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
+                    const std::vector<NoiseModel::Walk>& walks) {
+  constexpr double kRuledOut = -4.5;  // three standard deviations
+  WalkRival best{0, 0, space};
+  const double each = -std::log(std::max<double>(1, static_cast<double>(walks.size())));
+  for (const NoiseModel::Walk& walk : walks) {
+    if (walk.log_odds < kRuledOut) continue;
+    const ExplainedSpace::WithNoise with =
+        space.with_noise(modes.columns, std::pow(walk.coefficient, 2) * modes.square);
+    const double log_odds = each + walk.log_odds + with.log_likelihood;
+    if (log_odds > best.log_odds) best = {walk.coefficient, log_odds, with.space};
+  }
+  return best;
+}
+
+double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& alone,
+                      const std::vector<Explanatory>& beside) {
+  double missing = 0;
+  for (const Explanatory& one : alone) {
+    missing += std::exp(one.log_evidence - rival.log_odds + one.log_prior);
+  }
+  for (const Explanatory& one : beside) missing += std::exp(one.log_evidence + one.log_prior);
+  return 1 / (1 + missing);
+}
+
+namespace {
+
+// Orthonormal directions of whitened columns that `basis` cannot do itself.
+Eigen::MatrixXd what_is_new(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis,
+                            const Whitening& whitening) {
+  constexpr double kSeen = 0.03;
+  const Eigen::MatrixXd white = whitening.apply(columns);
+  const Eigen::MatrixXd left = white - basis * (basis.transpose() * white).eval();
+  std::vector<Eigen::MatrixXd> seen;
+  for (Eigen::Index i = 0; i < left.cols(); ++i) {
+    if (left.col(i).norm() > kSeen * white.col(i).norm()) seen.emplace_back(left.col(i));
+  }
+  return orthonormal(side_by_side(seen, left.rows()));
+}
+
+}  // namespace
+
+double chance_of_walk(const Rows& rows, const NoiseModel& noise, const Eigen::VectorXd& row_weights,
+                      const Eigen::MatrixXd& before, const Eigen::MatrixXd& added,
+                      const Eigen::VectorXd& measured) {
+  const Whitening whitening(noise, rows, row_weights);
+  const Eigen::MatrixXd basis = orthonormal(whitening.apply(before));
+  const auto without_model = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
+    const Eigen::MatrixXd white = whitening.apply(columns);
+    return white - basis * (basis.transpose() * white).eval();
+  };
+  ExplainedSpace space(without_model(measured));
+  const ColumnRange effect = space.add(what_is_new(added, basis, whitening));
+  const WalkModes modes = add_walk(space, without_model(random_walk_modes(rows)));
+  space.finish();
+  const WalkRival rival = find_walk(space, modes, noise.walks);
+  const auto columns = static_cast<double>(effect.count);
+  return chance_of_walk(rival, {{log_evidence(space.gain({effect}), columns), 0}},
+                        {{log_evidence(rival.space.gain({effect}), columns), 0}});
+}
+
+}  // namespace fogcomp

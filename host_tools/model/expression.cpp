@@ -1,0 +1,379 @@
+#include "model/expression.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+using Kind = ExpressionNode::Kind;
+
+struct FunctionName {
+  const char* name;
+  Kind kind;
+  int arguments;
+};
+constexpr std::array<FunctionName, 9> kFunctions{{{"sin", Kind::sine, 1},
+                                                  {"cos", Kind::cosine, 1},
+                                                  {"exp", Kind::exponential, 1},
+                                                  {"tanh", Kind::hyperbolic_tangent, 1},
+                                                  {"abs", Kind::absolute, 1},
+                                                  {"min", Kind::least, 2},
+                                                  {"max", Kind::most, 2},
+                                                  {"lag", Kind::lag, 2},
+                                                  {"play", Kind::play, 2}}};
+
+constexpr std::size_t kMostNodes = 100;
+constexpr int kMostDepth = 50;  // of parentheses and signs
+
+bool begins_name(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+bool within_name(char c) {
+  return begins_name(c) || std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+// Recursive descent; each rule returns the node of what it read.
+class Parser {
+ public:
+  explicit Parser(const std::string& definition) : text_(definition) {}
+
+  Expression definition() {
+    skip_space();
+    const std::string form = "a name and '=' come first: NAME = " +
+                             (text_.find('=') == std::string::npos ? text_ : "T*T");
+    if (at_ == text_.size() || !begins_name(text_[at_])) fail(form);
+    result_.name = name();
+    if (!take('=')) fail_at(0, form);
+    skip_space();
+    const std::size_t begin = at_;
+    sum();
+    if (at_ != text_.size()) fail(format("'%c' is not expected here", text_[at_]));
+    result_.text = text_.substr(begin);
+    result_.text.erase(result_.text.find_last_not_of(" \t") + 1);
+    if (result_.nodes.back().constant) fail_at(begin, "it depends on no signal");
+    return std::move(result_);
+  }
+
+ private:
+  [[noreturn]] void fail_at(std::size_t place, const std::string& what) const {
+    throw InputError(
+        format("expression '%s'", text_.c_str()),
+        format("column %zu: %s; fogcomp fit --help shows an example", place + 1, what.c_str()));
+  }
+  [[noreturn]] void fail(const std::string& what) const { fail_at(at_, what); }
+
+  void skip_space() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+  }
+  bool take(char c) {
+    skip_space();
+    if (at_ == text_.size() || text_[at_] != c) return false;
+    ++at_;
+    skip_space();
+    return true;
+  }
+  void expect(char c) {
+    if (!take(c)) fail(format("'%c' is missing", c));
+  }
+  std::string name() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && within_name(text_[at_])) ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+  double number() {
+    skip_space();
+    std::size_t end = at_;
+    while (end < text_.size() &&
+           (std::isdigit(static_cast<unsigned char>(text_[end])) != 0 || text_[end] == '.')) {
+      ++end;
+    }
+    const auto digit = [&](std::size_t i) {
+      return i < text_.size() && std::isdigit(static_cast<unsigned char>(text_[i])) != 0;
+    };
+    if (end < text_.size() && (text_[end] == 'e' || text_[end] == 'E')) {
+      const bool sign = end + 1 < text_.size() && (text_[end + 1] == '-' || text_[end + 1] == '+');
+      if (digit(end + (sign ? 2 : 1))) {
+        end += sign ? 2 : 1;
+        while (digit(end)) ++end;
+      }
+    }
+    const auto value = parse_number(text_.substr(at_, end - at_));
+    if (!value) fail("a number is expected");
+    at_ = end;
+    return *value;
+  }
+
+  std::size_t add(ExpressionNode node, std::size_t place) {
+    if (result_.nodes.size() == kMostNodes) fail_at(place, "the expression is too long");
+    result_.nodes.push_back(node);
+    return result_.nodes.size() - 1;
+  }
+  std::size_t add(Kind kind, std::size_t left, std::size_t right, std::size_t place) {
+    ExpressionNode node;
+    node.kind = kind;
+    node.left = left;
+    node.right = right;
+    node.constant = result_.nodes[left].constant && result_.nodes[right].constant;
+    const bool needs_constant = kind == Kind::power || kind == Kind::lag || kind == Kind::play;
+    if (needs_constant && !result_.nodes[right].constant) {
+      fail_at(place, kind == Kind::power ? "an exponent must not depend on a signal"
+                                         : "the second argument must not depend on a signal");
+    }
+    const ExpressionNode& second = result_.nodes[right];
+    const bool positive = second.kind == Kind::number ? second.value > 0
+                          : second.kind == Kind::parameter
+                              ? result_.parameters[second.parameter].least > 0
+                              : true;
+    if (!positive && (kind == Kind::lag || kind == Kind::play)) {
+      fail_at(place, "a time constant or radius must be above 0");
+    }
+    if (node.constant && (kind == Kind::lag || kind == Kind::play)) {
+      fail_at(place, "the first argument must depend on a signal");
+    }
+    return add(node, place);
+  }
+
+  std::size_t sum() {
+    std::size_t left = product();
+    for (;;) {
+      const std::size_t place = at_;
+      if (take('+')) {
+        left = add(Kind::add, left, product(), place);
+      } else if (take('-')) {
+        left = add(Kind::subtract, left, product(), place);
+      } else {
+        return left;
+      }
+    }
+  }
+  std::size_t product() {
+    std::size_t left = sign();
+    for (;;) {
+      const std::size_t place = at_;
+      if (take('*')) {
+        left = add(Kind::multiply, left, sign(), place);
+      } else if (take('/')) {
+        left = add(Kind::divide, left, sign(), place);
+      } else {
+        return left;
+      }
+    }
+  }
+  std::size_t sign() {
+    const std::size_t place = at_;
+    if (!take('-')) return power();
+    if (++depth_ > kMostDepth) fail("too many signs and parentheses");
+    const std::size_t operand = sign();
+    --depth_;
+    return add(Kind::negate, operand, operand, place);
+  }
+  std::size_t power() {
+    const std::size_t base = primary();
+    const std::size_t place = at_;
+    // To the right: a^b^c is a^(b^c), and -a^b is -(a^b).
+    return take('^') ? add(Kind::power, base, sign(), place) : base;
+  }
+  std::size_t primary() {
+    skip_space();
+    if (at_ == text_.size()) fail("it ends too early");
+    const std::size_t place = at_;
+    const char c = text_[at_];
+    if (take('(')) {
+      if (++depth_ > kMostDepth) fail("too many signs and parentheses");
+      const std::size_t inner = sum();
+      --depth_;
+      expect(')');
+      return inner;
+    }
+    if (take('?')) return parameter(place);
+    if (begins_name(c)) return named(place);
+    if (std::isdigit(static_cast<unsigned char>(c)) == 0 && c != '.') {
+      fail(format("'%c' is not expected here", c));
+    }
+    ExpressionNode node;
+    node.value = number();
+    node.constant = true;
+    skip_space();
+    return add(node, place);
+  }
+  std::size_t parameter(std::size_t place) {
+    ExpressionParameter parameter;
+    if (at_ < text_.size() && begins_name(text_[at_])) parameter.name = name();
+    if (parameter.name.empty()) fail("a parameter's name is expected behind '?'");
+    auto& known = result_.parameters;
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&](const auto& one) { return one.name == parameter.name; });
+    ExpressionNode node;
+    node.kind = Kind::parameter;
+    node.constant = true;
+    node.parameter = static_cast<std::size_t>(found - known.begin());
+    if (found != known.end()) {
+      skip_space();
+      return add(node, place);
+    }
+    if (!take('['))
+      fail("give the bounds of '" + parameter.name + "', such as ?" + parameter.name + "[60,900]");
+    parameter.least = take('-') ? -number() : number();
+    expect(',');
+    parameter.most = take('-') ? -number() : number();
+    expect(']');
+    if (!(parameter.least < parameter.most)) {
+      fail_at(place, "the bounds of '" + parameter.name + "' must rise");
+    }
+    // Squares and ratios of bounds stay finite, and no signal in its unit has such numbers.
+    constexpr double kSmallest = 1e-30;
+    constexpr double kLargest = 1e30;
+    for (const double bound : {std::abs(parameter.least), std::abs(parameter.most)}) {
+      if (bound == 0 || (kSmallest <= bound && bound <= kLargest)) continue;
+      fail_at(place, format("bounds of '%s' must be 0 or from %g to %g in size",
+                            parameter.name.c_str(), kSmallest, kLargest));
+    }
+    known.push_back(parameter);
+    return add(node, place);
+  }
+  std::size_t named(std::size_t place) {
+    const std::string word = name();
+    skip_space();
+    if (at_ < text_.size() && text_[at_] == '(') return function(word, place);
+    std::string list;
+    for (const fog::InputDescription& one : fog::kInputTable) {
+      list += std::string(one.symbol) + ", ";
+      if (word != one.symbol) continue;
+      ExpressionNode node;
+      node.kind = Kind::signal;
+      node.signal = one.input;
+      return add(node, place);
+    }
+    fail_at(place,
+            "there is no signal '" + word + "'; there are " + list + "and ?name[least,most]");
+  }
+  std::size_t function(const std::string& word, std::size_t place) {
+    const auto* const found =
+        std::find_if(kFunctions.begin(), kFunctions.end(),
+                     [&](const FunctionName& one) { return word == one.name; });
+    if (found == kFunctions.end()) {
+      fail_at(place, "there is no function '" + word +
+                         "'; there are sin, cos, exp, tanh, abs, min, max, lag, play");
+    }
+    expect('(');
+    if (++depth_ > kMostDepth) fail("too many signs and parentheses");
+    const std::size_t first = sum();
+    std::size_t second = first;
+    if (found->arguments == 2) {
+      expect(',');
+      second = sum();
+    }
+    --depth_;
+    expect(')');
+    return add(found->kind, first, second, place);
+  }
+
+  const std::string& text_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  Expression result_;
+};
+
+}  // namespace
+
+double apply(ExpressionNode::Kind kind, double left, double right) {
+  switch (kind) {
+    case Kind::add:
+      return left + right;
+    case Kind::subtract:
+      return left - right;
+    case Kind::multiply:
+      return left * right;
+    case Kind::divide:
+      return left / right;
+    case Kind::power:
+      return std::pow(left, right);
+    case Kind::negate:
+      return -left;
+    case Kind::sine:
+      return std::sin(left);
+    case Kind::cosine:
+      return std::cos(left);
+    case Kind::exponential:
+      return std::exp(left);
+    case Kind::hyperbolic_tangent:
+      return std::tanh(left);
+    case Kind::absolute:
+      return std::abs(left);
+    case Kind::least:
+      return std::min(left, right);
+    case Kind::most:
+      return std::max(left, right);
+    case Kind::number:
+    case Kind::parameter:
+    case Kind::signal:
+    case Kind::lag:
+    case Kind::play:
+      break;
+  }
+  return left;
+}
+
+std::vector<double> Expression::constants(const std::vector<double>& parameter_values) const {
+  std::vector<double> values(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const ExpressionNode& node = nodes[i];
+    if (!node.constant) continue;
+    if (node.kind == Kind::number) {
+      values[i] = node.value;
+    } else if (node.kind == Kind::parameter) {
+      values[i] = parameter_values[node.parameter];
+    } else {
+      values[i] = apply(node.kind, values[node.left], values[node.right]);
+    }
+  }
+  return values;
+}
+
+bool Expression::uses(fog::Input input) const {
+  return std::any_of(nodes.begin(), nodes.end(), [input](const ExpressionNode& node) {
+    return node.kind == Kind::signal && node.signal == input;
+  });
+}
+
+bool Expression::is_period(std::size_t parameter) const {
+  std::vector<bool> holds(nodes.size());    // the parameter
+  std::vector<bool> divides(nodes.size());  // by what holds it
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const ExpressionNode& node = nodes[i];
+    if (node.kind == Kind::number || node.kind == Kind::signal) continue;
+    if (node.kind == Kind::parameter) {
+      holds[i] = node.parameter == parameter;
+      continue;
+    }
+    holds[i] = holds[node.left] || holds[node.right];
+    divides[i] = divides[node.left] || divides[node.right] ||
+                 (node.kind == Kind::divide && holds[node.right]);
+    if ((node.kind == Kind::sine || node.kind == Kind::cosine) && divides[i]) return true;
+  }
+  return false;
+}
+
+fog::InputMask Expression::needs() const {
+  fog::InputMask used = 0;
+  for (const ExpressionNode& node : nodes) {
+    if (node.kind == Kind::signal) used |= bit_of(node.signal);
+  }
+  return fog::beside_temperature(used);
+}
+
+Expression parse_expression(const std::string& definition) {
+  // It is one line of the model file, and of an error message.
+  const bool one_line = std::none_of(definition.begin(), definition.end(),
+                                     [](char c) { return c == '\n' || c == '\r'; });
+  if (!one_line) throw InputError("expression", "has a line break in it; write it on one line");
+  return Parser(definition).definition();
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,57 @@
+#include "model/shape_limits.hpp"
+
+#include <cmath>
+
+#include "model/catalogue.hpp"
+#include "model/shape_parameter.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kAtBound = 1e-3;  // of the range: ten of the search's difference steps
+
+std::string with_unit(const char* pattern, double value, const std::string& unit) {
+  return format(pattern, value) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string bound_words(const TermInfo::Parameter& parameter, bool upper, double value) {
+  const char* instead = upper ? parameter.at_most : parameter.at_least;
+  return parameter.name + " is at its " + (upper ? "upper" : "lower") + " bound " +
+         with_unit("%.5g", value, parameter.unit) + ": " +
+         (instead != nullptr ? instead + std::string(" would do as well")
+                             : std::string("these data would have it ") +
+                                   (upper ? "larger" : "smaller") + " still");
+}
+
+}  // namespace
+
+std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term) {
+  std::vector<ShapeDoubt> doubts;
+  const TermInfo info = info_of(term);
+  for (const ShapeParameter& shape : shape_parameters({term})) {
+    const TermInfo::Parameter& parameter = info.parameters[shape.index];
+    const double value = term.parameters[shape.index];
+    const double sigma = term.parameter_sigma[shape.index];
+    const double unit = shape.to_unit(value);
+    std::string words;
+    if (unit <= kAtBound || unit >= 1 - kAtBound) {
+      words = bound_words(parameter, unit > 0.5, value);
+    } else if (sigma >= std::abs(shape.slope(value))) {
+      words = format("%s is not determined: %.5g +- %.2g", parameter.name.c_str(), value, sigma) +
+              with_unit(", anywhere from %.5g", shape.least, "") +
+              with_unit(" to %.5g", shape.most, parameter.unit);
+    }
+    if (!words.empty()) doubts.push_back({shape.index, "`" + term.name + "`: " + words});
+  }
+  return doubts;
+}
+
+std::string coefficient_doubt(const EffectTerm& term) {
+  for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
+    if (std::abs(term.coefficients_dph[i]) > term.sigma_dph[i]) return "";
+  }
+  return "`" + term.name + "`: none of its coefficients is larger than its uncertainty";
+}
+
+}  // namespace fogcomp

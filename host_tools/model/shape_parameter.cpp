@@ -1,0 +1,66 @@
+#include "model/shape_parameter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/catalogue.hpp"
+
+namespace fogcomp {
+
+double ShapeParameter::to_unit(double value) const {
+  switch (scale) {
+    case fog::Scale::logarithmic:
+      return std::log(value / least) / std::log(most / least);
+    case fog::Scale::frequency:
+      return (1 / least - 1 / value) / (1 / least - 1 / most);
+    case fog::Scale::linear:
+    case fog::Scale::whole:
+      break;
+  }
+  return (value - least) / (most - least);
+}
+
+double ShapeParameter::from_unit(double unit) const {
+  const double u = std::clamp(unit, 0.0, 1.0);
+  switch (scale) {
+    case fog::Scale::logarithmic:
+      return least * std::pow(most / least, u);
+    case fog::Scale::frequency:
+      return 1 / (1 / least - u * (1 / least - 1 / most));
+    case fog::Scale::linear:
+    case fog::Scale::whole:
+      break;
+  }
+  return least + u * (most - least);
+}
+
+double ShapeParameter::slope(double value) const {
+  switch (scale) {
+    case fog::Scale::logarithmic:
+      return value * std::log(most / least);
+    case fog::Scale::frequency:
+      return value * value * (1 / least - 1 / most);
+    case fog::Scale::linear:
+    case fog::Scale::whole:
+      break;
+  }
+  return most - least;
+}
+
+std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& terms) {
+  std::vector<ShapeParameter> parameters;
+  for (std::size_t term = 0; term < terms.size(); ++term) {
+    if (is_event(terms[term])) continue;
+    const TermInfo entry = info_of(terms[term]);
+    for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+      if (!terms[term].identified[i]) continue;
+      const auto& own = terms[term].bounds;
+      const bool bounded = i < own.size() && own[i].most > own[i].least;
+      const ShapeBounds bounds = bounded ? own[i] : entry.parameters[i].bounds;
+      parameters.push_back({term, i, bounds.least, bounds.most, entry.parameters[i].scale});
+    }
+  }
+  return parameters;
+}
+
+}  // namespace fogcomp

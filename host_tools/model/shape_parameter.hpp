@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "core/effects/effect.hpp"
+#include "model/model.hpp"
+
+namespace fogcomp {
+
+/// A shape parameter that a fit may move.
+struct ShapeParameter {
+  std::size_t term = 0;
+  std::size_t index = 0;
+  double least = 0;
+  double most = 0;
+  fog::Scale scale = fog::Scale::linear;
+
+  /// Place in the range, 0..1, on that scale; and back, clipped to the range.
+  double to_unit(double value) const;
+  double from_unit(double unit) const;
+  /// d value / d unit.
+  double slope(double value) const;
+};
+
+std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& terms);
+
+}  // namespace fogcomp

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "recording/recording.hpp"
+#include "recording/segments.hpp"
+
+namespace fogcomp {
+
+/// One averaging time of an Allan deviation.
+struct AllanPoint {
+  std::size_t samples = 0;  ///< averaged: a power of two
+  double tau_s = 0;
+  double sigma = 0;      ///< Allan deviation, in the unit of the data
+  double one_sigma = 0;  ///< its uncertainty: sigma / sqrt(2 pairs)
+  /// Averages of tau that fit, less one, summed over the ranges (n/m - 1): what IEEE Std 952's
+  /// error formula counts as independent.
+  double pairs = 0;
+  std::size_t ranges = 0;  ///< long enough to contribute
+};
+
+/// Overlapping Allan deviation on octaves, from one sample to the longest time whose error is below
+/// 50 % (two pairs):
+///   sigma^2(m) = sum_i (C[i+2m] - 2 C[i+m] + C[i])^2 / (2 m^2 M),  C = cumulative sum of the data,
+/// pooled over `ranges`: the sums and the counts M are added, so that no average crosses their
+/// ends. Exact at every octave (nothing is decimated); O(N) for each, 8 bytes a sample of memory.
+std::vector<AllanPoint> allan_deviation(const std::vector<double>& values,
+                                        const std::vector<RowRange>& ranges, double period_s);
+
+/// The stretches of all soaks: where alone a gyro's Allan deviation means its noise.
+std::vector<RowRange> soak_ranges(const Recording& recording, const std::vector<Segment>& segments);
+
+}  // namespace fogcomp

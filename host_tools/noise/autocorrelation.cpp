@@ -1,0 +1,58 @@
+#include "noise/autocorrelation.hpp"
+
+#include <algorithm>
+
+namespace fogcomp {
+namespace {
+
+std::vector<double> centred(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  const double mean = sum / static_cast<double>(std::max<std::size_t>(1, values.size()));
+  std::vector<double> result;
+  for (const double value : values) result.push_back(value - mean);
+  return result;
+}
+
+double mean_square(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return sum / static_cast<double>(std::max<std::size_t>(1, values.size()));
+}
+
+double correlation(const std::vector<double>& centred_values, double variance,
+                   const std::vector<RowRange>& stretches, std::size_t lag) {
+  double sum = 0;
+  double pairs = 0;
+  for (const RowRange& stretch : stretches) {
+    for (std::size_t i = stretch.first; i + lag < stretch.end; ++i) {
+      sum += centred_values[i] * centred_values[i + lag];
+      ++pairs;
+    }
+  }
+  return pairs > 0 && variance > 0 ? sum / pairs / variance : 0;
+}
+
+}  // namespace
+
+double autocorrelation(const std::vector<double>& values, const std::vector<RowRange>& stretches,
+                       std::size_t lag) {
+  const std::vector<double> around = centred(values);
+  return correlation(around, mean_square(around), stretches, lag);
+}
+
+double correlated_values(const std::vector<double>& values,
+                         const std::vector<RowRange>& stretches) {
+  constexpr double kWindow = 5;
+  const std::vector<double> around = centred(values);
+  const double variance = mean_square(around);
+  double together = 1;
+  for (std::size_t lag = 1;
+       lag <= values.size() / 4 && static_cast<double>(lag) <= kWindow * std::max(1.0, together);
+       ++lag) {
+    together += 2 * correlation(around, variance, stretches, lag);
+  }
+  return std::max(1.0, together);
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,108 @@
+#include "noise/change_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/least_squares.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr Eigen::Index kLeastRows = 10;  // on each side of a jump
+constexpr double kWithin = 9;            // of the best chi^2: three standard deviations
+constexpr double kUndetermined = 1e-6;   // share of a jump that the model's columns leave
+
+// First row and end of each recording, as Eigen counts.
+struct Run {
+  Eigen::Index first;
+  Eigen::Index end;
+};
+std::vector<Run> runs_of(const Rows& rows) {
+  std::vector<Run> runs;
+  for (const RowRange& run : rows.runs()) {
+    runs.push_back({static_cast<Eigen::Index>(run.first), static_cast<Eigen::Index>(run.end)});
+  }
+  return runs;
+}
+
+double time_before(const Rows& rows, Eigen::Index row) {
+  const auto at = static_cast<std::size_t>(row);
+  return (rows.time_s[at - 1] + rows.time_s[at]) / 2;
+}
+
+}  // namespace
+
+std::optional<ChangePoint> find_change_point(const Whitening& whitening, const Rows& rows,
+                                             const Eigen::VectorXd& whitened_residual,
+                                             const Eigen::MatrixXd& whitened_columns) {
+  const Eigen::MatrixXd model = orthonormal(whitened_columns);
+  Eigen::MatrixXd beside(rows.size(), model.cols() + 1);
+  const Eigen::VectorXd residual =
+      whitened_residual - model * (model.transpose() * whitened_residual);
+  beside << model, residual;
+  const StepProducts steps = whitening.steps(rows, beside);
+  const Eigen::VectorXd square =
+      steps.square - steps.with.leftCols(model.cols()).rowwise().squaredNorm();
+  const Eigen::VectorXd along = steps.with.col(model.cols());
+  Eigen::VectorXd chi_square = Eigen::VectorXd::Zero(rows.size());
+  for (const Run& run : runs_of(rows)) {
+    for (Eigen::Index row = run.first + kLeastRows; row <= run.end - kLeastRows; ++row) {
+      if (square[row] <= kUndetermined * steps.square[row]) continue;
+      chi_square[row] = along[row] * along[row] / square[row];
+    }
+  }
+
+  ChangePoint found;
+  found.chi_square = chi_square.maxCoeff(&found.row);
+  if (!(found.chi_square > 0)) return std::nullopt;
+  found.size_dph = along[found.row] / square[found.row];
+  found.size_sigma_dph = 1 / std::sqrt(square[found.row]);
+  const auto freedom = static_cast<double>(rows.size() - model.cols() - 2);
+  found.chi_square_left = (residual.squaredNorm() - found.chi_square) / std::max(1.0, freedom);
+  // Each place around the best has the probability exp(chi^2 / 2) that a normal likelihood gives
+  // it.
+  const double unit = std::max(1.0, found.chi_square_left);
+  double total = 0;
+  double mean_s = 0;
+  double square_s = 0;
+  const auto weigh = [&](Eigen::Index row) {
+    const double below = (found.chi_square - chi_square[row]) / unit;
+    if (chi_square[row] <= 0 || below > kWithin) return false;
+    const double probability = std::exp(-below / 2);
+    const double away_s = time_before(rows, row) - time_before(rows, found.row);
+    total += probability;
+    mean_s += probability * away_s;
+    square_s += probability * away_s * away_s;
+    return true;
+  };
+  for (found.last = found.row; found.last < rows.size() && weigh(found.last);) ++found.last;
+  for (found.first = found.row - 1; found.first > 0 && weigh(found.first);) --found.first;
+  --found.last;
+  found.time_s = time_before(rows, found.row);
+  // Within a row nothing is known: a uniform distribution over its length.
+  found.time_sigma_s =
+      std::sqrt(square_s / total - std::pow(mean_s / total, 2) + rows.row_s * rows.row_s / 12);
+  return found;
+}
+
+Eigen::MatrixXd slow_columns(const Rows& rows, double half_period_s) {
+  Eigen::MatrixXd columns(rows.size(), 0);
+  for (const Run& run : runs_of(rows)) {
+    const double start_s = rows.time_s[static_cast<std::size_t>(run.first)];
+    const double length_s = rows.time_s[static_cast<std::size_t>(run.end - 1)] - start_s;
+    const auto count = static_cast<Eigen::Index>(length_s / half_period_s);
+    const Eigen::Index at = columns.cols();
+    columns.conservativeResize(Eigen::NoChange, at + count);
+    columns.rightCols(count).setZero();
+    for (Eigen::Index k = 0; k < count; ++k) {
+      for (Eigen::Index row = run.first; row < run.end; ++row) {
+        const double turn = (rows.time_s[static_cast<std::size_t>(row)] - start_s) / length_s;
+        columns(row, at + k) = std::cos(kPi * static_cast<double>(k + 1) * turn);
+      }
+    }
+  }
+  return columns;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "noise/whitening.hpp"
+#include "series/signal_series.hpp"
+
+namespace fogcomp {
+
+/// A jump of the residual between two rows of one recording, which stays to that recording's end.
+struct ChangePoint {
+  Eigen::Index row = 0;        ///< first row after the jump
+  Eigen::Index first = 0;      ///< first and last row that it may lie in: those around with a chi^2
+  Eigen::Index last = 0;       ///< within 9 of the best, and the one before, which may hold part
+  double time_s = 0;           ///< between the row before and `row`
+  double time_sigma_s = 0;     ///< one standard deviation
+  double size_dph = 0;         ///< after minus before
+  double size_sigma_dph = 0;   ///< one standard deviation
+  double chi_square = 0;       ///< by how much the jump lowers the sum of squares
+  double chi_square_left = 0;  ///< what is left then, per degree of freedom: 1 for noise alone
+};
+
+/// The jump that lowers the whitened sum of squares most, anywhere but within ten rows of a
+/// recording's ends; none where no place is determined beside the columns. O(rows).
+/// `whitened_residual`: per row. `whitened_columns`: rows x any, the model, which is fitted anew
+/// with the jump (projected out). Both whitened by `whitening`, whose rows are `rows`; rows of
+/// weight 0 in it are passed over. Whether a jump is worth believing is the caller's to say: of
+/// flicker noise alone the best has a chi^2 of 10 to 30.
+std::optional<ChangePoint> find_change_point(const Whitening& whitening, const Rows& rows,
+                                             const Eigen::VectorXd& whitened_residual,
+                                             const Eigen::MatrixXd& whitened_columns);
+
+/// Cosines over each recording, down to this half period: rows x any, 0 outside their recording.
+/// Among the columns they keep slow drift that the model lacks from passing for jumps.
+Eigen::MatrixXd slow_columns(const Rows& rows, double half_period_s);
+
+}  // namespace fogcomp

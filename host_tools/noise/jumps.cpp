@@ -1,0 +1,121 @@
+#include "noise/jumps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "support/median.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr std::array<Eigen::Index, 4> kWidths{8, 16, 32, 64};  // rows on either side
+constexpr double kLeastJump = 5.5;   // standard deviations of such differences
+constexpr double kLeastShare = 0.7;  // of it, within half the width; a ramp has half
+constexpr double kSpike = 3;         // standard deviations of a step from row to row
+constexpr Eigen::Index kLeastPart = 32;
+constexpr std::size_t kLeastPlaces = 16;  // that share no row, for a standard deviation
+
+// A row that stands far out of both its neighbours has the one nearer to it: it would be a jump.
+Eigen::VectorXd without_spikes(const Eigen::VectorXd& values) {
+  std::vector<double> steps;
+  for (Eigen::Index i = 1; i < values.size(); ++i) steps.push_back(values[i] - values[i - 1]);
+  const double far = kSpike * sigma_by_median(std::move(steps));
+  Eigen::VectorXd smooth = values;
+  for (Eigen::Index i = 1; i + 1 < values.size(); ++i) {
+    const auto [least, most] = std::minmax({values[i - 1], values[i + 1]});
+    if (values[i] < least - far) smooth[i] = least;
+    if (values[i] > most + far) smooth[i] = most;
+  }
+  return smooth;
+}
+
+// Sums of the first rows, so that every mean costs two of them.
+class Levels {
+ public:
+  explicit Levels(const Eigen::VectorXd& values) : sums_(values.size() + 1) {
+    sums_[0] = 0;
+    for (Eigen::Index i = 0; i < values.size(); ++i) sums_[i + 1] = sums_[i] + values[i];
+  }
+  Eigen::Index rows() const { return sums_.size() - 1; }
+  // Mean of the rows from `row` on less that of those before it.
+  double change_at(Eigen::Index row, Eigen::Index width) const {
+    return (sums_[row + width] - 2 * sums_[row] + sums_[row - width]) / static_cast<double>(width);
+  }
+
+ private:
+  Eigen::VectorXd sums_;
+};
+
+class Jumps {
+ public:
+  explicit Jumps(const std::vector<Eigen::VectorXd>& stretches) {
+    for (const Eigen::VectorXd& stretch : stretches) levels_.emplace_back(without_spikes(stretch));
+    for (std::size_t i = 0; i < kWidths.size(); ++i) sigma_[i] = sigma_of_changes(kWidths[i]);
+  }
+
+  // Rows of a stretch, between `begin` and `end`, where a new level begins; in order.
+  void find(std::size_t stretch, Eigen::Index begin, Eigen::Index end,
+            std::vector<Eigen::Index>& rows) const {
+    const auto row = highest(levels_[stretch], begin, end);
+    if (!row) return;
+    find(stretch, begin, *row, rows);
+    rows.push_back(*row);
+    find(stretch, *row, end, rows);
+  }
+
+ private:
+  double sigma_of_changes(Eigen::Index width) const {
+    const Eigen::Index step = width / 8;
+    std::vector<double> changes;
+    for (const Levels& levels : levels_) {
+      for (Eigen::Index row = width; row + width <= levels.rows(); row += step) {
+        changes.push_back(levels.change_at(row, width));
+      }
+    }
+    const auto places =
+        changes.size() * static_cast<std::size_t>(step) / static_cast<std::size_t>(2 * width);
+    const double sigma = places < kLeastPlaces ? 0 : sigma_by_median(std::move(changes));
+    return sigma > 0 ? sigma : HUGE_VAL;  // nothing stands out
+  }
+
+  std::optional<Eigen::Index> highest(const Levels& levels, Eigen::Index begin,
+                                      Eigen::Index end) const {
+    std::optional<Eigen::Index> found;
+    double most = kLeastJump;
+    for (std::size_t i = 0; i < kWidths.size(); ++i) {
+      const Eigen::Index away = std::max(kWidths[i], kLeastPart);
+      for (Eigen::Index row = begin + away; row + away <= end; ++row) {
+        const double change = levels.change_at(row, kWidths[i]);
+        const double height = std::abs(change) / sigma_[i];
+        if (height <= most) continue;
+        if (levels.change_at(row, kWidths[i] / 2) / change < kLeastShare) continue;
+        most = height;
+        found = row;
+      }
+    }
+    return found;
+  }
+
+  std::vector<Levels> levels_;
+  std::array<double, kWidths.size()> sigma_{};
+};
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> parted_at_jumps(const std::vector<Eigen::VectorXd>& stretches) {
+  const Jumps jumps(stretches);
+  std::vector<Eigen::VectorXd> parts;
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    std::vector<Eigen::Index> rows{0};
+    jumps.find(i, 0, stretches[i].size(), rows);
+    rows.push_back(stretches[i].size());
+    for (std::size_t part = 1; part < rows.size(); ++part) {
+      parts.push_back(stretches[i].segment(rows[part - 1], rows[part] - rows[part - 1]));
+    }
+  }
+  return parts;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,144 @@
+#include "noise/noise_coefficients.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "noise/allan_model.hpp"
+#include "support/decompositions.hpp"
+
+namespace fogcomp {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Of sigma^2, relative: what no sum of power laws describes, such as filters.
+constexpr double kModelError = 0.01;
+
+struct Points {
+  VectorXd variance;  // sigma^2, (deg/h)^2
+  VectorXd freedom;   // degrees of freedom of each, the model's error included
+};
+
+Points points_of(const std::vector<AllanPoint>& allan) {
+  Points points;
+  const auto count = static_cast<Index>(allan.size());
+  points.variance.resize(count);
+  points.freedom.resize(count);
+  for (Index k = 0; k < count; ++k) {
+    const AllanPoint& point = allan[static_cast<std::size_t>(k)];
+    points.variance[k] = point.sigma * point.sigma;
+    points.freedom[k] = 1 / (1 / point.pairs + kModelError * kModelError / 2);
+  }
+  return points;
+}
+
+struct Fit {
+  VectorXd squares;         // of the coefficients, all terms
+  VectorXd standard_error;  // of the squares
+  double score = 0;         // -2 ln likelihood + 2 * effective number of terms; less is better
+  double inflation = 1;     // of score differences, because the points are not independent
+};
+
+/// The most likely non-negative coefficients of the terms `set`, each point taken for independent
+/// and chi-square distributed about the model. Errors and the charge for terms then come from the
+/// covariance that the points really have (composite likelihood: the "sandwich" of Godambe, the
+/// criterion of Varin and Vidoni). Weighting by that covariance would be sharper on paper, but
+/// follows its smallest eigenvalues where the spectrum is not quite the model's.
+/// Nothing where the terms cannot all be positive.
+std::optional<Fit> fit_terms(const AllanModel& model, const Points& points,
+                             const std::vector<Index>& set) {
+  constexpr int kRounds = 30;
+  const auto count = static_cast<Index>(set.size());
+  if (count > points.variance.size()) return std::nullopt;
+  MatrixXd design(points.variance.size(), count);
+  for (Index j = 0; j < count; ++j) {
+    design.col(j) = model.terms().col(set[static_cast<std::size_t>(j)]);
+  }
+
+  VectorXd modelled = points.variance;
+  VectorXd squares;
+  VectorXd weight;
+  MatrixXd inverse;
+  for (int round = 0; round < kRounds; ++round) {
+    weight = points.freedom.array() / (2 * modelled.array().square());
+    inverse = inverse_of_definite(gram(weight.cwiseSqrt().asDiagonal() * design));
+    squares = inverse * (design.transpose() * weight.cwiseProduct(points.variance));
+    if (!squares.allFinite()) return std::nullopt;
+    // Kept positive on the way, as the weights of the next round must be.
+    modelled = design * squares.cwiseMax(1e-3 * inverse.diagonal().cwiseSqrt());
+  }
+  if ((squares.array() <= 0).any()) return std::nullopt;
+
+  Fit fit;
+  fit.squares = VectorXd::Zero(AllanModel::kTerms);
+  fit.standard_error = VectorXd::Zero(AllanModel::kTerms);
+  for (Index j = 0; j < count; ++j) fit.squares[set[static_cast<std::size_t>(j)]] = squares[j];
+
+  MatrixXd covariance = model.covariance(fit.squares);
+  covariance.diagonal() += kModelError * kModelError * modelled.cwiseAbs2();
+  const MatrixXd weighted = weight.asDiagonal() * design;
+  const MatrixXd variability = weighted.transpose() * covariance * weighted;
+  const MatrixXd sandwich = inverse * variability * inverse;
+  for (Index j = 0; j < count; ++j) {
+    fit.standard_error[set[static_cast<std::size_t>(j)]] = std::sqrt(sandwich(j, j));
+  }
+  const double effective_terms = (inverse * variability).trace();
+  fit.inflation = effective_terms / static_cast<double>(count);
+  const VectorXd deviance = modelled.array().log() + points.variance.array() / modelled.array();
+  fit.score = points.freedom.dot(deviance) + 2 * effective_terms;
+  return fit;
+}
+
+/// Fits that the data do not rule out, best first.
+std::vector<Fit> plausible_fits(const AllanModel& model, const Points& points) {
+  constexpr double kScore95 = 4;  // two standard errors of one coefficient
+  constexpr unsigned kSets = 1U << AllanModel::kTerms;
+  std::vector<Fit> fits;
+  for (unsigned chosen = 1; chosen < kSets; ++chosen) {
+    std::vector<Index> set;
+    for (Index term = 0; term < AllanModel::kTerms; ++term) {
+      if ((chosen >> term & 1U) != 0U) set.push_back(term);
+    }
+    if (auto fit = fit_terms(model, points, set)) fits.push_back(std::move(*fit));
+  }
+  if (fits.empty()) return fits;
+  std::sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.score < b.score; });
+  const double worst = fits.front().score + kScore95 * fits.front().inflation;
+  fits.erase(
+      std::find_if(fits.begin(), fits.end(), [&](const Fit& fit) { return fit.score > worst; }),
+      fits.end());
+  return fits;
+}
+
+/// The value of the best fit, with an interval that covers those of all.
+std::optional<NoiseCoefficient> agreed(const std::vector<Fit>& fits, AllanModel::Term term) {
+  if (fits.empty()) return std::nullopt;
+  NoiseCoefficient result{std::sqrt(fits.front().squares[term]), 0};
+  for (const Fit& fit : fits) {
+    if (!(fit.squares[term] > 0)) return std::nullopt;
+    const double value = std::sqrt(fit.squares[term]);
+    // Two standard errors, and d sqrt(c) = dc / (2 sqrt(c)).
+    const double half_width = fit.standard_error[term] / value;
+    result.half_width_95 =
+        std::max(result.half_width_95, std::fabs(value - result.value) + half_width);
+  }
+  return result;
+}
+
+}  // namespace
+
+NoiseCoefficients fit_noise_coefficients(const std::vector<AllanPoint>& allan) {
+  const bool all_positive = std::all_of(allan.begin(), allan.end(),
+                                        [](const AllanPoint& point) { return point.sigma > 0; });
+  if (allan.empty() || !all_positive) return {};
+  const std::vector<Fit> fits = plausible_fits(AllanModel(allan), points_of(allan));
+  return {agreed(fits, AllanModel::kQuantization), agreed(fits, AllanModel::kAngleWalk),
+          agreed(fits, AllanModel::kInstability), agreed(fits, AllanModel::kRateWalk),
+          agreed(fits, AllanModel::kRamp)};
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "noise/allan.hpp"
+
+namespace fogcomp {
+
+/// A coefficient of IEEE Std 952 Annex C and the half width of its 95 % confidence interval.
+struct NoiseCoefficient {
+  double value = 0;
+  double half_width_95 = 0;
+};
+
+/// Coefficients of
+///   sigma^2(tau) = 3 Q^2/tau^2 + N^2/tau + B^2 (2/pi) ln 2 + K^2 tau/3 + R^2 tau^2/2,
+/// tau in hours. One that the data cannot show is absent.
+struct NoiseCoefficients {
+  std::optional<NoiseCoefficient> quantization_deg;        ///< Q
+  std::optional<NoiseCoefficient> angle_random_walk_dprh;  ///< N, deg/sqrt(h)
+  std::optional<NoiseCoefficient> bias_instability_dph;    ///< B, height of the flat part / 0.664
+  std::optional<NoiseCoefficient> rate_random_walk_dphrh;  ///< K, deg/h/sqrt(h)
+  std::optional<NoiseCoefficient> rate_ramp_dphh;          ///< R, deg/h/h
+};
+
+/// Fits the coefficients to an Allan deviation in deg/h.
+///
+/// Every combination of terms is fitted. A coefficient is reported only if all combinations that
+/// are plausible (likelihood ratio against the best, 95 %) have it, and its interval covers theirs:
+/// two terms that could stand for each other are both absent rather than wrong.
+NoiseCoefficients fit_noise_coefficients(const std::vector<AllanPoint>& allan);
+
+}  // namespace fogcomp

@@ -1,0 +1,254 @@
+#include "noise/noise_model.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "noise/jumps.hpp"
+#include "support/median.hpp"
+#include "support/periodogram.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kLadderStep = 4;  // between neighbouring time constants
+constexpr int kUpdates = 300;
+constexpr double kLeastVariance = 1e-30;  // rows without any noise can still be weighted
+constexpr double kNegligible = 1e-5;      // of the white variance: such a component is dropped
+constexpr double kLateStart =
+    1e-3;  // of the mean power: single components grow where flicker fails
+
+struct Spectrum {
+  std::vector<double> angle;  // per row, 0..pi
+  std::vector<double> power;  // expected value: sum of variance * density
+};
+
+void remove_line(Eigen::VectorXd& values) {
+  const auto count = static_cast<double>(values.size());
+  const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(values.size(), -1, 1);
+  const double slope = t.dot(values) / t.squaredNorm();
+  values.array() -= values.sum() / count;
+  values -= slope * t;
+}
+
+// Outliers are no part of the noise that the rows are weighted with; a row of 60 sigma would be all
+// of it.
+void clip_outliers(Eigen::VectorXd& values) {
+  constexpr double kMostSigma = 4;
+  const double most = kMostSigma * sigma_by_median({values.begin(), values.end()});
+  if (most == 0) return;  // most rows are rounded to one value: what is not is no outlier
+  values = values.cwiseMax(-most).cwiseMin(most);
+}
+
+void add_periodogram(const NoiseSample& sample, Spectrum& spectrum) {
+  Eigen::VectorXd values = sample.values;
+  remove_line(values);
+  clip_outliers(values);
+  const std::vector<double> powers = periodogram({values.begin(), values.end()});
+  for (std::size_t k = sample.first_frequency; k < powers.size(); ++k) {
+    spectrum.angle.push_back(2 * kPi * static_cast<double>(k) / static_cast<double>(values.size()));
+    spectrum.power.push_back(powers[k]);
+  }
+}
+
+// Spectral density of a sampled Gauss-Markov process of variance 1.
+double density(double phi, double angle) {
+  return (1 - phi * phi) / (1 - 2 * phi * std::cos(angle) + phi * phi);
+}
+
+// Expected power over variances: columns white, flicker, then a Gauss-Markov component each.
+Eigen::ArrayXXd basis_of(const std::vector<double>& angles, double row_s,
+                         const std::vector<double>& taus_s, std::size_t own) {
+  const auto points = static_cast<Eigen::Index>(angles.size());
+  Eigen::ArrayXXd basis = Eigen::ArrayXXd::Zero(points, 2 + static_cast<Eigen::Index>(own));
+  for (Eigen::Index i = 0; i < points; ++i) {
+    basis(i, 0) = 1;
+    for (std::size_t j = 0; j < taus_s.size(); ++j) {
+      const double power =
+          density(std::exp(-row_s / taus_s[j]), angles[static_cast<std::size_t>(i)]);
+      basis(i, 1) += power;
+      if (j < own) basis(i, 2 + static_cast<Eigen::Index>(j)) = power;
+    }
+  }
+  return basis;
+}
+
+// How well the power at a low frequency is known, as if it were a variance from so many values:
+// from the curvature of Whittle's likelihood, in the levels of white noise and of the slow part.
+// The slow part is taken as flicker, of which little may be seen, and as all that was found, which
+// may be mostly one component and come from few periods; the less certain counts. With the levels
+// of both unknown it would be what the power really scatters by, some five times less; but then
+// effects that leave 1.6 times the noise went unseen.
+double freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
+                  const Eigen::ArrayXd& low) {
+  constexpr double kLeast = 3;
+  constexpr double kMost = 1000;
+  const Eigen::ArrayXd model = (basis.matrix() * variance.matrix()).array();
+  const double power = (low * variance).sum();
+  Eigen::ArrayXd flicker = Eigen::ArrayXd::Zero(variance.size());
+  flicker[1] = 1;
+  Eigen::ArrayXd found = variance;
+  found[0] = 0;
+  double freedom = kMost;
+  for (const Eigen::ArrayXd& slow : {flicker, found}) {
+    Eigen::MatrixX2d scaled(basis.rows(), 2);
+    scaled.col(0) = (basis.col(0) / model).matrix();
+    scaled.col(1) = ((basis.matrix() * slow.matrix()).array() / model).matrix();
+    const Eigen::Matrix2d information = scaled.transpose() * scaled;
+    const Eigen::Vector2d towards(low[0], (low * slow).sum());
+    const double spread = towards.dot(information.inverse() * towards);
+    const bool has_shape = spread > 0;  // all that was found may be nothing
+    if (has_shape) freedom = std::min(freedom, 2 * power * power / spread);
+  }
+  return std::max(freedom, kLeast);
+}
+
+// Bands a sixteenth of an octave wide.
+QuietSpectrum in_bands(const Spectrum& spectrum, double white_variance) {
+  constexpr double kBandsPerOctave = 16;
+  std::map<int, std::array<double, 3>> bands;
+  for (std::size_t i = 0; i < spectrum.angle.size(); ++i) {
+    auto& [angle, power, count] =
+        bands[static_cast<int>(std::floor(kBandsPerOctave * std::log2(spectrum.angle[i])))];
+    angle += spectrum.angle[i];
+    power += spectrum.power[i] / white_variance;
+    ++count;
+  }
+  const auto size = static_cast<Eigen::Index>(bands.size());
+  QuietSpectrum quiet{Eigen::ArrayXd(size), Eigen::ArrayXd(size), Eigen::ArrayXd(size)};
+  Eigen::Index at = 0;
+  for (const auto& [band, sums] : bands) {
+    quiet.angle[at] = sums[0] / sums[2];
+    quiet.power[at] = sums[1] / sums[2];
+    quiet.count[at++] = sums[2];
+  }
+  return quiet;
+}
+
+// Coefficients of a random walk that drifts by 1/16 to 8 times the white noise of a row in a run.
+std::vector<NoiseModel::Walk> possible_walks(double white_dph, double run_s) {
+  std::vector<NoiseModel::Walk> walks;
+  for (double ratio = 1.0 / 16; ratio <= 8; ratio *= 2) {
+    walks.push_back({ratio * white_dph / std::sqrt(run_s / kSecondsPerHour), 0});
+  }
+  return walks;
+}
+
+// Whittle's likelihood of each walk, beside as much or as little of the slow noise that was found
+// as suits it: what is a walk was taken for that.
+void weigh_walks(const Spectrum& spectrum, const Eigen::ArrayXd& white, const Eigen::ArrayXd& slow,
+                 double row_s, std::vector<NoiseModel::Walk>& walks) {
+  const Eigen::Map<const Eigen::ArrayXd> power(spectrum.power.data(), white.size());
+  const Eigen::Map<const Eigen::ArrayXd> angle(spectrum.angle.data(), white.size());
+  const Eigen::ArrayXd walk = row_s / kSecondsPerHour / (2 - 2 * angle.cos());
+  const auto log_likelihood = [&](double coefficient) {
+    double best = -HUGE_VAL;
+    for (const double share : {1.0, 0.5, 0.25, 0.0}) {
+      const Eigen::ArrayXd model = white + share * slow + coefficient * coefficient * walk;
+      best = std::max(best, -(model.log() + power / model).sum());
+    }
+    return best;
+  };
+  const double none = log_likelihood(0);
+  for (NoiseModel::Walk& one : walks) one.log_odds = log_likelihood(one.coefficient) - none;
+}
+
+}  // namespace
+
+double NoiseModel::white_dph() const {
+  return std::sqrt(white_variance);
+}
+
+double NoiseModel::wander_dph() const {
+  double variance = 0;
+  for (const Component& component : components) variance += component.variance;
+  return std::sqrt(variance);
+}
+
+double NoiseModel::slow_density(double angle) const {
+  double sum = 0;
+  for (const Component& component : components) {
+    sum += component.variance * density(std::exp(-row_s / component.tau_s), angle);
+  }
+  return sum / white_variance;
+}
+
+std::vector<NoiseSample> noise_samples(const std::vector<Eigen::VectorXd>& stretches) {
+  std::vector<NoiseSample> samples;
+  for (Eigen::VectorXd& part : parted_at_jumps(stretches)) samples.push_back({std::move(part)});
+  return samples;
+}
+
+NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, double run_s) {
+  Spectrum spectrum;
+  double longest_s = 0;
+  for (const NoiseSample& sample : samples) {
+    add_periodogram(sample, spectrum);
+    const double periods = static_cast<double>(sample.first_frequency) / 3;
+    longest_s = std::max(longest_s, static_cast<double>(sample.values.size()) * row_s / periods);
+  }
+  std::vector<double> taus_s;
+  std::size_t own = 0;
+  for (double tau_s = 2 * row_s; tau_s <= std::max(longest_s / 2, run_s); tau_s *= kLadderStep) {
+    taus_s.push_back(tau_s);
+    if (tau_s <= longest_s / 2) ++own;
+  }
+  const Eigen::ArrayXXd basis = basis_of(spectrum.angle, row_s, taus_s, own);
+  const Eigen::Map<const Eigen::ArrayXd> power(spectrum.power.data(), basis.rows());
+  NoiseModel noise;
+  noise.row_s = row_s;
+  noise.from_quiet_parts = true;
+  noise.freedom = 1;
+  noise.white_variance = kLeastVariance;
+  if (!(power.mean() > 0)) return noise;  // the same value in every row
+  Eigen::ArrayXd variance = Eigen::ArrayXd::Constant(basis.cols(), kLateStart * power.mean());
+  variance[0] = power.mean() / 2;
+  variance[1] = power.mean() / (2 * basis.col(1).mean());
+  for (int update = 0; update < kUpdates; ++update) {
+    const Eigen::ArrayXd model = (basis.matrix() * variance.matrix()).array();
+    const Eigen::ArrayXd up =
+        (basis.matrix().transpose() * (power / model.square()).matrix()).array();
+    const Eigen::ArrayXd down = (basis.matrix().transpose() * model.inverse().matrix()).array();
+    variance *= (up / down).sqrt();
+  }
+
+  noise.white_variance = variance[0];
+  noise.quiet_spectrum = in_bands(spectrum, noise.white_variance);
+  noise.walks = possible_walks(noise.white_dph(), std::max(run_s, longest_s));
+  Eigen::ArrayXd slow = variance;
+  slow[0] = 0;
+  weigh_walks(spectrum, basis.col(0) * variance[0], (basis.matrix() * slow.matrix()).array(), row_s,
+              noise.walks);
+  constexpr double kLowest = 4;  // periods in a run: slower is the model's, not the noise's
+  noise.freedom = freedom_of(
+      basis, variance,
+      basis_of({2 * kPi * kLowest * row_s / std::max(run_s, longest_s)}, row_s, taus_s, own)
+          .row(0));
+  for (std::size_t j = 0; j < taus_s.size(); ++j) {
+    const double alone = j < own ? variance[2 + static_cast<Eigen::Index>(j)] : 0;
+    const double all = variance[1] + alone;
+    if (all >= kNegligible * variance[0]) noise.components.push_back({taus_s[j], all});
+  }
+  return noise;
+}
+
+NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s, double run_s) {
+  NoiseModel noise;
+  noise.row_s = row_s;
+  noise.freedom = 1;
+  std::vector<double> bends;
+  for (Eigen::Index i = 2; i < residual.size(); ++i) {
+    bends.push_back(residual[i] - 2 * residual[i - 1] + residual[i - 2]);
+  }
+  const double variance =
+      bends.empty() ? residual.squaredNorm() : std::pow(sigma_by_median(std::move(bends)), 2) / 6;
+  noise.white_variance = std::max(variance, kLeastVariance);
+  noise.walks = possible_walks(noise.white_dph(), run_s);
+  return noise;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,261 @@
+#include "noise/outlier_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "model/input_value.hpp"
+#include "support/median.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kMinSigmas = 4;
+constexpr double kScatters = 3;        // of the neighbours; a decay of 2 rows reaches 2.9
+constexpr std::size_t kSide = 3;       // neighbours on either side
+constexpr std::size_t kReach = 20;     // rows, for neighbours with the same inputs
+constexpr std::size_t kAround = 25;    // rows on either side whose noise is known together
+constexpr std::size_t kFewBends = 12;  // do not tell the noise of a part
+constexpr double kSameInput = 0.25;    // of an input's range
+
+// The value that a part of `sizes` lies below, 0..1.
+double quantile(std::vector<double>& sizes, double part) {
+  const auto at =
+      sizes.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), at, sizes.end());
+  return *at;
+}
+
+// The sigma of a row's white noise, from second differences; few outliers do not move it. By two
+// quantiles, of which the larger counts: of an oscillation every second one may vanish, or most may
+// be nearly as large as the largest.
+double sigma_of_bends(std::vector<double> bends) {
+  constexpr double kNormalHalf = 0.67448975019608171;  // quantiles of |normal|
+  constexpr double kNormalThreeQuarters = 1.1503493803760079;
+  const double root = std::sqrt(6.0);
+  if (bends.empty()) return 0;
+  for (double& bend : bends) bend = std::abs(bend);
+  const double sigma =
+      std::max(quantile(bends, 0.5) / kNormalHalf, quantile(bends, 0.75) / kNormalThreeQuarters);
+  if (sigma > 0) return sigma / root;
+  // Steps of the rate coarser than its noise: most rows are equal, the others tell its size.
+  bends.erase(std::remove(bends.begin(), bends.end(), 0.0), bends.end());
+  return sigma_by_median(std::move(bends)) / root;
+}
+
+// Chauvenet's criterion: noise alone exceeds it in half a row of so many.
+double sigmas_allowed(std::size_t rows) {
+  constexpr double kMaxSigmas = 10;
+  double low = kMinSigmas;
+  double high = kMaxSigmas;
+  while (high - low > 1e-3) {
+    const double middle = (low + high) / 2;
+    const double beyond = static_cast<double>(rows) * std::erfc(middle / std::sqrt(2.0));
+    (beyond > 0.5 ? low : high) = middle;
+  }
+  return low;
+}
+
+// The nearest values on one side of a row.
+class Side {
+ public:
+  // Kept in order of size.
+  void add(double value) {
+    std::size_t at = size_++;
+    for (; at > 0 && values_[at - 1] > value; --at) values_[at] = values_[at - 1];
+    values_[at] = value;
+  }
+  std::size_t size() const { return size_; }
+  double median() const { return (values_[(size_ - 1) / 2] + values_[size_ / 2]) / 2; }
+  // Sigma by the median of the three distances from the median, of which one is 0.
+  double scatter() const {
+    constexpr double kSigmaPerMedian = 1.4826022185056018;
+    if (size_ < kSide) return 0;
+    return kSigmaPerMedian * std::min(values_[2] - values_[1], values_[1] - values_[0]);
+  }
+  double range() const { return values_[size_ - 1] - values_[0]; }
+
+ private:
+  std::array<double, kSide> values_{};
+  std::size_t size_ = 0;
+};
+
+class OutlierSearch {
+ public:
+  explicit OutlierSearch(const ValuesInTime& rows) : rows_(rows), outlier_(rows.values.size()) {
+    for (const std::vector<double>& input : rows.inputs) {
+      if (input.empty()) continue;
+      const auto [least, most] = std::minmax_element(input.begin(), input.end());
+      if (*most > *least) inputs_.push_back({&input, kSameInput * (*most - *least)});
+    }
+    std::vector<double> bends;
+    for (const RowRange& stretch : rows.stretches) {
+      for (std::size_t i = stretch.first + 1; i + 1 < stretch.end; ++i) bends.push_back(bend(i));
+    }
+    sigma_ = sigma_of_bends(std::move(bends));
+    sigmas_ = sigmas_allowed(rows.values.size());
+  }
+
+  // Rows of one event are found one after the other: each hides the next.
+  std::vector<bool> run() {
+    if (sigma_ == 0) return outlier_;
+    for (std::size_t round = 0; round <= kSide; ++round) {
+      std::vector<std::size_t> found;
+      for (const RowRange& stretch : rows_.stretches) {
+        for (std::size_t i = stretch.first; i < stretch.end; ++i) {
+          if (!outlier_[i] && stands_out(i, stretch)) found.push_back(i);
+        }
+      }
+      if (found.empty()) break;
+      for (const std::size_t i : found) outlier_[i] = true;
+    }
+    return outlier_;
+  }
+
+ private:
+  struct Input {
+    const std::vector<double>* values;
+    double same;
+  };
+
+  double bend(std::size_t i) const {
+    return rows_.values[i - 1] - 2 * rows_.values[i] + rows_.values[i + 1];
+  }
+
+  bool comparable(std::size_t a, std::size_t b) const {
+    return std::all_of(inputs_.begin(), inputs_.end(), [&](const Input& input) {
+      return std::abs((*input.values)[a] - (*input.values)[b]) <= input.same;
+    });
+  }
+
+  Side side_of(std::size_t row, const RowRange& stretch, std::ptrdiff_t step) const {
+    Side side;
+    const std::size_t available = step < 0 ? row - stretch.first : stretch.end - 1 - row;
+    for (std::size_t away = 1; away <= std::min(available, kReach) && side.size() < kSide; ++away) {
+      const auto i = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(row) +
+                                              step * static_cast<std::ptrdiff_t>(away));
+      if (!outlier_[i] && comparable(row, i)) side.add(rows_.values[i]);
+    }
+    return side;
+  }
+
+  bool stands_out(std::size_t row, const RowRange& stretch) const {
+    const Side before = side_of(row, stretch, -1);
+    const Side after = side_of(row, stretch, 1);
+    const double value = rows_.values[row];
+    const double weight = rows_.weights.empty() ? 1 : std::min(1.0, rows_.weights[row]);
+    const double allowed = sigmas_ / std::sqrt(weight);
+    double off = 0;
+    double scatter = 0;
+    if (before.size() > 0 && after.size() > 0) {
+      if ((value > before.median()) != (value > after.median())) return false;
+      off = std::min(std::abs(value - before.median()), std::abs(value - after.median()));
+      scatter = std::max(before.scatter(), after.scatter());
+    } else {
+      // At an end of a stretch nothing tells a drift that grows from an outlier but its size.
+      const Side& side = before.size() > 0 ? before : after;
+      if (side.size() < kSide) return false;
+      off = std::abs(value - side.median());
+      scatter = side.range();
+    }
+    return off > allowed * sigma_ && off > kScatters * scatter &&
+           off > allowed * sigma_around(row, stretch);
+  }
+
+  // Without the row itself; 0 where too few rows are there.
+  double sigma_around(std::size_t row, const RowRange& stretch) const {
+    std::vector<double> bends;
+    const std::size_t first = std::max(stretch.first + 1, row - std::min(row, kAround));
+    const std::size_t end = std::min(stretch.end, row + kAround + 2);
+    for (std::size_t i = first; i + 1 < end; ++i) {
+      if (i + 1 < row || i > row + 1) bends.push_back(bend(i));
+    }
+    return bends.size() < kFewBends ? 0 : sigma_of_bends(std::move(bends));
+  }
+
+  const ValuesInTime& rows_;
+  std::vector<Input> inputs_;
+  std::vector<bool> outlier_;
+  double sigma_ = 0;
+  double sigmas_ = 0;
+};
+
+std::vector<RowRange> stretches_of(const Rows& rows) {
+  constexpr double kGap = 1.5;  // rows
+  std::vector<RowRange> stretches;
+  for (std::size_t row = 0; row < rows.time_s.size(); ++row) {
+    if (rows.starts_run(row) || rows.time_s[row] - rows.time_s[row - 1] > kGap * rows.row_s) {
+      stretches.push_back({row, row});
+    }
+    ++stretches.back().end;
+  }
+  return stretches;
+}
+
+}  // namespace
+
+std::vector<bool> find_outliers(const ValuesInTime& rows) {
+  return OutlierSearch(rows).run();
+}
+
+Eigen::VectorXd counted_rows(const Rows& rows) {
+  ValuesInTime in_time;
+  in_time.values.assign(rows.drift_dph.begin(), rows.drift_dph.end());
+  in_time.weights.assign(rows.weights.begin(), rows.weights.end());
+  in_time.stretches = stretches_of(rows);
+  for (const fog::Input input : kOptionalInputs) {
+    std::vector<double>& values = in_time.inputs.emplace_back();
+    for (const auto& means : rows.inputs) values.push_back(optional_input(input, means));
+  }
+  const std::vector<bool> outlier = find_outliers(in_time);
+  Eigen::VectorXd counted(rows.size());
+  for (Eigen::Index row = 0; row < rows.size(); ++row) {
+    counted[row] = outlier[static_cast<std::size_t>(row)] ? 0 : 1;
+  }
+  return counted;
+}
+
+Eigen::VectorXd counted_weights(const Rows& rows, const Eigen::VectorXd& row_weights) {
+  return (row_weights.array() > 0).select(rows.weights.array(), 0.0).matrix();
+}
+
+void bridge_outliers(const std::vector<bool>& outlier, const std::vector<RowRange>& stretches,
+                     std::vector<double>& values) {
+  for (const RowRange& stretch : stretches) {
+    for (std::size_t i = stretch.first; i < stretch.end; ++i) {
+      if (!outlier[i]) continue;
+      std::size_t end = i;
+      while (end < stretch.end && outlier[end]) ++end;
+      const bool has_before = i > stretch.first;
+      const bool has_after = end < stretch.end;
+      if (!has_before && !has_after) break;
+      const double from = has_before ? values[i - 1] : values[end];
+      const double to = has_after ? values[end] : values[i - 1];
+      const auto steps = static_cast<double>(end - i + 1);
+      for (std::size_t k = i; k < end; ++k) {
+        values[k] = from + (to - from) * static_cast<double>(k - i + 1) / steps;
+      }
+      i = end - 1;
+    }
+  }
+}
+
+Eigen::VectorXd bridged(const Rows& rows, const Eigen::VectorXd& values,
+                        const Eigen::VectorXd& counted) {
+  std::vector<bool> outlier;
+  for (const double count : counted) outlier.push_back(count <= 0);
+  std::vector<double> bridge(values.begin(), values.end());
+  bridge_outliers(outlier, stretches_of(rows), bridge);
+  return Eigen::Map<const Eigen::VectorXd>(bridge.data(), values.size());
+}
+
+std::string outlier_words(std::size_t rows, double row_s) {
+  if (rows == 0) return "";
+  return format(
+      "%s of %.4g s left out: %s out of its neighbours by more than %g sigma of the noise",
+      counted(rows, "row").c_str(), row_s, rows == 1 ? "it stands" : "each stands", kMinSigmas);
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,108 @@
+#include "noise/quiet_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/input_value.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kLeastLimit = 0.02;  // degC/min
+constexpr double kShareOfRamps = 0.05;
+constexpr double kRampQuantile = 0.95;
+constexpr std::size_t kLeastQuietRows = 32;
+constexpr double kGap = 1.5;  // rows
+
+double rate_limit(const Rows& rows) {
+  std::vector<double> rates;
+  for (const auto& signals : rows.signals) rates.push_back(std::abs(signals.temperature_rate));
+  const auto at = rates.begin() + static_cast<std::ptrdiff_t>(
+                                      kRampQuantile * static_cast<double>(rates.size() - 1));
+  std::nth_element(rates.begin(), at, rates.end());
+  return std::max(kLeastLimit, kShareOfRamps * *at);
+}
+
+bool follows(const Rows& rows, std::size_t row) {
+  return row > 0 && !rows.starts_run(row) &&
+         rows.time_s[row] - rows.time_s[row - 1] < kGap * rows.row_s;
+}
+
+// An axis that is turned, a field that is switched on: no noise either.
+class InputJumps {
+ public:
+  explicit InputJumps(const Rows& rows) : rows_(rows) {
+    for (std::size_t i = 0; i < kValues; ++i) {
+      double least = HUGE_VAL;
+      double most = -HUGE_VAL;
+      for (const auto& signals : rows.signals) {
+        least = std::min(least, value(signals, i));
+        most = std::max(most, value(signals, i));
+      }
+      jump_[i] = kJump * (most - least);
+    }
+  }
+  bool between(std::size_t before, std::size_t row) const {
+    for (std::size_t i = 0; i < kValues; ++i) {
+      const double change =
+          std::abs(value(rows_.signals[row], i) - value(rows_.signals[before], i));
+      if (jump_[i] > 0 && change > jump_[i]) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kValues = kOptionalInputs.size();
+  static constexpr double kJump = 0.25;  // of the range over all rows
+  static double value(const fog::Signals<RealNumbers>& signals, std::size_t i) {
+    return optional_input(kOptionalInputs[i], signals.block);
+  }
+
+  const Rows& rows_;
+  std::array<double, kValues> jump_{};
+};
+
+}  // namespace
+
+std::vector<RowRange> quiet_ranges(const Rows& rows) {
+  std::vector<RowRange> ranges;
+  const auto size = static_cast<std::size_t>(rows.size());
+  if (size < kLeastQuietRows) return ranges;
+  const double limit = rate_limit(rows);
+  const InputJumps jumps(rows);
+  std::size_t begin = 0;
+  const auto finish = [&](std::size_t end) {
+    if (end - begin >= kLeastQuietRows) ranges.push_back({begin, end});
+  };
+  for (std::size_t row = 0; row < size; ++row) {
+    const bool quiet = std::abs(rows.signals[row].temperature_rate) <= limit;
+    if (quiet && (row == begin || (follows(rows, row) && !jumps.between(row - 1, row)))) continue;
+    finish(row);
+    begin = quiet ? row : row + 1;
+  }
+  finish(size);
+  return ranges;
+}
+
+std::vector<Eigen::VectorXd> parts_of(const Eigen::VectorXd& values,
+                                      const std::vector<RowRange>& ranges) {
+  std::vector<Eigen::VectorXd> parts;
+  for (const RowRange& range : ranges) {
+    parts.push_back(values.segment(static_cast<Eigen::Index>(range.first),
+                                   static_cast<Eigen::Index>(range.size())));
+  }
+  return parts;
+}
+
+std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::VectorXd& residual) {
+  return parts_of(residual, quiet_ranges(rows));
+}
+
+NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
+  const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, residual);
+  if (quiet.empty()) return white_noise_of(residual, rows.row_s, rows.longest_run_s());
+  return fit_noise(noise_samples(quiet), rows.row_s, rows.longest_run_s());
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,132 @@
+#include "noise/whitening.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fogcomp {
+namespace {
+
+constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+Whitening::Whitening(const NoiseModel& noise, const Rows& rows, const Eigen::VectorXd& weights) {
+  const auto components = static_cast<Eigen::Index>(noise.components.size());
+  const Eigen::Index size = rows.size();
+  decay_.setZero(components, size);
+  gain_.setZero(components, size);
+  scale_.resize(size);
+  Eigen::VectorXd variances(components);
+  for (Eigen::Index j = 0; j < components; ++j) {
+    variances[j] = noise.components[static_cast<std::size_t>(j)].variance;
+  }
+  Eigen::MatrixXd covariance = variances.asDiagonal();
+  std::size_t next_run = 0;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (next_run < rows.run_starts.size() && rows.run_starts[next_run] == row) {
+      covariance = variances.asDiagonal();  // decay stays 0: nothing is known yet
+      ++next_run;
+    } else {
+      const double elapsed_s = rows.time_s[row] - rows.time_s[row - 1];
+      for (Eigen::Index j = 0; j < components; ++j) {
+        decay_(j, i) = std::exp(-elapsed_s / noise.components[static_cast<std::size_t>(j)].tau_s);
+      }
+      const Eigen::VectorXd decay = decay_.col(i);
+      covariance = decay.asDiagonal() * covariance * decay.asDiagonal();
+      covariance.diagonal().array() += variances.array() * (1 - decay.array().square());
+    }
+    const Eigen::VectorXd to_sum = covariance.rowwise().sum();
+    const double own = weights[i] > 0 ? noise.white_variance / weights[i] : kNothingKnown;
+    const double variance = to_sum.sum() + own;
+    scale_[i] = 1 / std::sqrt(variance);
+    gain_.col(i) = to_sum / variance;
+    covariance -= to_sum * to_sum.transpose() / variance;
+  }
+}
+
+Eigen::MatrixXd Whitening::apply(const Eigen::MatrixXd& matrix) const {
+  Eigen::MatrixXd white(matrix.rows(), matrix.cols());
+  Eigen::Index column = 0;
+  for (; column + 4 <= matrix.cols(); column += 4) filter<4>(matrix, column, white);
+  for (; column + 2 <= matrix.cols(); column += 2) filter<2>(matrix, column, white);
+  if (column < matrix.cols()) filter<1>(matrix, column, white);
+  return white;
+}
+
+// Several columns side by side, and the states summed in two halves: within a column every row
+// waits for the innovation of the row before.
+template <int kColumns>
+void Whitening::filter(const Eigen::MatrixXd& matrix, Eigen::Index first,
+                       Eigen::MatrixXd& white) const {
+  using Side = Eigen::Array<double, kColumns, 1>;
+  const Eigen::Index states = decay_.rows();
+  Eigen::Array<double, kColumns, Eigen::Dynamic> state;
+  state.setZero(kColumns, states);
+  Side innovation = Side::Zero();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0);
+    const auto predicted = [&](Eigen::Index j) -> Side {
+      state.col(j) = (state.col(j) + gain_(j, before) * innovation) * decay_(j, i);
+      return state.col(j);
+    };
+    Side even = Side::Zero();
+    Side odd = Side::Zero();
+    for (Eigen::Index j = 0; j + 1 < states; j += 2) {
+      even += predicted(j);
+      odd += predicted(j + 1);
+    }
+    Side sum = even + odd;
+    if (states % 2 == 1) sum += predicted(states - 1);
+    innovation = matrix.template block<1, kColumns>(i, first).transpose().array() - sum;
+    white.template block<1, kColumns>(i, first) = scale_[i] * innovation.transpose();
+  }
+}
+
+// From the last row backwards: what a row's value does to all later results by way of the states.
+Eigen::MatrixXd Whitening::apply_transposed(const Eigen::MatrixXd& matrix) const {
+  Eigen::MatrixXd result(matrix.rows(), matrix.cols());
+  Eigen::MatrixXd later = Eigen::MatrixXd::Zero(decay_.rows(), matrix.cols());
+  for (Eigen::Index i = matrix.rows() - 1; i >= 0; --i) {
+    result.row(i) = scale_[i] * matrix.row(i) + gain_.col(i).transpose() * later;
+    later.rowwise() -= result.row(i);
+    later = decay_.col(i).asDiagonal() * later;
+  }
+  return result;
+}
+
+// From the last row backwards. With z = (state before the row, 1) a row's innovation is h z, and
+// the next row's z is F z; so all that follows contributes z' M z to the sum of squares and L z to
+// the products, where M = F' M F + scale^2 h h' and L = L F + scale w h from one row to the one
+// before. A step that begins at a row has z = (0, 1) there.
+StepProducts Whitening::steps(const Rows& rows, const Eigen::MatrixXd& whitened) const {
+  const Eigen::Index states = decay_.rows();
+  StepProducts products{Eigen::VectorXd(decay_.cols()),
+                        Eigen::MatrixXd(decay_.cols(), whitened.cols())};
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(states + 1, states + 1);
+  Eigen::MatrixXd with = Eigen::MatrixXd::Zero(whitened.cols(), states + 1);
+  Eigen::RowVectorXd innovation(states + 1);
+  Eigen::MatrixXd advance = Eigen::MatrixXd::Zero(states + 1, states + 1);
+  auto next_start = rows.run_starts.rbegin();
+  for (Eigen::Index i = decay_.cols() - 1; i >= 0; --i) {
+    innovation << -decay_.col(i).transpose(), 1;
+    advance.topRows(states) = gain_.col(i) * innovation;
+    advance.topLeftCorner(states, states).diagonal() += decay_.col(i);
+    advance(states, states) = 1;
+    square = advance.transpose() * square * advance +
+             scale_[i] * scale_[i] * innovation.transpose() * innovation;
+    with = with * advance + scale_[i] * whitened.row(i).transpose() * innovation;
+    products.square[i] = square(states, states);
+    products.with.row(i) = with.col(states).transpose();
+    if (next_start == rows.run_starts.rend() || static_cast<Eigen::Index>(*next_start) != i) {
+      continue;
+    }
+    square.setZero();
+    with.setZero();
+    ++next_start;
+  }
+  return products;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,51 @@
+#include "recording/data_hash.hpp"
+
+#include <cstring>
+
+#include "core/bytes/crc.hpp"
+
+namespace fogcomp {
+
+std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
+  const auto add = [&crc](const std::vector<double>& column) {
+    crc = fog::crc32(reinterpret_cast<const std::uint8_t*>(column.data()),
+                     column.size() * sizeof(double), crc);
+  };
+  add(recording.time_s);
+  add(recording.temperature_degc);
+  add(recording.rate_dph);
+  add(recording.input_rate_dph);
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    const std::vector<double>& column = recording.extension[i];
+    if (column.empty()) continue;
+    // Its number, so that the same values in another column make another hash.
+    const auto number = static_cast<std::uint8_t>(i);
+    crc = fog::crc32(&number, 1, crc);
+    add(column);
+  }
+  return crc;
+}
+
+std::uint64_t rows_hash(const Recording& recording) {
+  std::uint64_t hash = recording.rows();
+  // A multiplication and a rotation per number: a recording may have millions.
+  const auto mix = [&hash](double value) {
+    const double without_sign_of_zero = value + 0.0;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &without_sign_of_zero, sizeof bits);
+    constexpr std::uint64_t kOddMultiplier = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
+    hash = (hash ^ bits) * kOddMultiplier;
+    hash ^= hash >> 29U;
+  };
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    mix(recording.time_s[row]);
+    mix(recording.rate_dph[row]);
+  }
+  return hash;
+}
+
+std::string same_rows_words(const std::string& file, const std::string& other) {
+  return file + ": has the same rows as " + other + "; counted once";
+}
+
+}  // namespace fogcomp

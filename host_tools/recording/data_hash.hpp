@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "recording/recording.hpp"
+
+namespace fogcomp {
+
+/// All that a fit can depend on, as one number for the model's history: CRC-32 of the columns of a
+/// recording, continued from `crc` (fog::kCrc32Initial for the first recording).
+std::uint32_t data_hash(const Recording& recording, std::uint32_t crc);
+
+/// What was measured, whatever the file is called and however its numbers are written: a hash of
+/// the times and rates of all rows.
+std::uint64_t rows_hash(const Recording& recording);
+
+/// Recordings by their rows, so that none counts twice.
+class KnownRows {
+ public:
+  void add(std::uint64_t rows_hash, const std::string& file) { files_[rows_hash] = file; }
+  /// The file that had these rows; "" where none had.
+  std::string file_with(std::uint64_t rows_hash) const {
+    const auto found = files_.find(rows_hash);
+    return found == files_.end() ? "" : found->second;
+  }
+
+ private:
+  std::map<std::uint64_t, std::string> files_;
+};
+
+/// "copy.csv: has the same rows as run.csv; counted once".
+std::string same_rows_words(const std::string& file, const std::string& other);
+
+}  // namespace fogcomp

@@ -1,0 +1,96 @@
+#include "recording/input_file.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "support/input_error.hpp"
+#include "support/output_file.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr std::size_t kMostBufferBytes = 1U << 20U;
+constexpr std::size_t kFewestBufferBytes = 1U << 16U;
+
+}  // namespace
+
+InputFile::InputFile(std::string path)
+    : path_(std::move(path)), buffer_bytes_(kMostBufferBytes), progress_("reading " + path_) {
+  descriptor_ = open_input(path_);
+  struct stat status {};
+  if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) {
+    size_ = static_cast<std::size_t>(status.st_size);
+  }
+  // Of a file no larger than it needs; with room to see its end.
+  if (size_ > 0) buffer_bytes_ = std::clamp(size_ + 1, kFewestBufferBytes, kMostBufferBytes);
+  // One more for the line end that a last line may lack; not zeroed, as most is not needed.
+  buffer_.reset(new char[buffer_bytes_ + 1]);
+}
+
+InputFile::~InputFile() {
+  ::close(descriptor_);
+}
+
+// Moves the unread bytes to the front and reads until the buffer is full or the file ends.
+void InputFile::fill() {
+  std::memmove(buffer_.get(), buffer_.get() + begin_, end_ - begin_);
+  end_ -= begin_;
+  begin_ = 0;
+  while (!at_end_ && end_ < buffer_bytes_) {
+    const ssize_t got = ::read(descriptor_, buffer_.get() + end_, buffer_bytes_ - end_);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) {
+      throw InputError(path_, std::string("cannot be read (") + std::strerror(errno) + ")");
+    }
+    at_end_ = got == 0;
+    end_ += static_cast<std::size_t>(got);
+    read_bytes_ += static_cast<std::size_t>(got);
+  }
+  if (size_ > 0) progress_.update(static_cast<double>(read_bytes_) / static_cast<double>(size_));
+}
+
+std::string_view InputFile::peek() {
+  fill();
+  return {buffer_.get() + begin_, end_ - begin_};
+}
+
+std::string_view InputFile::next_block() {
+  const std::string_view block = peek();
+  begin_ = end_;
+  return block;
+}
+
+bool InputFile::next_line(std::string_view& line) {
+  const char* start = buffer_.get() + begin_;
+  const void* found = std::memchr(start, '\n', end_ - begin_);
+  if (found == nullptr) {
+    fill();
+    if (begin_ == end_) return false;
+    start = buffer_.get();
+    found = std::memchr(start, '\n', end_);
+  }
+  ++line_number_;
+  if (found == nullptr) {
+    if (!at_end_) throw InputError(where(), "line longer than 1 MiB; is this a recording?");
+    buffer_[end_] = '\n';
+    found = buffer_.get() + end_;
+    begin_ = end_;
+  } else {
+    begin_ = static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.get()) + 1;
+  }
+  auto length = static_cast<std::size_t>(static_cast<const char*>(found) - start);
+  if (length > 0 && start[length - 1] == '\r') --length;
+  line = {start, length};
+  return true;
+}
+
+std::string InputFile::where() const {
+  return path_ + ":" + std::to_string(line_number_);
+}
+
+}  // namespace fogcomp

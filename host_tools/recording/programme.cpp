@@ -1,0 +1,174 @@
+#include "recording/programme.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "support/median.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kSlowestRampDegcPerMin = 0.05;
+constexpr double kLeastRampDegc = 2;
+constexpr double kShortestSoakS = 120;
+constexpr double kLeastToleranceDegc = 0.3;
+constexpr std::size_t kMostPoints = 4000;
+
+/// Mean temperature of a few rows.
+struct Point {
+  double time_s;
+  double temperature_degc;
+  std::size_t first_row;
+};
+
+std::vector<Point> thin_out(const Recording& recording, RowRange rows) {
+  const std::size_t step = (rows.size() + kMostPoints - 1) / kMostPoints;
+  std::vector<Point> points;
+  for (std::size_t first = rows.first; first < rows.end; first += step) {
+    const std::size_t end = std::min(first + step, rows.end);
+    double sum_degc = 0;
+    for (std::size_t row = first; row < end; ++row) sum_degc += recording.temperature_degc[row];
+    points.push_back({(recording.time_s[first] + recording.time_s[end - 1]) / 2,
+                      sum_degc / static_cast<double>(end - first), first});
+  }
+  return points;
+}
+
+// Of the points, from second differences, which a ramp leaves alone.
+double noise_degc(const std::vector<Point>& points) {
+  const double kWhiteGain = std::sqrt(6.0);
+  std::vector<double> bends;
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    bends.push_back(std::fabs(points[i].temperature_degc - 2 * points[i - 1].temperature_degc +
+                              points[i - 2].temperature_degc));
+  }
+  return sigma_by_median(std::move(bends)) / kWhiteGain;
+}
+
+// Smallest step of the sensor: 0.0625 degC for many digital ones, next to nothing for others.
+double resolution_degc(const Recording& recording, RowRange rows) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t row = rows.first + 1; row < rows.end; ++row) {
+    const double step =
+        std::fabs(recording.temperature_degc[row] - recording.temperature_degc[row - 1]);
+    if (step > 0 && step < smallest) smallest = step;
+  }
+  return std::isfinite(smallest) ? smallest : 0;
+}
+
+// How far the temperature may leave a straight line without a corner being seen in it.
+double tolerance_degc(const Recording& recording, RowRange rows, const std::vector<Point>& points) {
+  constexpr double kNoiseSigmas = 5;
+  constexpr double kSteps = 1.25;
+  return std::max({kLeastToleranceDegc, kNoiseSigmas * noise_degc(points),
+                   kSteps * resolution_degc(recording, rows)});
+}
+
+// Corners of the polygon that stays within the tolerance of all points (Ramer, Douglas, Peucker).
+std::vector<std::size_t> find_corners(const std::vector<Point>& points, double tolerance) {
+  std::vector<std::size_t> corners{0, points.size() - 1};
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    const Point& a = points[first];
+    const double slope = (points[last].temperature_degc - a.temperature_degc) /
+                         std::max(points[last].time_s - a.time_s, 1e-9);
+    double farthest = tolerance;
+    std::size_t corner = first;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double on_line = a.temperature_degc + slope * (points[i].time_s - a.time_s);
+      const double distance = std::fabs(points[i].temperature_degc - on_line);
+      if (distance > farthest) {
+        farthest = distance;
+        corner = i;
+      }
+    }
+    if (corner == first) continue;
+    corners.push_back(corner);
+    open.emplace_back(first, corner);
+    open.emplace_back(corner, last);
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// From one corner to another.
+struct Piece {
+  Point from;
+  Point to;
+  SegmentKind kind;
+
+  double change_degc() const { return to.temperature_degc - from.temperature_degc; }
+  double duration_s() const { return to.time_s - from.time_s; }
+};
+
+SegmentKind kind_by_slope(const Point& from, const Point& to) {
+  const double change_degc = to.temperature_degc - from.temperature_degc;
+  const double minutes = (to.time_s - from.time_s) / kSecondsPerMinute;
+  if (std::fabs(change_degc) < kSlowestRampDegcPerMin * minutes) return SegmentKind::soak;
+  return change_degc > 0 ? SegmentKind::ramp_up : SegmentKind::ramp_down;
+}
+
+void join_equal_neighbours(std::vector<Piece>& pieces) {
+  std::vector<Piece> joined;
+  for (const Piece& piece : pieces) {
+    if (!joined.empty() && joined.back().kind == piece.kind) {
+      joined.back().to = piece.to;
+    } else {
+      joined.push_back(piece);
+    }
+  }
+  pieces = std::move(joined);
+}
+
+// A small move is the chamber's control or an overshoot, not a ramp.
+void calm_small_ramps(std::vector<Piece>& pieces, double least_ramp_degc) {
+  for (Piece& piece : pieces) {
+    if (std::fabs(piece.change_degc()) < least_ramp_degc) piece.kind = SegmentKind::soak;
+  }
+  join_equal_neighbours(pieces);
+}
+
+// A short rest is a bend of the ramp before it (or, at the start, after it), not a soak.
+void drop_short_soaks(std::vector<Piece>& pieces) {
+  if (pieces.size() < 2) return;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (pieces[i].kind != SegmentKind::soak || pieces[i].duration_s() >= kShortestSoakS) continue;
+    pieces[i].kind = pieces[i == 0 ? 1 : i - 1].kind;
+  }
+  join_equal_neighbours(pieces);
+}
+
+}  // namespace
+
+std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows) {
+  const std::vector<Point> points = thin_out(recording, rows);
+  if (points.size() < 2) return {{SegmentKind::soak, rows}};
+  const double tolerance = tolerance_degc(recording, rows, points);
+
+  std::vector<Piece> pieces;
+  const std::vector<std::size_t> corners = find_corners(points, tolerance);
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const Point& from = points[corners[i - 1]];
+    const Point& to = points[corners[i]];
+    pieces.push_back({from, to, kind_by_slope(from, to)});
+  }
+  join_equal_neighbours(pieces);
+  constexpr double kRampTolerances = 4;
+  calm_small_ramps(pieces, std::max(kLeastRampDegc, kRampTolerances * tolerance));
+  drop_short_soaks(pieces);
+
+  std::vector<ProgrammePart> parts;
+  for (const Piece& piece : pieces) {
+    parts.push_back({piece.kind, {piece.from.first_row, piece.to.first_row}});
+  }
+  parts.back().rows.end = rows.end;
+  return parts;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,50 @@
+#include "recording/rate_resolution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kRoundings = 16;  // of a value that was calculated
+
+}  // namespace
+
+bool RateResolution::moves() const {
+  return range_dph > kRoundings * kEpsilon * std::max(size_dph, 1.0);
+}
+
+double RateResolution::rounding_dph() const {
+  const double of_digits = step_dph / std::sqrt(12.0);
+  return std::max(of_digits, kRoundings * kEpsilon * size_dph);
+}
+
+RateResolution rate_resolution(const Recording& recording) {
+  RateResolution resolution;
+  const std::vector<double>& rate = recording.rate_dph;
+  if (rate.empty()) return resolution;
+  const auto [least, most] = std::minmax_element(rate.begin(), rate.end());
+  resolution.range_dph = *most - *least;
+  resolution.size_dph = std::max(std::abs(*least), std::abs(*most));
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t row = 1; row < rate.size(); ++row) {
+    const double change = std::abs(rate[row] - rate[row - 1]);
+    if (change > 0 && change < step) step = change;
+  }
+  if (std::isfinite(step)) resolution.step_dph = step;
+  return resolution;
+}
+
+void require_moving_rate(const Recording& recording) {
+  if (recording.rows() < 2 || rate_resolution(recording).moves()) return;
+  throw InputError(recording.file, format("the rate does not move: %.10g deg/h in all %zu rows; is "
+                                          "the gyro on and connected?",
+                                          recording.rate_dph[0], recording.rows()));
+}
+
+}  // namespace fogcomp

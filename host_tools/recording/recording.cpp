@@ -1,0 +1,143 @@
+#include "recording/recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "recording/csv_reader.hpp"
+#include "recording/line_numbers.hpp"
+#include "recording/refused_rows.hpp"
+#include "recording/stream_reader.hpp"
+#include "support/input_error.hpp"
+#include "support/median.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kGapPeriods = 1.5;
+constexpr double kShortestPeriodS = 1e-6;
+constexpr double kLongestPeriodS = 86400;
+
+// Of at most 65537 spacings spread over the recording: a typical value needs no more.
+double median_spacing_s(const std::vector<double>& time_s) {
+  constexpr std::size_t kMostSpacings = 65536;
+  const std::size_t step = time_s.size() / kMostSpacings + 1;
+  std::vector<double> spacings;
+  for (std::size_t i = 1; i < time_s.size(); i += step) {
+    spacings.push_back(time_s[i] - time_s[i - 1]);
+  }
+  return median(std::move(spacings));
+}
+
+// Times are printed in decimals, and so is what lies between them: without this, rounding of the
+// differences turns 0.005 into 0.00499999999738.
+double without_rounding_dust(double period_s) {
+  constexpr double kDigits = 9;
+  const double units_per_s = std::pow(10, kDigits - std::floor(std::log10(period_s)));
+  return std::round(period_s * units_per_s) / units_per_s;
+}
+
+void find_stretches(Recording& recording) {
+  recording.stretch_starts = {0};
+  recording.period_s = 0;
+  const std::vector<double>& time_s = recording.time_s;
+  if (time_s.size() < 2) return;
+  const double longest_s = kGapPeriods * median_spacing_s(time_s);
+  double spanned_s = 0;
+  std::size_t spacings = 0;
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    const double spacing_s = time_s[i] - time_s[i - 1];
+    if (spacing_s > longest_s) {
+      recording.stretch_starts.push_back(i);
+    } else {
+      spanned_s += spacing_s;
+      ++spacings;
+    }
+  }
+  const double period_s = spanned_s / static_cast<double>(spacings);
+  if (period_s < kShortestPeriodS || period_s > kLongestPeriodS) {
+    throw InputError(recording.file,
+                     format("rows are %g s apart; is time_s in seconds?", period_s));
+  }
+  recording.period_s = without_rounding_dust(period_s);
+}
+
+// What people give that is no text and no capture, by its first bytes.
+void refuse_other_formats(std::string_view head, const std::string& path) {
+  struct Format {
+    std::string_view start;
+    const char* remedy;
+  };
+  using namespace std::string_view_literals;
+  constexpr Format kFormats[] = {
+      {"\xFF\xFE"sv, "is UTF-16 text; save it as UTF-8"},
+      {"\xFE\xFF"sv, "is UTF-16 text; save it as UTF-8"},
+      {"\x1F\x8B"sv, "is compressed by gzip; unpack it with gunzip"},
+      {"PK\x03\x04"sv, "is a ZIP archive or an Excel workbook; save the sheet as CSV"},
+      {"MATLAB 5.0 MAT-file"sv, "is a MATLAB file; write it with writetable as CSV"},
+      {"\x89HDF"sv, "is an HDF5 file; write its columns as CSV"},
+      {"#ROSBAG"sv, "is a ROS bag; write its topic as CSV"},
+  };
+  for (const Format& format : kFormats) {
+    if (head.substr(0, format.start.size()) == format.start) {
+      throw InputError(path, format.remedy);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<double>& Recording::operator[](Column column) {
+  switch (column) {
+    case Column::time_s:
+      return time_s;
+    case Column::temperature_degc:
+      return temperature_degc;
+    case Column::rate_dph:
+      return rate_dph;
+    case Column::input_rate_dph:
+      return input_rate_dph;
+  }
+  return extension[static_cast<std::size_t>(column) - kFirstExtensionColumn];
+}
+
+const std::vector<double>& Recording::operator[](Column column) const {
+  return const_cast<Recording&>(*this)[column];
+}
+
+std::vector<double> bias_dph(const Recording& recording) {
+  std::vector<double> bias = recording.rate_dph;
+  for (std::size_t row = 0; row < recording.input_rate_dph.size(); ++row) {
+    bias[row] -= recording.input_rate_dph[row];
+  }
+  return bias;
+}
+
+Recording read_recording(const std::string& path, const ReadOptions& options) {
+  InputFile file(path);
+  const std::string_view head = file.peek();
+  if (head.empty()) throw InputError(path, "is empty; is it the right file?");
+  refuse_other_formats(head, path);
+
+  Recording recording;
+  LineNumbers lines;
+  if (is_sensor_stream(head)) {
+    recording = read_sensor_stream(file, options);
+  } else {
+    recording = read_csv(file, options, lines);
+    if (options.stream_rate_hz) {
+      std::fprintf(stderr, "%s: a CSV has its own time; --rate changes nothing\n", path.c_str());
+    }
+  }
+  if (recording.input_rate_dph.empty() && options.default_input_rate_dph != 0) {
+    recording.input_rate_dph.assign(recording.rows(), options.default_input_rate_dph);
+  }
+  find_stretches(recording);
+  if (options.keep_refused_rows) return recording;
+  leave_out_refused_rows(recording, lines);
+  if (recording.refused_rows > 0) find_stretches(recording);
+  return recording;
+}
+
+}  // namespace fogcomp

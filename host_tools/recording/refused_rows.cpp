@@ -1,0 +1,190 @@
+#include "recording/refused_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "recording/board_limits.hpp"
+#include "recording/columns.hpp"
+#include "recording/row_judge.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+/// What the messages say, while the rows are still there.
+class Words {
+ public:
+  Words(const Recording& recording, const LineNumbers& lines,
+        const std::vector<RefusedRow>& refused)
+      : recording_(recording), lines_(lines), refused_(refused) {}
+
+  /// "temperature 85 degC at line 901 (then lines 1801, 2701, 3601, ...) is ...".
+  std::string fault(const std::vector<std::size_t>& rows, Refusal why) const {
+    return value(rows.front(), why) + place(rows.front()) + others(rows) + " " +
+           reason(rows.front(), why);
+  }
+
+  std::string frozen(const std::vector<RowRange>& ranges) const {
+    double stood_s = 0;
+    for (const RowRange& range : ranges) {
+      stood_s += recording_.time_s[range.end - 1] - recording_.time_s[range.first];
+    }
+    return format("temperature stands still at %.6g degC%s", temperature(ranges.front().first),
+                  place(ranges.front().first).c_str()) +
+           (ranges.size() > 1 ? format(" (the first of %zu times)", ranges.size()) : "") +
+           format(
+               ", %.4g s in all, as no live sensor does; the board would not believe it; "
+               "the rows are kept",
+               stood_s);
+  }
+
+ private:
+  double temperature(std::size_t row) const { return recording_.temperature_degc[row]; }
+
+  std::string value(std::size_t row, Refusal why) const {
+    const bool rate = why == Refusal::rate_beyond_range || why == Refusal::rate_jump;
+    return rate ? format("rate %.6g deg/h", recording_.rate_dph[row])
+                : format("temperature %.6g degC", temperature(row));
+  }
+
+  std::string place(std::size_t row) const {
+    return lines_.empty() ? format(" at %.6g s", recording_.time_s[row])
+                          : format(" at line %zu", lines_.line_of(row));
+  }
+
+  std::string others(const std::vector<std::size_t>& rows) const {
+    constexpr std::size_t kMostNamed = 4;
+    std::string list;
+    for (std::size_t i = 1; i < std::min(rows.size(), kMostNamed); ++i) {
+      list += i == 1 ? "" : ", ";
+      list += lines_.empty() ? format("%.6g", recording_.time_s[rows[i]])
+                             : std::to_string(lines_.line_of(rows[i]));
+    }
+    if (list.empty()) return "";
+    return format(" (then %s%s%s)", lines_.empty() ? "at s " : "", list.c_str(),
+                  rows.size() > kMostNamed ? ", ..." : "");
+  }
+
+  bool is_refused(std::size_t row) const {
+    return std::binary_search(refused_.begin(), refused_.end(), RefusedRow{row, {}},
+                              [](RefusedRow a, RefusedRow b) { return a.row < b.row; });
+  }
+
+  // From the row before it that is kept, or else the one after it.
+  double jump_degc(std::size_t row) const {
+    std::size_t kept = row;
+    while (kept > 0 && is_refused(kept)) --kept;
+    while (kept + 1 < recording_.rows() && is_refused(kept)) ++kept;
+    return std::fabs(temperature(row) - temperature(kept));
+  }
+
+  std::string reason(std::size_t row, Refusal why) const {
+    switch (why) {
+      case Refusal::impossible_temperature:
+        return format("is outside %g to %g degC", kColdestDegc, kWarmestDegc);
+      case Refusal::power_on_temperature:
+        return "is what a DS18B20 says before its first conversion";
+      case Refusal::temperature_jump:
+        return format("jumps by %.3g degC, faster than any coil", jump_degc(row));
+      case Refusal::rate_beyond_range:
+        return format("is beyond the full scale of %g deg/s", kRangeDegPerS);
+      case Refusal::rate_jump:
+        return "leaps faster than anything turns";
+    }
+    return "";
+  }
+
+  const Recording& recording_;
+  const LineNumbers& lines_;
+  const std::vector<RefusedRow>& refused_;
+};
+
+std::vector<std::size_t> rows_refused_for(const std::vector<RefusedRow>& refused, Refusal why) {
+  std::vector<std::size_t> rows;
+  for (const RefusedRow& each : refused) {
+    if (each.why == why) rows.push_back(each.row);
+  }
+  return rows;
+}
+
+const char* likely_cause(const Recording& recording, Refusal why) {
+  if (why == Refusal::rate_beyond_range || why == Refusal::rate_jump) {
+    return "is rate_dph in deg/h?";
+  }
+  const auto [least, most] =
+      std::minmax_element(recording.temperature_degc.begin(), recording.temperature_degc.end());
+  return temperature_question(*least, *most);
+}
+
+void name_refused_rows(const Recording& recording, const LineNumbers& lines,
+                       const std::vector<RefusedRow>& refused) {
+  const Words words(recording, lines, refused);
+  for (const Refusal why :
+       {Refusal::impossible_temperature, Refusal::power_on_temperature, Refusal::temperature_jump,
+        Refusal::rate_beyond_range, Refusal::rate_jump}) {
+    const std::vector<std::size_t> rows = rows_refused_for(refused, why);
+    if (rows.empty()) continue;
+    const std::string fault = words.fault(rows, why);
+    if (rows.size() == recording.rows()) {
+      throw InputError(recording.file, "the board would refuse every row: " + fault + "; " +
+                                           likely_cause(recording, why));
+    }
+    std::fprintf(stderr, "%s: %s left out: %s; the board would refuse %s\n", recording.file.c_str(),
+                 counted(rows.size(), "row").c_str(), fault.c_str(),
+                 rows.size() == 1 ? "it" : "them");
+  }
+  if (refused.size() == recording.rows()) {
+    throw InputError(recording.file, "no row is left; see the lines above");
+  }
+}
+
+// A label whose rows are all gone goes with them.
+std::vector<Recording::Label> labels_without(const Recording& recording,
+                                             const std::vector<RefusedRow>& refused) {
+  std::vector<Recording::Label> labels;
+  for (const Recording::Label& label : recording.labels) {
+    const auto after = std::lower_bound(refused.begin(), refused.end(), label.first_row,
+                                        [](RefusedRow r, std::size_t row) { return r.row < row; });
+    const std::size_t first_row =
+        label.first_row - static_cast<std::size_t>(after - refused.begin());
+    if (!labels.empty() && labels.back().first_row == first_row) labels.pop_back();
+    if (!labels.empty() && labels.back().text == label.text) continue;
+    labels.push_back({first_row, label.text});
+  }
+  const std::size_t rows_left = recording.rows() - refused.size();
+  if (!labels.empty() && labels.back().first_row == rows_left) labels.pop_back();
+  return labels;
+}
+
+void remove_rows(std::vector<double>& column, const std::vector<RefusedRow>& refused) {
+  if (column.empty()) return;
+  std::size_t kept = refused.front().row;
+  for (std::size_t i = 0; i < refused.size(); ++i) {
+    const std::size_t end = i + 1 < refused.size() ? refused[i + 1].row : column.size();
+    for (std::size_t row = refused[i].row + 1; row < end; ++row) column[kept++] = column[row];
+  }
+  column.resize(kept);
+}
+
+}  // namespace
+
+void leave_out_refused_rows(Recording& recording, const LineNumbers& lines) {
+  const std::vector<RefusedRow> refused = refused_rows(recording);
+  const std::vector<RowRange> frozen = frozen_temperatures(recording);
+  if (!frozen.empty()) {
+    const Words words(recording, lines, refused);
+    std::fprintf(stderr, "%s: %s\n", recording.file.c_str(), words.frozen(frozen).c_str());
+  }
+  if (refused.empty()) return;
+  name_refused_rows(recording, lines, refused);
+  recording.labels = labels_without(recording, refused);
+  for (const ColumnInfo& info : kColumns) remove_rows(recording[info.column], refused);
+  recording.refused_rows = refused.size();
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,277 @@
+#include "recording/row_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/acquisition/rate_monitor.hpp"
+#include "core/acquisition/temperature_monitor.hpp"
+#include "recording/board_limits.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp {
+namespace {
+
+using fog::Status;
+
+// Times of rows are no multiples of a period: the temperature's monitor counts microseconds instead
+// of samples.
+constexpr std::uint32_t kMonitorPeriodUs = 1;
+constexpr double kLongestElapsedS = 3600;  // as far as the monitors count
+
+std::uint32_t elapsed_us(double passed_s) {
+  return static_cast<std::uint32_t>(std::llround(std::min(passed_s, kLongestElapsedS) * 1e6));
+}
+
+std::int32_t raw_of(double value, int fractional_bits) {
+  const double raw = std::ldexp(value, fractional_bits);
+  return static_cast<std::int32_t>(
+      std::llround(std::clamp(raw, double{INT32_MIN}, double{INT32_MAX})));
+}
+
+fog::Temperature board_temperature(double degc) {
+  return fog::Temperature::from_raw(raw_of(degc, fog::Temperature::fractional_bits));
+}
+
+fog::Rate board_rate(double dph) {
+  return fog::Rate::from_raw(raw_of(dph, fog::Rate::fractional_bits));
+}
+
+bool is_power_on_reading(double degc) {
+  return board_temperature(degc) == fog::kPowerOnReading;
+}
+
+/// The core's monitor, led along rows of any length, forwards or backwards in time.
+class TemperatureWalk {
+ public:
+  /// What speaks against a reading: nothing, temperature_invalid, or temperature_jump with it.
+  /// (frozen_temperatures() looks for frozen ones.)
+  Status judge(double time_s, double degc) {
+    const fog::Temperature reading = board_temperature(degc);
+    if (!fog::is_possible(reading)) return Status::temperature_invalid;
+    const double passed_s = any_ ? std::fabs(time_s - judged_s_) : 0;
+    believed_ = believes(reading, time_s, degc, passed_s);
+    any_ = true;
+    judged_s_ = time_s;
+    if (!believed_) return Status::temperature_invalid | Status::temperature_jump;
+    has_good_ = true;
+    good_s_ = time_s;
+    good_degc_ = degc;
+    return Status::none;
+  }
+
+ private:
+  // Leads the monitor to the reading: at once, or, if it takes that for a jump, in a straight line.
+  bool believes(fog::Temperature reading, double time_s, double degc, double passed_s) {
+    const fog::TemperatureMonitor before = monitor_;
+    const Status at_once = monitor_.judge(reading, true, elapsed_us(passed_s));
+    if (!any(at_once, Status::temperature_jump)) return true;
+    if (!may_have_come_straight(degc)) return false;
+    fog::TemperatureMonitor straight = before;
+    const Status seen = lead_straight(straight, time_s, degc, passed_s);
+    if (any(seen, Status::temperature_jump)) return false;
+    monitor_ = straight;
+    return true;
+  }
+
+  // A sensor that says 85 degC again and again is in its first state, however long it lasts.
+  bool may_have_come_straight(double degc) const {
+    return has_good_ && (believed_ || !is_power_on_reading(degc));
+  }
+
+  // Shows the monitor what it would have seen since the last row if the temperature had come from
+  // its last good value in a straight line. It takes 2 degC from one reading to the next, and
+  // 1 degC to 85 degC exactly: steps of 2 s make the first 1 degC/s, its own limit over time, and
+  // steps of 5 s make the second 12 degC/min, as fast as chambers bring a coil to a soak. In 200
+  // steps any temperature can be reached: after a long gap nothing is a jump.
+  Status lead_straight(fog::TemperatureMonitor& monitor, double time_s, double degc,
+                       double passed_s) const {
+    const double step_s = is_power_on_reading(degc) ? 5 : 2;
+    const int steps = static_cast<int>(std::clamp(std::ceil(passed_s / step_s), 1.0, 200.0));
+    const double step_degc = (degc - good_degc_) / std::fabs(time_s - good_s_) * passed_s / steps;
+    Status status = Status::none;
+    for (int left = steps - 1; left >= 0; --left) {
+      status = monitor.judge(board_temperature(degc - step_degc * left), true,
+                             elapsed_us(passed_s / steps));
+    }
+    return status;
+  }
+
+  fog::TemperatureMonitor monitor_{kMonitorPeriodUs};
+  bool any_ = false;
+  double judged_s_ = 0;    // of the possible reading judged last
+  bool believed_ = false;  // that one
+  bool has_good_ = false;
+  double good_s_ = 0;  // of the one believed last
+  double good_degc_ = 0;
+};
+
+class RowJudge {
+  static constexpr double kAnyRateS = 1;  // from one end of the range to the other takes 0.06 s
+
+ public:
+  explicit RowJudge(const Recording& recording)
+      : time_s_(recording.time_s),
+        temperature_degc_(recording.temperature_degc),
+        rate_dph_(recording.rate_dph),
+        rate_period_us_(elapsed_us(std::clamp(recording.period_s, 1e-6, kAnyRateS))) {}
+
+  std::vector<RefusedRow> judge() {
+    const std::size_t first = first_confirmed();
+    const std::vector<Status> before_first = judge_backwards_from(first);
+    for (std::size_t row = 0; row < time_s_.size(); ++row) {
+      note(row, (row < first ? before_first[row] : judge_temperature(row)) | rate_status(row));
+    }
+    return std::move(refused_);
+  }
+
+ private:
+  Status judge_in(TemperatureWalk& walk, std::size_t row) const {
+    return walk.judge(time_s_[row], temperature_degc_[row]);
+  }
+  bool is_possible(std::size_t row) const {
+    return fog::is_possible(board_temperature(temperature_degc_[row]));
+  }
+
+  // Whether one coil can have had these two temperatures.
+  bool agree(std::size_t row, std::size_t later) const {
+    TemperatureWalk walk;
+    return judge_in(walk, row) == Status::none && judge_in(walk, later) == Status::none;
+  }
+
+  // The first row whose temperature the next one confirms; where none does, the first that the
+  // board would believe; rows() where every reading is impossible or 85 degC.
+  std::size_t first_confirmed() const {
+    const std::size_t rows = time_s_.size();
+    std::size_t first = rows;
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (!is_possible(row) || is_power_on_reading(temperature_degc_[row])) continue;
+      first = std::min(first, row);
+      std::size_t next = row + 1;
+      while (next < rows && !is_possible(next)) ++next;
+      if (next == rows) break;
+      if (agree(row, next)) return row;
+    }
+    return first;
+  }
+
+  std::vector<Status> judge_backwards_from(std::size_t first) const {
+    std::vector<Status> status(first, Status::none);
+    TemperatureWalk walk;
+    const bool known = first < time_s_.size();
+    if (known) judge_in(walk, first);
+    for (std::size_t row = first; row-- > 0;) {
+      if (known) status[row] = judge_in(walk, row);
+      if (!known && !is_possible(row)) status[row] = Status::temperature_invalid;
+    }
+    return status;
+  }
+
+  // Forwards from the first confirmed row. A new temperature is believed as the board would believe
+  // it; but where the coil cannot have come back from it either, it was none.
+  Status judge_temperature(std::size_t row) {
+    const Status status = judge_in(walk_, row);
+    if (any(status, Status::temperature_jump)) {
+      if (jumping_) return status;
+      if (came_back(row)) {
+        refuse_excursion(row);
+        return Status::none;
+      }
+      jumping_ = true;
+      left_ = good_;
+      jump_ = row;
+    } else if (status == Status::none) {
+      if (jumping_) excursion_ = agree(row - 1, row);
+      jumping_ = false;
+      good_ = row;
+    }
+    return status;
+  }
+
+  // One that lasts longer may be a soak of a recording that was joined from several.
+  bool came_back(std::size_t row) const {
+    constexpr double kLongestS = 600;
+    if (!excursion_ || time_s_[row] - time_s_[jump_] > kLongestS) return false;
+    const double left_degc = temperature_degc_[left_];
+    const double still_away_degc = std::fabs(temperature_degc_[row] - left_degc);
+    return still_away_degc < std::fabs(temperature_degc_[jump_] - left_degc) / 2 &&
+           agree(left_, row);
+  }
+
+  void refuse_excursion(std::size_t end) {
+    while (!refused_.empty() && refused_.back().row >= jump_) refused_.pop_back();
+    for (std::size_t row = jump_; row < end; ++row) {
+      note(row, is_possible(row) ? Status::temperature_jump : Status::temperature_invalid);
+    }
+    walk_ = TemperatureWalk();
+    judge_in(walk_, left_);
+    judge_in(walk_, end);
+    excursion_ = false;
+    good_ = end;
+  }
+
+  Status rate_status(std::size_t row) {
+    const double passed_s = row == 0 ? 0 : time_s_[row] - time_s_[row - 1];
+    const std::uint32_t samples = (elapsed_us(passed_s) + rate_period_us_ / 2) / rate_period_us_;
+    return rate_.judge(board_rate(rate_dph_[row]), true, std::max(samples, 1U));
+  }
+
+  void note(std::size_t row, Status status) {
+    const auto refuse = [&](Refusal why) { refused_.push_back({row, why}); };
+    if (any(status, Status::temperature_jump)) {
+      refuse(is_power_on_reading(temperature_degc_[row]) ? Refusal::power_on_temperature
+                                                         : Refusal::temperature_jump);
+    } else if (any(status, Status::temperature_invalid)) {
+      refuse(Refusal::impossible_temperature);
+    } else if (any(status, Status::rate_out_of_range)) {
+      refuse(Refusal::rate_beyond_range);
+    } else if (any(status, Status::rate_jump)) {
+      refuse(Refusal::rate_jump);
+    }
+  }
+
+  const std::vector<double>& time_s_;
+  const std::vector<double>& temperature_degc_;
+  const std::vector<double>& rate_dph_;
+  TemperatureWalk walk_;
+  std::size_t good_ = 0;    // row whose temperature was believed last
+  bool jumping_ = false;    // the rows since jump_ are refused
+  bool excursion_ = false;  // ... and were believed in the end
+  std::size_t jump_ = 0;
+  std::size_t left_ = 0;  // good row before jump_
+  std::uint32_t rate_period_us_;
+  fog::RateMonitor rate_{board_rate(kRangeDegPerS * kDphPerDegreePerSecond), rate_period_us_};
+  std::vector<RefusedRow> refused_;
+};
+
+}  // namespace
+
+std::vector<RefusedRow> refused_rows(const Recording& recording) {
+  return RowJudge(recording).judge();
+}
+
+std::vector<RowRange> frozen_temperatures(const Recording& recording) {
+  constexpr double kLongestSampleS = 1;
+  std::vector<RowRange> ranges;
+  if (recording.period_s > kLongestSampleS) return ranges;
+  const auto lasts_too_long = [&](RowRange range) {
+    return recording.time_s[range.end - 1] - recording.time_s[range.first] >= kHoldSeconds;
+  };
+  fog::TemperatureMonitor monitor(kMonitorPeriodUs);
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    const double passed_s = row == 0 ? 0 : recording.time_s[row] - recording.time_s[row - 1];
+    if (passed_s > kHoldSeconds) monitor = fog::TemperatureMonitor(kMonitorPeriodUs);
+    const Status status = monitor.judge(board_temperature(recording.temperature_degc[row]), true,
+                                        elapsed_us(passed_s));
+    if (!any(status, Status::temperature_frozen)) continue;
+    if (ranges.empty() || ranges.back().end != row) {
+      if (!ranges.empty() && !lasts_too_long(ranges.back())) ranges.pop_back();
+      ranges.push_back({row, row});
+    }
+    ranges.back().end = row + 1;
+  }
+  if (!ranges.empty() && !lasts_too_long(ranges.back())) ranges.pop_back();
+  return ranges;
+}
+
+}  // namespace fogcomp

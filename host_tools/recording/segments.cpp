@@ -1,0 +1,138 @@
+#include "recording/segments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "recording/programme.hpp"
+#include "support/median.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kLongestDropoutS = 1;    // shorter gaps do not end a segment
+constexpr double kLongestKnownGapS = 60;  // across longer ones the chamber may have done anything
+
+double gap_before(const Recording& recording, std::size_t row) {
+  return recording.time_s[row] - recording.time_s[row - 1];
+}
+
+// Cuts [0, rows) before each stretch whose gap is longer than `shortest_s`.
+std::vector<RowRange> cut_at_gaps(const Recording& recording, RowRange rows, double shortest_s) {
+  std::vector<RowRange> parts;
+  for (const RowRange& stretch : stretches_of(recording, rows)) {
+    if (!parts.empty() && gap_before(recording, stretch.first) <= shortest_s) {
+      parts.back().end = stretch.end;
+    } else {
+      parts.push_back(stretch);
+    }
+  }
+  return parts;
+}
+
+double median_temperature_degc(const Recording& recording, RowRange rows) {
+  constexpr std::size_t kEnough = 10000;
+  const std::size_t step = rows.size() / kEnough + 1;
+  std::vector<double> values;
+  for (std::size_t row = rows.first; row < rows.end; row += step) {
+    values.push_back(recording.temperature_degc[row]);
+  }
+  return median(std::move(values));
+}
+
+// A ramp leads from the level of the soak before it to that of the soak after it; where there is no
+// soak, from its first to its last temperature.
+std::string name_of(const Recording& recording, const std::vector<ProgrammePart>& parts,
+                    std::size_t i) {
+  const auto level = [&](std::size_t part) {
+    return std::lround(median_temperature_degc(recording, parts[part].rows));
+  };
+  if (parts[i].kind == SegmentKind::soak) return format("soak %ld", level(i));
+  const bool soak_before = i > 0 && parts[i - 1].kind == SegmentKind::soak;
+  const bool soak_after = i + 1 < parts.size() && parts[i + 1].kind == SegmentKind::soak;
+  const std::vector<double>& temperature = recording.temperature_degc;
+  const long from = soak_before ? level(i - 1) : std::lround(temperature[parts[i].rows.first]);
+  const long to = soak_after ? level(i + 1) : std::lround(temperature[parts[i].rows.end - 1]);
+  return format("ramp %ld..%ld", from, to);
+}
+
+std::vector<Segment> segments_by_temperature(const Recording& recording) {
+  std::vector<Segment> segments;
+  const RowRange all{0, recording.rows()};
+  for (const RowRange& programme : cut_at_gaps(recording, all, kLongestKnownGapS)) {
+    const std::vector<ProgrammePart> parts = find_programme_parts(recording, programme);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::string name = name_of(recording, parts, i);
+      for (const RowRange& rows : cut_at_gaps(recording, parts[i].rows, kLongestDropoutS)) {
+        segments.push_back({name, parts[i].kind, rows.first, rows.end});
+      }
+    }
+  }
+  return segments;
+}
+
+// What the longest part of a labelled segment does.
+SegmentKind kind_of(const Recording& recording, RowRange rows) {
+  const std::vector<ProgrammePart> parts = find_programme_parts(recording, rows);
+  return std::max_element(parts.begin(), parts.end(),
+                          [](const ProgrammePart& a, const ProgrammePart& b) {
+                            return a.rows.size() < b.rows.size();
+                          })
+      ->kind;
+}
+
+std::vector<Segment> segments_by_label(const Recording& recording) {
+  std::vector<RowRange> ranges;
+  std::vector<std::string> names;
+  if (recording.labels.front().first_row > 0) {
+    ranges.push_back({0, recording.labels.front().first_row});
+    names.emplace_back("unlabelled");
+  }
+  for (std::size_t i = 0; i < recording.labels.size(); ++i) {
+    const bool last = i + 1 == recording.labels.size();
+    ranges.push_back({recording.labels[i].first_row,
+                      last ? recording.rows() : recording.labels[i + 1].first_row});
+    const std::string& text = recording.labels[i].text;
+    names.push_back(text.empty() ? "unlabelled" : text);
+  }
+  std::vector<Segment> segments;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    for (const RowRange& rows : cut_at_gaps(recording, ranges[i], kLongestDropoutS)) {
+      segments.push_back({names[i], kind_of(recording, rows), rows.first, rows.end});
+    }
+  }
+  return segments;
+}
+
+void number_repeated_names(std::vector<Segment>& segments) {
+  std::map<std::string, int> times;
+  for (Segment& segment : segments) {
+    const int time = ++times[segment.name];
+    if (time > 1) segment.name += format(" (%d)", time);
+  }
+}
+
+}  // namespace
+
+std::vector<RowRange> stretches_of(const Recording& recording, RowRange rows) {
+  std::vector<RowRange> stretches;
+  std::size_t first = rows.first;
+  const auto& starts = recording.stretch_starts;
+  for (auto next = std::upper_bound(starts.begin(), starts.end(), rows.first);
+       next != starts.end() && *next < rows.end; ++next) {
+    stretches.push_back({first, *next});
+    first = *next;
+  }
+  if (first < rows.end) stretches.push_back({first, rows.end});
+  return stretches;
+}
+
+std::vector<Segment> find_segments(const Recording& recording) {
+  std::vector<Segment> segments =
+      recording.labels.empty() ? segments_by_temperature(recording) : segments_by_label(recording);
+  number_repeated_names(segments);
+  return segments;
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,64 @@
+#include "research/effects.hpp"
+
+#include "fit/identify.hpp"
+#include "fit/residual_network.hpp"
+#include "model/effect_list.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp {
+namespace {
+
+class EffectsComparator : public Comparator {
+ public:
+  EffectsComparator(const ComparatorSettings& settings, int hidden) {
+    model_.terms = parse_effects(settings.effects);
+    training_.hidden = hidden;
+    training_.training.seed = settings.seed;
+  }
+
+  // Identification weights the rows by their noise, so that it wants them as measured.
+  void fit(const SignalSeries& series, const Eigen::VectorXd&) override {
+    const Identification identified = identify(model_, series);
+    if (training_.hidden == 0) return;
+    const Rows& rows = series.rows();
+    network_ = train_on_residual(rows, temperature_and_rate_of(rows), identified.residual_dph,
+                                 identified, training_, true);
+  }
+
+  Eigen::VectorXd drift_dph(const SignalSeries& series) const override {
+    Eigen::VectorXd drift = Eigen::VectorXd::Zero(series.rows().size());
+    for (const EffectTerm& term : model_.terms) {
+      const Eigen::Map<const Eigen::VectorXd> coefficients(
+          term.coefficients_dph.data(), static_cast<Eigen::Index>(term.coefficients_dph.size()));
+      drift += series.regressors(term) * coefficients;
+    }
+    if (training_.hidden > 0 && network_.worth_keeping()) {
+      drift += network_.trained.drift_dph(temperature_and_rate_of(series.rows()));
+    }
+    return drift;
+  }
+
+  std::string chosen() const override {
+    if (training_.hidden == 0) return "";
+    if (!network_.worth_keeping()) return format("no network (gain %.1f)", network_.judged->gain);
+    return format("%.1f weights determined (gain %.1f)",
+                  network_.trained.result.effective_parameters.value_or(0), network_.judged->gain);
+  }
+
+ private:
+  Model model_;
+  NetworkSettings training_;
+  ResidualNetwork network_;
+};
+
+}  // namespace
+
+std::unique_ptr<Comparator> make_effects(const ComparatorSettings& settings) {
+  return std::make_unique<EffectsComparator>(settings, 0);
+}
+
+std::unique_ptr<Comparator> make_effects_and_network(const ComparatorSettings& settings) {
+  return std::make_unique<EffectsComparator>(settings, settings.residual_hidden);
+}
+
+}  // namespace fogcomp

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "research/comparator.hpp"
+
+namespace fogcomp {
+
+/// Physical effects by `identify`, alone or with a network (temperature, temperature rate; lm) on
+/// what they leave: what `fogcomp fit` makes.
+std::unique_ptr<Comparator> make_effects(const ComparatorSettings& settings);
+std::unique_ptr<Comparator> make_effects_and_network(const ComparatorSettings& settings);
+
+}  // namespace fogcomp

@@ -1,0 +1,93 @@
+#include "series/block_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "recording/rate_resolution.hpp"
+
+namespace fogcomp {
+namespace {
+
+using Means = fog::BlockMeans<RealNumbers>;
+
+Means means_of_row(const Recording& recording, std::size_t row) {
+  Means means;
+  means.temperature = recording.temperature_degc[row];
+  if (!recording.input_rate_dph.empty()) means.input_rate = recording.input_rate_dph[row];
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    const std::vector<double>& column = recording.extension[i];
+    if (!column.empty()) means.extension[i] = column[row];
+  }
+  return means;
+}
+
+void add(Means& sum, const Means& means) {
+  sum.temperature += means.temperature;
+  sum.input_rate += means.input_rate;
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) sum.extension[i] += means.extension[i];
+}
+
+void divide(Means& sum, double samples) {
+  sum.temperature /= samples;
+  sum.input_rate /= samples;
+  for (double& value : sum.extension) value /= samples;
+}
+
+// A recording whose time begins before power-on has another time than that.
+fog::InputMask inputs_of(const Recording& recording) {
+  fog::InputMask inputs = 0;
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    if (!recording.extension[i].empty()) inputs |= bit_of(fog::extension_input(i));
+  }
+  if (!recording.input_rate_dph.empty()) inputs |= bit_of(fog::Input::input_rate);
+  if (recording.time_s[0] >= 0) inputs |= bit_of(fog::Input::elapsed);
+  return inputs;
+}
+
+}  // namespace
+
+std::int64_t sample_number(const Recording& recording, std::size_t row) {
+  if (row == 0) return 0;
+  return std::llround((recording.time_s[row] - recording.time_s[0]) / recording.period_s);
+}
+
+std::uint32_t samples_per_block(double period_s) {
+  const bool one_block_each = period_s >= 1 || period_s <= 0;  // 0: a single row has no period
+  return one_block_each ? 1U : static_cast<std::uint32_t>(std::lround(1 / period_s));
+}
+
+BlockSeries make_blocks(const Recording& recording) {
+  BlockSeries series;
+  series.file = recording.file;
+  series.period_s = recording.period_s;
+  series.samples_per_block = samples_per_block(recording.period_s);
+  series.block_s = recording.period_s > 0 ? recording.period_s * series.samples_per_block : 1;
+  series.inputs = inputs_of(recording);
+  series.rounding_dph = rate_resolution(recording).rounding_dph();
+  // Blocks that had passed since power-on when the recording began.
+  const double earlier = recording.time_s[0] / series.block_s;
+  series.first = means_of_row(recording, 0);
+  series.first.elapsed = earlier;
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    const std::int64_t number = sample_number(recording, row) / series.samples_per_block;
+    if (series.blocks.empty() || series.blocks.back().number != number) {
+      series.blocks.push_back({});
+      series.blocks.back().number = number;
+    }
+    BlockSeries::Block& block = series.blocks.back();
+    ++block.samples;
+    block.time_s += recording.time_s[row];
+    block.rate_dph += recording.rate_dph[row];
+    add(block.means, means_of_row(recording, row));
+  }
+  for (BlockSeries::Block& block : series.blocks) {
+    const double samples = block.samples;
+    block.time_s /= samples;
+    block.rate_dph /= samples;
+    divide(block.means, samples);
+    block.means.elapsed = earlier + static_cast<double>(block.number) + 1;
+  }
+  return series;
+}
+
+}  // namespace fogcomp

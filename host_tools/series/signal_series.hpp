@@ -1,0 +1,114 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "core/thermal/signals.hpp"
+#include "model/model.hpp"
+#include "recording/segments.hpp"
+#include "series/block_series.hpp"
+
+namespace fogcomp {
+
+/// The rows of a fit: means over `average_s`, or over one row of a recording that has longer ones.
+struct Rows {
+  Eigen::VectorXd drift_dph;  ///< measured rate - input rate
+  Eigen::VectorXd weights;    ///< time behind a row, relative to a full one
+  double row_s = 0;           ///< of a full row; the longest where recordings differ
+  double rounding_dph = 0;    ///< standard deviation that the rate's rounding makes in a full row
+  std::vector<double> time_s;
+  std::vector<fog::Signals<RealNumbers>> signals;    ///< means, as late as the board has them
+  std::vector<fog::BlockMeans<RealNumbers>> inputs;  ///< means of what was measured meanwhile
+  std::vector<std::size_t> run_starts;               ///< first row of each recording
+
+  Eigen::Index size() const { return drift_dph.size(); }
+  /// The rows of each recording.
+  std::vector<RowRange> runs() const;
+  /// Which of them a row is part of, and whether it is its first.
+  std::size_t run_at(std::size_t row) const;
+  bool starts_run(std::size_t row) const;
+  /// From the first row to the last, of the longest recording.
+  double longest_run_s() const;
+};
+
+/// How a temperature becomes the signals that effects see.
+enum class Phase : std::uint8_t {
+  board,  ///< by the board's own code, with its delays: what a compensation is fitted with
+  zero,   ///< without delay (zero_phase.hpp): what a diagnosis looks at
+};
+
+/// Whose temperature the effects see.
+enum class Reading : std::uint8_t {
+  of_sensor,  ///< with the noise and the steps of the sensor, as the board has it
+  smoothed,   ///< with little of them: through two more lags, forward and backward
+};
+
+/// What effects see over one or more recordings, kept so that an effect of any shape can be run
+/// over it: signals block by block, and the row that each block is part of.
+class SignalSeries {
+ public:
+  /// `model` gives the derivative's time constant and the averaging. Temperature is not clamped: a
+  /// fit has no trained range yet.
+  explicit SignalSeries(const Model& model, Phase phase = Phase::board)
+      : model_(model), phase_(phase) {}
+
+  /// Adds a recording. Throws InputError where it lacks a column that one of the model's effects
+  /// needs.
+  void add(const BlockSeries& series);
+
+  const Rows& rows() const { return rows_; }
+
+  /// The row means of an effect's regressors, rows x regressors of the effect. In Phase::zero both
+  /// readings are one.
+  Eigen::MatrixXd regressors(const EffectTerm& term, Reading reading = Reading::of_sensor) const;
+  Phase phase() const { return phase_; }
+  /// The row means of what the terms make together with their coefficients, deg/h.
+  Eigen::VectorXd drift_dph(const std::vector<EffectTerm>& terms) const;
+
+  /// Least and most of each signal that an expression can have, over all blocks.
+  SignalRanges signal_ranges() const;
+
+  /// The row means of what a network would see, rows x inputs, in the inputs' units: what it is
+  /// trained on. Normalisation is not used. The recordings must have what the inputs need, which
+  /// add() has seen to where the model's network already lists them.
+  Eigen::MatrixXd network_inputs(const std::vector<RealInput>& inputs) const;
+
+ private:
+  static constexpr std::int32_t kNoRow = -1;
+  // The state of the thermal stage during one block.
+  struct Block {
+    fog::Signals<RealNumbers> signals;
+    bool restart = false;
+    std::int32_t row = kNoRow;  // none where the board's drift is not valid
+    double samples = 0;
+  };
+  struct Run {
+    double block_s = 0;
+    std::vector<Block> blocks;
+    std::vector<fog::Signals<RealNumbers>> smoothed;  ///< per block; none in Phase::zero
+  };
+  friend class SignalRecorder;
+  friend class RowCollector;
+
+  void add_as_the_board(const BlockSeries& series, class RowCollector& rows);
+  void add_without_delay(const BlockSeries& series, class RowCollector& rows);
+  void append_rows(const std::vector<struct RowSums>& sums, double sample_s);
+  // Row means of what make(block_s) gives block by block: an object with size(), reset(signals) and
+  // step(signals, values).
+  template <class Make>
+  Eigen::MatrixXd row_means(const Make& make, Reading reading = Reading::of_sensor) const;
+
+  const Model& model_;
+  Phase phase_;
+  std::vector<Run> runs_;
+  Eigen::VectorXd seconds_;  // behind each row
+  Rows rows_;
+};
+
+/// Blocks that make one row of `average_s` seconds, at least one.
+std::int64_t blocks_per_row(double average_s, double block_s);
+/// The length of that row, seconds.
+double row_length_s(double average_s, double block_s);
+
+}  // namespace fogcomp

@@ -1,0 +1,128 @@
+#include "series/zero_phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/thermal/filtered_derivative.hpp"
+#include "series/block_walk.hpp"
+
+namespace fogcomp {
+namespace {
+
+// After as many time constants nothing of how the filter was started is left.
+constexpr double kRunInTaus = 10;
+
+// Temperatures of a stretch, one per block number, gaps bridged.
+std::vector<double> bridged(const BlockSeries& series, std::size_t first, std::size_t end) {
+  std::vector<double> values;
+  for (std::size_t i = first; i < end; ++i) {
+    const double here = series.blocks[i].means.temperature;
+    if (i > first) {
+      const std::int64_t steps = series.blocks[i].number - series.blocks[i - 1].number;
+      const double before = values.back();
+      for (std::int64_t step = 1; step < steps; ++step) {
+        values.push_back(before +
+                         (here - before) * static_cast<double>(step) / static_cast<double>(steps));
+      }
+    }
+    values.push_back(here);
+  }
+  return values;
+}
+
+// Point reflection of the stretch beyond its ends; a stretch shorter than that goes on as it ended.
+std::vector<double> extended(const std::vector<double>& values, std::size_t beyond) {
+  const std::size_t last = values.size() - 1;
+  std::vector<double> all;
+  for (std::size_t i = beyond; i > 0; --i) {
+    all.push_back(2 * values.front() - values[std::min(i, last)]);
+  }
+  all.insert(all.end(), values.begin(), values.end());
+  for (std::size_t i = 1; i <= beyond; ++i) {
+    all.push_back(2 * values.back() - values[last - std::min(i, last)]);
+  }
+  return all;
+}
+
+template <class Iterator>
+void lag(Iterator first, Iterator end, double decay) {
+  for (double state = *first; first != end; ++first) {
+    state += decay * (*first - state);
+    *first = state;
+  }
+}
+
+// Temperatures of a stretch behind both lags, with so many more at either end.
+std::vector<double> smoothed(const std::vector<double>& temperature_degc, std::size_t beyond,
+                             double block_s, double tau_s) {
+  std::vector<double> smooth = extended(temperature_degc, beyond);
+  const double decay = -std::expm1(-block_s / tau_s);
+  lag(smooth.begin(), smooth.end(), decay);
+  lag(smooth.rbegin(), smooth.rend(), decay);
+  return smooth;
+}
+
+std::size_t run_in(double block_s, double tau_s) {
+  return static_cast<std::size_t>(std::ceil(kRunInTaus * tau_s / block_s)) + 1;
+}
+
+std::vector<double> rates(const std::vector<double>& temperature_degc, double block_s,
+                          double tau_s) {
+  const std::size_t beyond = run_in(block_s, tau_s);
+  const std::vector<double> smooth = smoothed(temperature_degc, beyond, block_s, tau_s);
+  constexpr double kMost = fog::kMostRateDegcPerMin;
+  std::vector<double> result;
+  for (std::size_t i = beyond; i < beyond + temperature_degc.size(); ++i) {
+    const double per_min = (smooth[i + 1] - smooth[i - 1]) / (2 * block_s) * 60;
+    result.push_back(std::clamp(per_min, -kMost, kMost));
+  }
+  return result;
+}
+
+// Calls visit(first, end) for the blocks of every stretch that the board does not start anew in.
+template <class Visit>
+void each_stretch(const BlockSeries& series, const Visit& visit) {
+  const auto most_held = static_cast<std::int64_t>(hold_blocks(series.block_s));
+  std::size_t first = 0;
+  for (std::size_t end = 1; end <= series.blocks.size(); ++end) {
+    const bool goes_on = end < series.blocks.size() &&
+                         series.blocks[end].number - series.blocks[end - 1].number - 1 <= most_held;
+    if (goes_on) continue;
+    visit(first, end);
+    first = end;
+  }
+}
+
+}  // namespace
+
+ZeroPhaseSignals zero_phase_signals(const BlockSeries& series, double derivative_tau_s) {
+  ZeroPhaseSignals result;
+  each_stretch(series, [&](std::size_t first, std::size_t end) {
+    const std::vector<double> rate =
+        rates(bridged(series, first, end), series.block_s, derivative_tau_s);
+    for (std::size_t i = first; i < end; ++i) {
+      const BlockSeries::Block& block = series.blocks[i];
+      const auto at = static_cast<std::size_t>(block.number - series.blocks[first].number);
+      result.signals.push_back({block.means.temperature, rate[at], block.means});
+      result.restart.push_back(i == first);
+    }
+  });
+  return result;
+}
+
+BlockSeries with_smooth_temperature(BlockSeries series, double tau_s) {
+  const std::size_t beyond = run_in(series.block_s, tau_s);
+  each_stretch(series, [&](std::size_t first, std::size_t end) {
+    const std::vector<double> smooth =
+        smoothed(bridged(series, first, end), beyond, series.block_s, tau_s);
+    for (std::size_t i = first; i < end; ++i) {
+      BlockSeries::Block& block = series.blocks[i];
+      const auto at = static_cast<std::size_t>(block.number - series.blocks[first].number);
+      block.means.temperature = smooth[beyond + at];
+    }
+  });
+  if (!series.blocks.empty()) series.first.temperature = series.blocks[0].means.temperature;
+  return series;
+}
+
+}  // namespace fogcomp

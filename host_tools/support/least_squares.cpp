@@ -1,0 +1,129 @@
+#include "support/least_squares.hpp"
+
+#include <Eigen/QR>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace fogcomp {
+namespace {
+
+// Which of unit columns have a part in a column that depends on them; their numbers.
+std::vector<Eigen::Index> parts_of(const Eigen::MatrixXd& basis, const Eigen::VectorXd& column,
+                                   const std::vector<Eigen::Index>& numbers) {
+  constexpr double kPart = 1e-3;  // of a unit column
+  std::vector<Eigen::Index> parts;
+  if (basis.cols() == 0) return parts;
+  const Eigen::VectorXd share = basis.colPivHouseholderQr().solve(column);
+  for (Eigen::Index i = 0; i < share.size(); ++i) {
+    if (std::abs(share[i]) > kPart) parts.push_back(numbers[static_cast<std::size_t>(i)]);
+  }
+  return parts;
+}
+
+}  // namespace
+
+LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values) {
+  // The pivot search is for numbers.
+  if (!matrix.allFinite() || !values.allFinite()) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    return {Eigen::VectorXd::Constant(matrix.cols(), kUnknown),
+            {},
+            Eigen::VectorXd::Constant(matrix.rows(), kUnknown),
+            0};
+  }
+  // Unit columns, so that rank and conditioning do not depend on units.
+  Eigen::VectorXd norms = matrix.colwise().norm().transpose();
+  norms = norms.unaryExpr([](double norm) { return norm > 0 ? norm : 1.0; });
+  const Eigen::VectorXd scale = norms.cwiseInverse();
+
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+  qr.setThreshold(kLeastPivot);
+  qr.compute(matrix * scale.asDiagonal());
+
+  LinearFit fit;
+  fit.rank = qr.rank();
+  fit.coefficients = scale.cwiseProduct(qr.solve(values));
+  fit.residual = values - matrix * fit.coefficients;
+  if (fit.rank == matrix.cols()) {
+    const Eigen::MatrixXd r_inverse =
+        qr.matrixQR().topRows(fit.rank).triangularView<Eigen::Upper>().solve(
+            Eigen::MatrixXd::Identity(fit.rank, fit.rank));
+    const Eigen::MatrixXd root = scale.asDiagonal() * (qr.colsPermutation() * r_inverse);
+    fit.covariance = root * root.transpose();
+  }
+  return fit;
+}
+
+LinearFit solve_with_instruments(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& instruments,
+                                 const Eigen::VectorXd& values) {
+  const Eigen::MatrixXd basis = orthonormal(instruments, kLeastPivot);
+  if (basis.cols() < matrix.cols()) return solve_linear(matrix, values);
+  LinearFit fit = solve_linear(basis.transpose() * matrix, basis.transpose() * values);
+  fit.residual = values - matrix * fit.coefficients;
+  return fit;
+}
+
+std::vector<DependentColumn> dependent_columns(const Eigen::MatrixXd& matrix) {
+  Eigen::MatrixXd orthonormal(matrix.rows(), matrix.cols());
+  Eigen::MatrixXd independent(matrix.rows(), matrix.cols());
+  std::vector<Eigen::Index> numbers;
+  std::vector<DependentColumn> dependent;
+  DependentColumn nearest;
+  double nearest_left = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < matrix.cols(); ++i) {
+    const double size = matrix.col(i).norm();
+    if (!std::isfinite(size) || size == 0) {
+      dependent.push_back({i, {}});
+      continue;
+    }
+    const auto count = static_cast<Eigen::Index>(numbers.size());
+    const auto before = orthonormal.leftCols(count);
+    const Eigen::VectorXd unit = matrix.col(i) / size;
+    // Twice: the second pass removes what rounding left of the first.
+    Eigen::VectorXd left = unit;
+    for (int pass = 0; pass < 2; ++pass) left -= before * (before.transpose() * left).eval();
+    const double norm = left.norm();
+    if (norm <= kLeastPivot) {
+      dependent.push_back({i, parts_of(independent.leftCols(count), unit, numbers)});
+      continue;
+    }
+    if (norm < nearest_left) {
+      nearest_left = norm;
+      nearest = {i, parts_of(independent.leftCols(count), unit, numbers)};
+    }
+    orthonormal.col(count) = left / norm;
+    independent.col(count) = unit;
+    numbers.push_back(i);
+  }
+  if (dependent.empty()) dependent.push_back(std::move(nearest));
+  return dependent;
+}
+
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshold) {
+  if (columns.cols() == 0) return columns;  // Eigen's decomposition wants one
+  Eigen::VectorXd scale = columns.colwise().norm().transpose();
+  scale = scale.unaryExpr([](double norm) { return norm > 0 ? 1 / norm : 1.0; });
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+  qr.setThreshold(rank_threshold);
+  qr.compute(columns * scale.asDiagonal());
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
+Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows) {
+  Eigen::Index width = 0;
+  for (const Eigen::MatrixXd& part : parts) width += part.cols();
+  Eigen::MatrixXd all(rows, width);
+  Eigen::Index at = 0;
+  for (const Eigen::MatrixXd& part : parts) {
+    all.middleCols(at, part.cols()) = part;
+    at += part.cols();
+  }
+  return all;
+}
+
+double weighted_rms(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+  return std::sqrt(values.cwiseAbs2().dot(weights) / weights.sum());
+}
+
+}  // namespace fogcomp

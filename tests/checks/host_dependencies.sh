@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# host_dependencies.sh ROOT: data goes down the folders of host_tools and nothing reaches back up: each includes the core,
+# hal and the folders before it in this list, and no other.
+set -euo pipefail
+cd "${1:?usage: host_dependencies.sh ROOT}/host_tools"
+status=0
+order=(support recording simulation model denoise series noise compare fit diagnosis board research batch report cli)
+known=
+for folder in "${order[@]}"; do
+  known+="${known:+|}$folder"
+  if found=$(grep -rnE '^\s*#\s*include "' "$folder" | grep -vE "#\s*include \"(core|hal|$known)/"); then
+    echo "host_tools/$folder includes what comes after it:" >&2
+    echo "$found" >&2
+    status=1
+  fi
+done
+for folder in */; do
+  [[ " ${order[*]} " == *" ${folder%/} "* ]] || { echo "host_tools/$folder has no place in the order" >&2; status=1; }
+done
+((status == 0)) && echo "${#order[@]} folders keep their order"
+exit "$status"

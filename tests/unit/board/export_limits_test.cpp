@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include "board/board_table.hpp"
+#include "support/input_error.hpp"
+#include "support/typical_effects.hpp"
+
+namespace fogcomp {
+namespace {
+
+std::string refusal(const Model& model) {
+  try {
+    make_board_table(model, {});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ExportLimits, ACoefficientIsNamedWithItsUnitTheLimitAndTheRemedy) {
+  Model model = fog::test::paper_like_model();
+  EffectTerm aging = fog::test::natural_term("aging", {2e6}, {-5.9561e5});
+  aging.identified = {true};
+  aging.parameter_sigma = {1};
+  model.terms.push_back(aging);
+  EXPECT_EQ(refusal(model),
+            "effect 'aging': a = -5.9561e+05 deg/h is more than the board's numbers hold, "
+            "5.2429e+05 deg/h; `aging`: t0 is at its upper bound 2e+06 s: a line in time would do "
+            "as well; fit again without it or with its shape given");
+}
+
+TEST(ExportLimits, ATrainedRangeInKelvinIsNamed) {
+  Model model = fog::test::paper_like_model();
+  model.least_degc = 234;
+  model.most_degc = 335;
+  EXPECT_EQ(refusal(model),
+            "export: the trained range 234 to 335 degC lies outside -70 to 130 degC, what a board "
+            "has; is temperature_degc in kelvin? subtract 273.15 and fit again");
+  model.least_degc = 131;
+  model.most_degc = 143;
+  EXPECT_EQ(refusal(model),
+            "export: the trained range 131 to 143 degC lies outside -70 to 130 degC, what a board "
+            "has; is temperature_degc in degC? correct it and fit again");
+}
+
+}  // namespace
+}  // namespace fogcomp

@@ -1,0 +1,66 @@
+#include "compare/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compare/residual_analysis.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+namespace fogcomp {
+namespace {
+
+Comparison compare(const Model& model, const Recording& recording) {
+  return compare_with(model, run_in_blocks(recording, 10));
+}
+
+TEST(Comparison, AConstantIsJudgedAsTheModelIs) {
+  Recording recording = fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  for (double& rate : recording.rate_dph) rate += 3;  // a turn-on bias counts against both
+  const Comparison comparison = compare(fog::test::truth(), recording);
+  double drift = 0;
+  for (const Comparison::Row& row : comparison.rows) drift += row.drift_dph;
+  const double constant = drift / static_cast<double>(comparison.rows.size());
+  const auto left_by_constant = [&](RowRange range) {
+    double square = 0;
+    for (std::size_t i = range.first; i < range.end; ++i) {
+      square += std::pow(comparison.rows[i].measured_dph - constant, 2);
+    }
+    return std::sqrt(square / static_cast<double>(range.size()));
+  };
+  for (const Comparison::Segment& segment : comparison.segments) {
+    EXPECT_NEAR(constant_rms_dph(comparison, segment), left_by_constant(segment.range), 1e-9);
+  }
+  EXPECT_NEAR(constant_rms_dph(comparison, comparison.whole),
+              left_by_constant(comparison.whole.range), 1e-9);
+  EXPECT_LT(comparison.whole.rms_dph, constant_rms_dph(comparison, comparison.whole));
+}
+
+TEST(Comparison, KnowsTheInputsThatVary) {
+  Recording recording = fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    const double input = 1000 * std::sin(0.01 * static_cast<double>(i));
+    recording.input_rate_dph.push_back(input);
+    recording[fog::Input::supply].push_back(0.1 + 0.2);  // stands still
+    recording[fog::Input::light_power].push_back(
+        30 + std::cos(0.1 * std::sqrt(2.0) * static_cast<double>(i)));
+    recording.rate_dph[i] += input * 1.0003;  // 300 ppm that the model does not have
+  }
+  const Comparison comparison = compare(fog::test::truth(), recording);
+  ASSERT_EQ(comparison.inputs.size(), 2U);
+  EXPECT_EQ(comparison.inputs[0].input, fog::Input::light_power);
+  EXPECT_EQ(comparison.inputs[1].input, fog::Input::input_rate);
+  ASSERT_EQ(comparison.inputs[1].values.size(), comparison.rows.size());
+
+  const ResidualAnalysis analysis = analyse_residual(comparison);
+  ASSERT_EQ(analysis.inputs.size(), 2U);
+  EXPECT_LT(analysis.share_of_excess(analysis.inputs[0].test).value_or(0), 0.2);
+  EXPECT_TRUE(analysis.inputs[1].test.structured());
+  EXPECT_GT(analysis.share_of_excess(analysis.inputs[1].test).value_or(0), 0.9);
+  for (const ResidualBin& bin : analysis.inputs[1].bins) {
+    EXPECT_NEAR(bin.mean_dph, 3e-4 * bin.at, 5 * bin.sigma_dph);
+  }
+}
+
+}  // namespace
+}  // namespace fogcomp

@@ -1,0 +1,163 @@
+#include "denoise/transform.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "denoise/denoise.hpp"
+#include "denoise/filters.hpp"
+#include "denoise/magnitudes.hpp"
+#include "denoise/outliers.hpp"
+#include "unit/denoise/view.hpp"
+
+namespace {
+
+using fog::test::view;
+
+std::vector<double> white_noise(std::size_t size, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> values(size);
+  for (double& value : values) value = normal(random);
+  return values;
+}
+
+TEST(WaveletFilters, AreOrthonormalWithTheMomentsOfTheirFamilyVanishing) {
+  for (const std::string& name : fogcomp::wavelet_names()) {
+    const std::vector<double>& h = fogcomp::lowpass_filter(name);
+    const std::size_t taps = h.size();
+    for (std::size_t shift = 0; shift < taps; shift += 2) {
+      double product = 0;
+      for (std::size_t i = 0; i + shift < taps; ++i) product += h[i] * h[i + shift];
+      EXPECT_NEAR(product, shift == 0 ? 1 : 0, 4e-16) << name << " shift " << shift;
+    }
+    const std::vector<double> g = fogcomp::highpass_filter(h);
+    const std::size_t moments = name.compare(0, 4, "coif") == 0 ? taps / 3 : taps / 2;
+    for (std::size_t m = 0; m < moments; ++m) {
+      double moment = 0;
+      for (std::size_t i = 0; i < taps; ++i) {
+        // Position within +-1, so that high powers do not drown in rounding.
+        const double x = 2 * static_cast<double>(i) / static_cast<double>(taps - 1) - 1;
+        moment += std::pow(x, static_cast<double>(m)) * g[i];
+      }
+      EXPECT_NEAR(moment, 0, 1e-14) << name << " moment " << m;
+    }
+  }
+}
+
+TEST(WaveletTransform, IsReversibleForAnyLengthLevelAndExtension) {
+  for (const std::string& name : fogcomp::wavelet_names()) {
+    const std::vector<double>& taps = fogcomp::lowpass_filter(name);
+    for (const std::size_t size : {1U, 2U, 3U, 29U, 511U, 512U, 513U, 1024U, 1025U, 5955U}) {
+      const std::vector<double> signal = white_noise(size, 1);
+      for (const auto extension : {fogcomp::Extension::symmetric, fogcomp::Extension::periodic}) {
+        const auto parts = fogcomp::decompose(view(signal), taps, 10, extension);
+        std::vector<double> again(size);
+        fogcomp::reconstruct(parts, taps, {again.data(), size});
+        for (std::size_t i = 0; i < size; ++i) ASSERT_NEAR(again[i], signal[i], 1e-12) << name;
+      }
+    }
+  }
+}
+
+TEST(WaveletTransform, GivesTheSameBitsOnEveryProcessor) {
+  const std::vector<double> signal = white_noise(10007, 2);
+  for (const std::string& name : fogcomp::wavelet_names()) {
+    const std::vector<double>& taps = fogcomp::lowpass_filter(name);
+    const auto best = fogcomp::decompose(view(signal), taps, 5);
+    const auto portable = fogcomp::decompose(view(signal), taps, 5, fogcomp::Extension::symmetric,
+                                             fogcomp::kPortableKernels);
+    std::vector<double> best_again(signal.size());
+    std::vector<double> portable_again(signal.size());
+    fogcomp::reconstruct(best, taps, {best_again.data(), best_again.size()});
+    fogcomp::reconstruct(portable, taps, {portable_again.data(), portable_again.size()},
+                         fogcomp::kPortableKernels);
+    for (std::size_t level = 0; level < best.details.size(); ++level) {
+      ASSERT_TRUE(std::equal(best.details[level].begin(), best.details[level].end(),
+                             portable.details[level].begin()))
+          << name;
+    }
+    ASSERT_EQ(best_again, portable_again) << name;
+  }
+}
+
+TEST(WaveletTransform, AllowsTheLevelsThatTheLengthCarries) {
+  EXPECT_EQ(fogcomp::most_levels(1, 16), 0);
+  EXPECT_EQ(fogcomp::most_levels(29, 16), 0);
+  EXPECT_EQ(fogcomp::most_levels(30, 16), 1);
+  EXPECT_EQ(fogcomp::most_levels(480, 16), 5);
+  EXPECT_EQ(fogcomp::most_levels(1024, 2), 10);
+}
+
+// Values that crowd into one bucket, spread over 600 orders of magnitude, or are equal.
+TEST(Magnitudes, AreExactHoweverTheValuesCrowd) {
+  std::vector<std::vector<double>> sets{white_noise(4001, 3), std::vector<double>(50, 0.25),
+                                        std::vector<double>(7, 0.0)};
+  sets.push_back(white_noise(3000, 4));
+  for (double& value : sets.back()) value = 1 + 1e-9 * value;
+  sets.push_back(white_noise(2000, 5));
+  sets.back()[17] = 1e300;
+  sets.push_back({1e-310, 2e-310, 5e-310});
+  for (const std::vector<double>& values : sets) {
+    const fogcomp::Magnitudes magnitudes(view(values));
+    std::vector<double> sorted = values;
+    for (double& value : sorted) value = std::abs(value);
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t n = sorted.size();
+    EXPECT_EQ(magnitudes.median(), (sorted[(n - 1) / 2] + sorted[n / 2]) / 2);
+    if (sorted.back() > 1e100 || sorted.back() < 1e-100) continue;  // squares leave the range
+    const auto count = static_cast<double>(n);
+    double squares = 0;
+    double least = HUGE_VAL;
+    double best = 0;
+    for (std::size_t k = 1; k <= n; ++k) {
+      const double square = sorted[k - 1] * sorted[k - 1];
+      squares += square;
+      const auto up_to = static_cast<double>(k);
+      const double risk = count - 2 * up_to + squares + (count - up_to) * square;
+      if (risk < least) {
+        least = risk;
+        best = sorted[k - 1];
+      }
+    }
+    EXPECT_EQ(magnitudes.least_risk(1), best);
+  }
+}
+
+TEST(OfflineDenoise, LeavesAConstantAsItIs) {
+  std::vector<double> values(1000, 0.7197);
+  fogcomp::denoise({values.data(), values.size()}, {});
+  for (const double value : values) ASSERT_NEAR(value, 0.7197, 1e-12);
+}
+
+TEST(OfflineDenoise, KeepsTheMean) {
+  std::vector<double> values = white_noise(5955, 6);
+  double before = 0;
+  for (double& value : values) before += (value *= 0.0236) / 5955;
+  fogcomp::denoise({values.data(), values.size()}, {});
+  double after = 0;
+  for (const double value : values) after += value / 5955;
+  EXPECT_NEAR(after, before, 1e-5);
+}
+
+TEST(Outliers, OfOneSampleAreReplacedWhileStepsRampsAndOscillationsStay) {
+  std::vector<double> values = white_noise(2000, 7);
+  values[1000] += 40;
+  values[1500] -= 25;
+  EXPECT_EQ(fogcomp::remove_outliers({values.data(), values.size()}, 5), 2U);
+  EXPECT_LT(std::abs(values[1000]), 5);
+  EXPECT_LT(std::abs(values[1500]), 5);
+
+  std::vector<double> motion(2000, 0.0);
+  for (std::size_t i = 500; i < 1000; ++i) motion[i] = 3.6e5;  // a step and back
+  for (std::size_t i = 1000; i < 2000; ++i) {
+    motion[i] = 3.6e5 * std::sin(static_cast<double>(i - 1000) * 0.06);  // 2 Hz at 200 Hz
+  }
+  const std::vector<double> before = motion;
+  EXPECT_EQ(fogcomp::remove_outliers({motion.data(), motion.size()}, 5), 0U);
+  EXPECT_EQ(motion, before);
+}
+
+}  // namespace

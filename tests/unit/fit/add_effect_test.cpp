@@ -1,0 +1,216 @@
+#include "fit/add_effect.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "fit/effect_change.hpp"
+#include "model/catalogue.hpp"
+#include "model/effect_list.hpp"
+#include "support/input_error.hpp"
+#include "support/typical_effects.hpp"
+#include "unit/fit/simulated_addition.hpp"
+
+namespace {
+
+using namespace fog::test;
+using fogcomp::Addition;
+using fogcomp::Model;
+
+TEST(AddEffect, AcceptsATrueEffect) {
+  const Addition result = add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1});
+  EXPECT_TRUE(result.accepted) << result.reason;
+  EXPECT_FALSE(result.model.history.back().forced);
+}
+
+TEST(AddEffect, RefusesAUselessEffect) {
+  const Addition result = add(kComplete, "thermal_hysteresis:radius=5", truth(), {1});
+  EXPECT_FALSE(result.accepted);
+  EXPECT_TRUE(result.model.history.back().forced);
+}
+
+// What helps is a line in time, which the effect can only be at the bound of its shape.
+TEST(AddEffect, RefusesAnEffectAtTheBoundOfItsShape) {
+  Model drifting = truth();
+  drifting.terms.push_back(fog::test::natural_term("aging", {2e6}, {30}));
+  const Addition result = add(kComplete, "aging", drifting, {1});
+  EXPECT_TRUE(result.out_of_sample.helps());
+  EXPECT_FALSE(result.accepted);
+  EXPECT_NE(result.reason.find("t0 is"), std::string::npos) << result.reason;
+}
+
+TEST(AddEffect, KnowsItsEffectBehindAStepThatIsFoundAnew) {
+  Model given = incomplete("bias,bias_step,bias_temperature:order=3");
+  const Addition result =
+      fogcomp::add_effect(given, fogcomp::change_effect(given.terms, "temperature_rate"),
+                          runs_of(truth(), {1}), {}, {});
+  EXPECT_EQ(result.model.terms.at(result.changed).name, "temperature_rate");
+  EXPECT_TRUE(result.accepted) << result.reason;
+}
+
+TEST(EffectChange, TakesOtherBoundsOfAParameterThatIsIdentified) {
+  const std::vector<fogcomp::EffectTerm> terms = fogcomp::parse_effects("bias,polarization_ripple");
+  const auto change = fogcomp::change_effect(terms, "polarization_ripple:period=?[2,10]");
+  const fogcomp::EffectTerm& changed = change.terms[change.changed];
+  EXPECT_EQ(changed.bounds[0].most, 10);
+  EXPECT_LE(changed.parameters[0], 10);  // 13 was outside
+  EXPECT_THROW(fogcomp::change_effect(terms, "polarization_ripple:period=?"), fogcomp::InputError);
+}
+
+TEST(OutOfSample, HelpsWhereItGainsAndTheErrorDoesNotRise) {
+  EXPECT_TRUE((fogcomp::OutOfSample{1, 0.9, 20, false, ""}.helps()));
+  EXPECT_FALSE((fogcomp::OutOfSample{1, 0.9, 5, false, ""}.helps()));
+  EXPECT_FALSE((fogcomp::OutOfSample{1, 1.5, 20, false, ""}.helps()));  // missed by far somewhere
+}
+
+TEST(AddEffect, IsJudgedOnHoldoutsWhereThereAreSome) {
+  const Addition result = add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1},
+                              {run_of(truth(), 101)});
+  EXPECT_TRUE(result.accepted) << result.reason;
+  ASSERT_EQ(result.runs.size(), 2U);
+  EXPECT_FALSE(result.runs[0].holdout);
+  EXPECT_TRUE(result.runs[1].holdout);
+  EXPECT_LT(result.runs[1].rms_after_dph, result.runs[1].rms_before_dph);
+  ASSERT_TRUE(result.model.history.back().holdout.has_value());
+  EXPECT_NEAR(result.model.history.back().holdout->rms_after_dph, result.runs[1].rms_after_dph,
+              1e-12);
+}
+
+// A holdout of another gyro: what the training run shows is wrong there.
+TEST(AddEffect, RefusesWhatHoldsOnlyForTheTrainingRun) {
+  Model other = truth();
+  other.terms[2].coefficients_dph = {-0.44};
+  const Addition result =
+      add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1}, {run_of(other, 2)});
+  EXPECT_FALSE(result.accepted);
+  EXPECT_LT(result.out_of_sample.gain, 0);
+}
+
+TEST(AddEffect, LeavesEachOfThreeRunsOutOnce) {
+  const Addition result =
+      add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1, 2, 3});
+  EXPECT_TRUE(result.accepted);
+  EXPECT_EQ(result.out_of_sample.how, "on 3 runs, each left out once");
+}
+
+// Without the one run that was shaken, the others know nothing of vibration: leaving runs out would
+// judge an extrapolation.
+TEST(AddEffect, LeavesStretchesOutWhereOneRunAloneShowsTheEffect) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  fogcomp::TrainingRuns training = runs_of(truth(), {});
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    fogcomp::Recording recording = recording_of(truth(), kAdditionNoise, seed);
+    for (std::size_t i = 0; i < recording.rows(); ++i) {
+      const double shaken = seed == 3 && i / 100 % 2 == 1 ? 2 : 0;
+      recording[fog::Input::vibration].push_back(std::abs(shaken + 0.01 * normal(random)));
+      recording.rate_dph[i] +=
+          0.05 * recording[fog::Input::vibration][i] * recording[fog::Input::vibration][i];
+    }
+    training.runs.push_back(fogcomp::run_in_blocks(recording, 10));
+  }
+  const Model model = incomplete(kComplete);
+  const Addition result =
+      add_effect(model, change_effect(model.terms, "vibration"), training, {}, {});
+  EXPECT_TRUE(result.accepted) << result.reason;
+  EXPECT_NE(result.out_of_sample.how.find("stretches"), std::string::npos);
+}
+
+// Half of a run with the same phases as the other confirms a true effect.
+TEST(AddEffect, TellsWhatTheHalvesOfTheRunsSay) {
+  Model real = truth();
+  real.terms[2].coefficients_dph = {0.6};
+  const Addition result = add("bias,bias_temperature:order=3", "temperature_rate", real, {1});
+  ASSERT_EQ(result.halves.size(), 2U);
+  for (const fogcomp::HalfTest& half : result.halves) {
+    EXPECT_TRUE(half.determined);
+    EXPECT_LT(half.rms_after_dph, half.rms_before_dph) << half.identified_on;
+  }
+}
+
+TEST(AddEffect, RetrainsANetworkOfTheSameSize) {
+  Model model = incomplete("bias,bias_temperature:order=3");
+  model.network = paper_like_model().network;
+  const fogcomp::EffectChange change = fogcomp::change_effect(model.terms, "temperature_rate");
+  Model heated = truth();
+  heated.terms.push_back(written_term("heat = abs(dTdt)"));
+  heated.terms.back().coefficients_dph = {1};  // the regressor is small, as its range is +-32
+  const Addition result = add_effect(model, change, runs_of(heated, {1}), {}, {});
+  EXPECT_TRUE(result.accepted);
+  ASSERT_EQ(result.model.network.hidden.biases.size(), 3);
+  EXPECT_NE(result.model.network.hidden.biases[0], model.network.hidden.biases[0]);
+}
+
+TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
+  Model model = incomplete("bias,bias_temperature:order=3");
+  model.network = paper_like_model().network;
+  const fogcomp::EffectChange change = fogcomp::change_effect(model.terms, "temperature_rate");
+  const Addition result = add_effect(model, change, runs_of(truth(), {1}), {}, {});
+  EXPECT_TRUE(result.accepted);
+  EXPECT_FALSE(result.model.network.present()) << "gain " << result.fit.network_judged->gain;
+}
+
+TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
+  Model real = truth();
+  fogcomp::EffectTerm late = fogcomp::expression_term("late = lag(dTdt^2, 900)");
+  late.coefficients_dph = {0.1};
+  real.terms.push_back(late);
+  const Model model = incomplete(kComplete);
+  const std::string definition = "late = lag(dTdt^2, ?tau[60,6000])";
+  const Addition right = add_effect(model, fogcomp::change_expression(model.terms, definition),
+                                    runs_of(real, {1}), {}, {});
+  EXPECT_TRUE(right.accepted) << right.reason;
+  EXPECT_EQ(right.model.history.back().action, "add " + definition);
+  const fogcomp::EffectTerm& term = right.model.terms[right.changed];
+  EXPECT_NEAR(term.parameters[0], 900, 4 * term.parameter_sigma[0]);
+  const double sigma =
+      fogcomp::in_natural_unit(term.sigma_dph[0], fogcomp::info_of(term).coefficients[0]);
+  EXPECT_LT(sigma, 0.01);
+  EXPECT_NEAR(natural_coefficient(term, 0), 0.1, 4 * sigma);
+}
+
+TEST(EffectChange, RaisesWhatIsThere) {
+  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
+  const auto order = fogcomp::change_effect(terms, "bias_temperature:order=4");
+  EXPECT_EQ(order.changed, 1U);
+  ASSERT_EQ(order.terms.size(), 3U);
+  EXPECT_EQ(order.terms[1].parameters, std::vector<double>{4});
+
+  auto identified = terms;
+  identified[2].parameters[0] = 7.5;  // by an earlier fit
+  const auto radius = fogcomp::change_effect(identified, "thermal_hysteresis:radius2=15");
+  EXPECT_EQ(radius.terms[2].parameters, (std::vector<double>{7.5, 15}));
+  EXPECT_TRUE(radius.terms[2].identified[0]);
+  EXPECT_FALSE(radius.terms[2].identified[1]);
+  EXPECT_EQ(fogcomp::change_effect(terms, "thermal_lag:tau=300").terms.size(), 4U);
+}
+
+TEST(EffectChange, GrowsAnEffectThatIsThereAlready) {
+  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
+  const auto higher = fogcomp::change_effect(terms, "bias_temperature");
+  EXPECT_EQ(higher.changed, 1U);
+  EXPECT_EQ(higher.terms[1].parameters[0], 4);
+  const auto second = fogcomp::change_effect(terms, "thermal_hysteresis");
+  EXPECT_TRUE(second.terms[2].identified[1]);
+  EXPECT_GT(second.terms[2].parameters[1], 0);
+}
+
+TEST(EffectChange, RefusesAnExpressionWhoseNameIsTaken) {
+  auto terms = fogcomp::parse_effects("bias");
+  terms = fogcomp::change_expression(terms, "own = T*dTdt").terms;
+  ASSERT_EQ(terms.size(), 2U);
+  for (const char* const definition : {"own = T", "bias = T", "thermal_lag = T", "own", ""}) {
+    EXPECT_THROW(fogcomp::change_expression(terms, definition), fogcomp::InputError) << definition;
+  }
+}
+
+TEST(EffectChange, RefusesWhatChangesNothing) {
+  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3");
+  for (const char* const effect :
+       {"bias", "bias_temperature:order=3", "", "thermal_lag,warm_up", "no_such_effect"}) {
+    EXPECT_THROW(fogcomp::change_effect(terms, effect), fogcomp::InputError) << effect;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "support/input_error.hpp"
+#include "unit/fit/recording_with_steps.hpp"
+
+namespace {
+
+using namespace fog::test;
+
+TEST(BiasSteps, AreNotFoundInWhiteAndFlickerNoise) {
+  EXPECT_TRUE(fit({noisy_recording(1)}, kStepEffects).identified.steps.empty());
+}
+
+TEST(BiasSteps, AreTermsOfTheModelThatLeaveTheOthersAlone) {
+  fogcomp::Recording recording = noisy_recording(1);
+  add_step(recording, 5300, -5 * kWhiteDph);
+  const FittedSteps result = fit({recording}, kStepEffects);
+  ASSERT_EQ(result.identified.steps.size(), 1U);
+  EXPECT_NEAR(result.identified.steps[0].time_s, 5300, 30);
+  EXPECT_LT(result.identified.steps[0].time_sigma_s, 20);
+  EXPECT_GE(result.identified.masked, 1U);
+  EXPECT_EQ(result.model.terms.back().name, "bias_step");
+  EXPECT_EQ(result.model.terms.back().parameters[0], result.identified.steps[0].time_s);
+  EXPECT_NEAR(result.model.terms[2].coefficients_dph[0], truth().terms[2].coefficients_dph[0],
+              4 * result.model.terms[2].sigma_dph[0]);
+}
+
+TEST(BiasSteps, SeveralAreFoundAndAWildRowIsNone) {
+  fogcomp::Recording recording = noisy_recording(3);
+  add_step(recording, 9000, 0.15);
+  add_step(recording, 21000, -0.2);
+  add_step(recording, 30000, 0.1);
+  recording.rate_dph[1500] += 30;
+  const FittedSteps result = fit({recording}, kStepEffects);
+  ASSERT_EQ(result.identified.steps.size(), 3U);
+  double sum = 0;
+  for (const fogcomp::FoundStep& step : result.identified.steps) sum += step.size_dph;
+  EXPECT_NEAR(sum, 0.05, 0.03);
+}
+
+TEST(BiasSteps, BelongToTheRecordingInWhichTheyLie) {
+  fogcomp::Recording second = noisy_recording(5);
+  add_step(second, 15000, 0.2);
+  const FittedSteps result = fit({noisy_recording(4), second}, kStepEffects);
+  ASSERT_EQ(result.identified.steps.size(), 1U);
+  EXPECT_EQ(result.identified.steps[0].run, 1U);
+  EXPECT_NEAR(result.identified.steps[0].time_s, 15000, 20);
+  EXPECT_NEAR(result.identified.steps[0].size_dph, 0.2, 0.02);
+}
+
+TEST(BiasSteps, WithATimeAreNotSearchedForAndAloneAreRefused) {
+  fogcomp::Recording recording = noisy_recording(6);
+  add_step(recording, 15000, 0.2);
+  const FittedSteps given = fit({recording}, "bias,bias_temperature,bias_step:at=15000");
+  EXPECT_TRUE(given.identified.steps.empty());
+  EXPECT_NEAR(given.model.terms.back().coefficients_dph[0], 0.2, 0.05);
+  EXPECT_THROW(fit({recording}, "bias_step"), fogcomp::InputError);
+}
+
+}  // namespace

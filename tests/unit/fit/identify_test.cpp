@@ -1,0 +1,226 @@
+#include "fit/identify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "model/effect_list.hpp"
+#include "support/input_error.hpp"
+#include "support/typical_effects.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+namespace {
+
+using fog::test::truth;
+using fogcomp::Model;
+
+// A model of the same effects as the truth, coefficients unknown.
+Model unknown() {
+  Model model = truth();
+  for (fogcomp::EffectTerm& term : model.terms) {
+    term.coefficients_dph.clear();
+    term.sigma_dph.clear();
+  }
+  return model;
+}
+
+fogcomp::Identification fit(Model& model, const fogcomp::Recording& recording) {
+  fogcomp::SignalSeries series(model);
+  series.add(fogcomp::make_blocks(recording));
+  return fogcomp::identify(model, series);
+}
+
+TEST(Identify, ReturnsTheTruthExactlyWithoutNoise) {
+  Model model = unknown();
+  fit(model, fog::test::recording_of(truth(), {1e-9, 0, 300}, 1));
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    for (std::size_t k = 0; k < model.terms[i].coefficients_dph.size(); ++k) {
+      EXPECT_NEAR(model.terms[i].coefficients_dph[k], truth().terms[i].coefficients_dph[k], 1e-7);
+    }
+  }
+}
+
+TEST(Identify, IsNotMovedByOutliers) {
+  fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
+  Model clean = unknown();
+  fit(clean, recording);
+  for (std::size_t row = 50; row < recording.rows(); row += 200) recording.rate_dph[row] += 3;
+  Model spoilt = unknown();
+  const auto result = fit(spoilt, recording);
+  EXPECT_GE(result.outliers, recording.rows() / 200);
+  for (std::size_t i = 0; i < clean.terms.size(); ++i) {
+    for (std::size_t k = 0; k < clean.terms[i].coefficients_dph.size(); ++k) {
+      EXPECT_NEAR(spoilt.terms[i].coefficients_dph[k], clean.terms[i].coefficients_dph[k],
+                  1.5 * clean.terms[i].sigma_dph[k]);
+    }
+  }
+}
+
+TEST(Identify, TakesSeveralRecordingsTogether) {
+  Model one = unknown();
+  fit(one, fog::test::recording_of(truth(), {0.024, 0, 300}, 1));
+  Model both = unknown();
+  fogcomp::SignalSeries series(both);
+  for (const std::uint64_t seed : {std::uint64_t{1}, std::uint64_t{2}}) {
+    series.add(fogcomp::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, seed)));
+  }
+  fogcomp::identify(both, series);
+  // But for what slow noise may be in either.
+  EXPECT_NEAR(both.terms[0].sigma_dph[0] / one.terms[0].sigma_dph[0], std::sqrt(0.5), 0.2);
+}
+
+TEST(Identify, LetsEveryRecordingHaveABiasOfItsOwn) {
+  Model model = unknown();
+  fogcomp::SignalSeries series(model);
+  fogcomp::Recording second = fog::test::recording_of(truth(), {0.024, 0, 300}, 2);
+  for (double& rate : second.rate_dph) rate += 0.1;
+  series.add(fogcomp::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, 1)));
+  series.add(fogcomp::make_blocks(second));
+  const auto result = fogcomp::identify(model, series, {true});
+  ASSERT_EQ(result.run_offsets_dph.size(), 1U);
+  EXPECT_NEAR(result.run_offsets_dph[0], 0.1, 0.003);
+  EXPECT_NEAR(model.terms[0].coefficients_dph[0], truth().terms[0].coefficients_dph[0],
+              5 * model.terms[0].sigma_dph[0]);
+  EXPECT_NEAR(model.terms[2].coefficients_dph[0], truth().terms[2].coefficients_dph[0],
+              5 * model.terms[2].sigma_dph[0]);
+}
+
+TEST(Identify, SaysInWordsWhichEffectsCannotBeToldApart) {
+  Model model = unknown();
+  // At one temperature a bias and a slope are one thing: give it almost nothing else.
+  fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
+  for (double& temperature : recording.temperature_degc)
+    temperature = 50 + 0.01 * (temperature - 20);
+  model.terms = fogcomp::parse_effects("bias,bias_temperature:order=1");
+  const auto result = fit(model, recording);
+  ASSERT_EQ(result.warnings.size(), 1U);
+  EXPECT_EQ(result.warnings[0],
+            "`bias` and `bias_temperature` are 1.00 correlated on these data: their sum is known, "
+            "their split is not");
+}
+
+TEST(Identify, RefusesWhatTheDataCannotDetermine) {
+  Model model = unknown();
+  fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
+  for (double& temperature : recording.temperature_degc) temperature = 25;
+  EXPECT_THROW(fit(model, recording), fogcomp::InputError);
+}
+
+// How far the coil is before or behind the sensor shows at the corners of ramps alone, where it is
+// hardly more than the sensor's noise.
+TEST(Identify, IsNotMisledByTheNoiseOfTheTemperatureSensor) {
+  Model real = truth();
+  real.terms.push_back(fog::test::natural_term("thermal_lag", {60}, {-0.2}));
+  auto recording = fog::test::recording_of(real, {0.002, 0, 300}, 1);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0, 0.06);
+  for (double& temperature : recording.temperature_degc) temperature += noise(random);
+  Model model = real;
+  fit(model, recording);
+  const double found = model.terms.back().coefficients_dph[0];
+  EXPECT_NEAR(found / real.terms.back().coefficients_dph[0], 1, 0.1);
+}
+
+// Two play operators, of which the second is off unless it is asked for; the narrower is the first,
+// wherever the search began.
+TEST(Identify, FindsASecondRadiusOfHysteresisWhereAsked) {
+  Model real = truth();
+  real.terms.push_back(fog::test::natural_term("thermal_hysteresis", {4, 17}, {0.06, 0.09}));
+  const auto recording = fog::test::recording_of(real, {0.024, 0.003, 300}, 2);
+  const std::string others = "bias,bias_temperature:order=3,temperature_rate,";
+  for (const char* effect :
+       {"thermal_hysteresis:radius2=?", "thermal_hysteresis:radius=?[1,10],radius2=?[10,30]"}) {
+    Model model = unknown();
+    model.terms = fogcomp::parse_effects(others + effect);
+    fit(model, recording);
+    const fogcomp::EffectTerm& term = model.terms.back();
+    ASSERT_EQ(term.coefficients_dph.size(), 2U) << effect;
+    EXPECT_NEAR(term.parameters[0], 4, 4 * term.parameter_sigma[0]) << effect;
+    EXPECT_NEAR(term.parameters[1], 17, 4 * term.parameter_sigma[1]) << effect;
+    EXPECT_LT(term.parameter_sigma[1], 2) << effect;
+    EXPECT_NEAR(term.coefficients_dph[0], 0.06, 4 * term.sigma_dph[0]) << effect;
+    EXPECT_NEAR(term.coefficients_dph[1], 0.09, 4 * term.sigma_dph[1]) << effect;
+  }
+  Model one = unknown();
+  one.terms = fogcomp::parse_effects(others + "thermal_hysteresis");
+  fit(one, recording);
+  EXPECT_EQ(one.terms.back().coefficients_dph.size(), 1U);
+}
+
+// The ripple found in truth() with one of these shapes and sizes, by a fit with these effects.
+fogcomp::EffectTerm fitted_ripple(const std::vector<double>& shape,
+                                  const std::vector<double>& sizes,
+                                  const fog::test::RowNoise& noise, std::uint64_t seed,
+                                  const std::string& effects) {
+  Model real = truth();
+  real.terms.push_back(fog::test::natural_term("polarization_ripple", shape, sizes));
+  const auto recording = fog::test::recording_of(real, noise, seed);
+  Model model = unknown();
+  model.terms = fogcomp::parse_effects(effects);
+  fit(model, recording);
+  return model.terms.back();
+}
+
+// The first search of one period alone settles on either.
+TEST(Identify, FindsASecondPeriodOfTheRippleWhereAsked) {
+  const fogcomp::EffectTerm term =
+      fitted_ripple({9, 31}, {0.006, 0.004, 0.02, -0.02}, {0.024, 0.003, 300}, 2,
+                    "bias,bias_temperature:order=3,temperature_rate,polarization_ripple:period2=?");
+  ASSERT_EQ(term.coefficients_dph.size(), 4U);
+  EXPECT_NEAR(term.parameters[0], 9, 4 * term.parameter_sigma[0]);
+  EXPECT_NEAR(term.parameters[1], 31, 4 * term.parameter_sigma[1]);
+  EXPECT_LT(term.parameter_sigma[1], 2);
+}
+
+TEST(Identify, FindsTheChirpOfTheRippleWhereAsked) {
+  const fogcomp::EffectTerm term =
+      fitted_ripple({13, 0, 0.05}, {0.02, 0.01}, {0.024, 0.003, 300}, 3,
+                    "bias,bias_temperature:order=3,temperature_rate,polarization_ripple:chirp=?");
+  EXPECT_NEAR(term.parameters[0], 13, 4 * term.parameter_sigma[0]);
+  EXPECT_NEAR(term.parameters[2], 0.05, 4 * term.parameter_sigma[2]);
+  EXPECT_LT(term.parameter_sigma[2], 0.01);
+  EXPECT_EQ(fogcomp::parse_effects("polarization_ripple")[0].identified,
+            (std::vector<bool>{true, false, false}));
+}
+
+// A strong ripple whose period is a little off leaves more than the weak one has, so that a
+// neighbour of the strong one can pass for it.
+TEST(Identify, FindsAWeakSecondPeriodBesideAStrongOneWhereverTheyAre) {
+  constexpr double kStrongAndWeak[][2] = {{31, 19}, {46, 11}};
+  for (const auto& [strong, weak] : kStrongAndWeak) {
+    const fogcomp::EffectTerm term = fitted_ripple(
+        {strong, weak}, {-0.008, 0.029, 0.003, 0.0035}, {0.024, 0.002, 300}, 1,
+        "bias,bias_temperature:order=2,temperature_rate,warm_up,polarization_ripple:period2=?");
+    EXPECT_NEAR(term.parameters[0], weak, 0.07 * weak) << strong;
+    EXPECT_NEAR(term.parameters[1], strong, 0.04 * strong) << weak;
+  }
+}
+
+TEST(EffectList, KeepsWhatIsGivenAndLeavesTheRestToTheFit) {
+  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,temperature_rate");
+  ASSERT_EQ(terms.size(), 3U);
+  EXPECT_EQ(terms[1].parameters, std::vector<double>{3});
+  EXPECT_FALSE(terms[1].identified[0]);
+}
+
+TEST(EffectList, TakesAQuestionMarkAndItsBounds) {
+  const auto terms =
+      fogcomp::parse_effects("bias,thermal_hysteresis:radius=7,radius2=?[5,20],shupe");
+  ASSERT_EQ(terms.size(), 3U);
+  EXPECT_FALSE(terms[1].identified[0]);
+  EXPECT_TRUE(terms[1].identified[1]);
+  EXPECT_EQ(terms[1].bounds[1].least, 5);
+  EXPECT_EQ(terms[1].bounds[1].most, 20);
+  EXPECT_GE(terms[1].parameters[1], 5);
+  EXPECT_LE(terms[1].parameters[1], 20);
+  for (const char* wrong :
+       {"bias_temperature:order=?", "shupe:tau=?[1,30]", "shupe:tau=?[30,20]", "shupe:tau=?[30]",
+        "shupe:tau=?30", "bias_step:at=?[1,2]", "shupe:tau=[1,2]"}) {
+    EXPECT_THROW(fogcomp::parse_effects(wrong), fogcomp::InputError) << wrong;
+  }
+}
+
+}  // namespace

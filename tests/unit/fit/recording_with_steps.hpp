@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cmath>
+#include <random>
+
+#include "fit/identify.hpp"
+#include "model/effect_list.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+namespace fog::test {
+
+constexpr double kWhiteDph = 0.024;
+
+// White noise, and flicker noise as components an octave and a half apart.
+inline fogcomp::Recording noisy_recording(std::uint64_t seed) {
+  fogcomp::Recording recording = recording_of(truth(), {kWhiteDph, 0, 300}, seed);
+  std::mt19937_64 random(seed + 1000);
+  std::normal_distribution<double> normal;
+  for (double tau_s = 30; tau_s < 20000; tau_s *= 3) {
+    const double decay = std::exp(-10 / tau_s);
+    double slow = 0.003 * normal(random);
+    for (double& rate : recording.rate_dph) {
+      rate += slow;
+      slow = decay * slow + 0.003 * std::sqrt(1 - decay * decay) * normal(random);
+    }
+  }
+  return recording;
+}
+
+inline void add_step(fogcomp::Recording& recording, double at_s, double size_dph) {
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    if (recording.time_s[i] >= at_s) recording.rate_dph[i] += size_dph;
+  }
+}
+
+struct FittedSteps {
+  fogcomp::Model model;
+  fogcomp::Identification identified;
+};
+
+inline FittedSteps fit(const std::vector<fogcomp::Recording>& recordings,
+                       const std::string& effects) {
+  FittedSteps result{truth(), {}};
+  result.model.terms = fogcomp::parse_effects(effects);
+  fogcomp::SignalSeries series(result.model);
+  for (const auto& recording : recordings) series.add(fogcomp::make_blocks(recording));
+  result.identified = fogcomp::identify(result.model, series);
+  return result;
+}
+
+inline const char* const kStepEffects = "bias,bias_temperature:order=3,temperature_rate,bias_step";
+
+}  // namespace fog::test

@@ -1,0 +1,55 @@
+#include "fit/step_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/fit/recording_with_steps.hpp"
+
+namespace {
+
+using fogcomp::FitWithSteps;
+
+FitWithSteps searched(
+    const fogcomp::Recording& recording,
+    const std::string& effects = "bias,bias_temperature:order=3,temperature_rate") {
+  const fogcomp::Model model = fog::test::truth();
+  fogcomp::SignalSeries series(model);
+  series.add(fogcomp::make_blocks(recording));
+  return fit_with_steps(series, fogcomp::parse_effects(effects),
+                        Eigen::MatrixXd(series.rows().size(), 0), {});
+}
+
+TEST(StepSearch, FindsAStepWithItsTimeAndSize) {
+  fogcomp::Recording recording = fog::test::noisy_recording(2);
+  fog::test::add_step(recording, 20000, 0.2);
+  const FitWithSteps result = searched(recording);
+  ASSERT_EQ(result.steps.size(), 1U);
+  const fogcomp::ChangePoint& step = result.steps[0];
+  EXPECT_NEAR(step.time_s, 20000, 30);
+  EXPECT_NEAR(step.size_dph, 0.2, 4 * step.size_sigma_dph);
+  EXPECT_LE(step.first, step.row);
+  EXPECT_GE(step.last, step.row);
+  // Its column is the last of the fit, and takes nothing from the bias.
+  const auto& fit = result.fit;
+  EXPECT_NEAR(fit.coefficients[fit.linear() - 1], 0.2, 4 * step.size_sigma_dph);
+  EXPECT_NEAR(fit.coefficients[0], fog::test::truth().terms[0].coefficients_dph[0], 0.02);
+  EXPECT_EQ(result.masked, static_cast<std::size_t>(step.last - step.first + 1));
+}
+
+// Drift over hours that no effect of the model describes.
+TEST(StepSearch, TakesSlowDriftForNoStep) {
+  fogcomp::Recording recording = fog::test::noisy_recording(3);
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    recording.rate_dph[i] += 0.2 * std::sin(recording.time_s[i] / 6000);
+  }
+  EXPECT_TRUE(searched(recording).steps.empty());
+}
+
+TEST(StepSearch, StopsAtEight) {
+  fogcomp::Recording recording = fog::test::noisy_recording(4);
+  for (int i = 1; i <= 12; ++i) fog::test::add_step(recording, 2700 * i, i % 2 == 0 ? 0.5 : -0.5);
+  const std::size_t found = searched(recording).steps.size();
+  EXPECT_LE(found, 8U);
+  EXPECT_GE(found, 5U);
+}
+
+}  // namespace

@@ -1,0 +1,77 @@
+#include "fit/undetermined.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "fit/identify.hpp"
+#include "model/effect_list.hpp"
+#include "support/input_error.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+namespace fogcomp {
+namespace {
+
+using Change = std::function<void(Recording&)>;
+
+// What a fit of these effects to a changed recording of the sample gyro says; "" where it succeeds.
+std::string refusal(const std::string& effects, const std::string& expression = "",
+                    const Change& change = {}) {
+  Recording recording = fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  if (change) change(recording);
+  Model model = fog::test::model_of(parse_effects(effects));
+  if (!expression.empty()) add_expression(model.terms, expression);
+  SignalSeries series(model);
+  series.add(make_blocks(recording));
+  try {
+    identify(model, series);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void since_1970(Recording& recording) {
+  for (double& time_s : recording.time_s) time_s += 1.7e9;
+}
+
+void at_rest(Recording& recording) {
+  for (double& degc : recording.temperature_degc) degc = 20;
+}
+
+TEST(Undetermined, AShapeIsRefusedByItsNameWithTheReasonAndTheRemedy) {
+  EXPECT_EQ(refusal("bias,aging", "", since_1970),
+            "aging: these recordings do not determine t0 (time_s begins at 1700000000 s: is it "
+            "since power-on?); give aging:t0=VALUE or leave the effect out");
+}
+
+TEST(Undetermined, CoefficientsAreRefusedByTheirNames) {
+  EXPECT_EQ(refusal("bias,bias_temperature,temperature_rate", "", at_rest),
+            "bias_temperature: these recordings do not determine b1 and b2, nor temperature_rate's "
+            "K (the temperature moves by no more than 0 degC); lower its order or leave the effect "
+            "out");
+}
+
+TEST(Undetermined, ACoefficientThatOthersMakeUpIsRefusedWithTheirNames) {
+  EXPECT_EQ(refusal("bias,temperature_rate,shupe:tau=120,thermal_lag:tau=120"),
+            "thermal_lag: these recordings do not determine K (on these rows it is made up of "
+            "temperature_rate's K and shupe's K); leave the effect out");
+}
+
+TEST(Undetermined, TheShapeOfAnExpressionIsRefusedByItsName) {
+  EXPECT_EQ(refusal("bias", "x = tanh(T / ?w[1e-30, 1e-20])"),
+            "expression 'x': these recordings do not determine w; narrow the bounds, write a value "
+            "instead or leave the expression out");
+}
+
+TEST(Undetermined, AnExpressionThatOverflowsAtSomeOfItsShapesIsFittedAtTheOthers) {
+  EXPECT_EQ(refusal("bias", "x = exp(T / ?w[0.01, 1000])"), "");
+}
+
+TEST(Undetermined, ASearchForStepsEndsWhereAStepLeavesAShapeUndetermined) {
+  EXPECT_EQ(refusal("bias,bias_temperature,bias_step,warm_up"), "");
+}
+
+}  // namespace
+}  // namespace fogcomp

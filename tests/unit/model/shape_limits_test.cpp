@@ -1,0 +1,87 @@
+#include "model/shape_limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fit/identify.hpp"
+#include "model/effect_list.hpp"
+#include "model/model_file.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+namespace fogcomp {
+namespace {
+
+EffectTerm fitted(const std::string& effect, double value, double sigma) {
+  EffectTerm term = parse_effects(effect)[0];
+  term.parameters[0] = value;
+  term.parameter_sigma[0] = sigma;
+  return term;
+}
+
+std::string doubt(const EffectTerm& term) {
+  const std::vector<ShapeDoubt> doubts = shape_doubts(term);
+  return doubts.empty() ? "" : doubts[0].sentence;
+}
+
+TEST(ShapeLimits, NameTheBoundAndWhatDoesAsWell) {
+  EXPECT_EQ(doubt(fitted("aging", 2e6, 1e5)),
+            "`aging`: t0 is at its upper bound 2e+06 s: a line in time would do as well");
+  EXPECT_EQ(doubt(fitted("thermal_lag", 5, 1)),
+            "`thermal_lag`: tau is at its lower bound 5 s: temperature_rate would do as well");
+  EXPECT_EQ(doubt(fitted("thermal_hysteresis:radius=?[1,9]", 1, 0.1)),
+            "`thermal_hysteresis`: radius is at its lower bound 1 degC: these data would have it "
+            "smaller still");
+  EffectTerm written = expression_term("x = T * ?k[1e-13, 1e-11]");
+  written.parameters[0] = 1e-11;
+  EXPECT_EQ(doubt(written),
+            "`x`: k is at its upper bound 1e-11: these data would have it larger still");
+}
+
+TEST(ShapeLimits, NameAParameterThatMayBeAnywhere) {
+  EXPECT_EQ(doubt(fitted("warm_up", 9000, 1e6)),
+            "`warm_up`: tau is not determined: 9000 +- 1e+06, anywhere from 10 to 18000 s");
+  EXPECT_EQ(doubt(fitted("warm_up", 1200, 100)), "");
+  EXPECT_EQ(doubt(fitted("warm_up:tau=18000", 18000, 0)), "");  // given
+}
+
+TEST(ShapeLimits, NameAnEffectThatIsNotSeen) {
+  EffectTerm term = parse_effects("bias")[0];
+  term.coefficients_dph = {-1};
+  term.sigma_dph = {0.5};
+  EXPECT_EQ(coefficient_doubt(term), "");
+  term.sigma_dph = {1.5};
+  EXPECT_EQ(coefficient_doubt(term),
+            "`bias`: none of its coefficients is larger than its uncertainty");
+}
+
+// The model of some effects after the first rows of the sample gyro's run.
+Model fitted_to(std::size_t rows, const std::string& effects) {
+  Recording recording = fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  for (auto* column : {&recording.time_s, &recording.temperature_degc, &recording.rate_dph}) {
+    column->resize(std::min(rows, column->size()));
+  }
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    recording.temperature_degc[row] += 0.001 * static_cast<double>(row * row % 7);  // a sensor's
+  }
+  Model model = fog::test::model_of(parse_effects(effects));
+  SignalSeries series(model);
+  series.add(make_blocks(recording));
+  identify(model, series);
+  return model;
+}
+
+TEST(UncertainFit, IsMarkedWhereNoCompensationWouldDoBetter) {
+  const Model model = fitted_to(30, "bias,bias_temperature");
+  ASSERT_TRUE(model.uncertain.has_value());
+  EXPECT_GT(model.uncertain->sigma_dph, model.uncertain->drift_dph);
+  const Model read = parse_model(model_text(model), "written");
+  ASSERT_TRUE(read.uncertain.has_value());
+  EXPECT_EQ(read.uncertain->sigma_dph, model.uncertain->sigma_dph);
+}
+
+TEST(UncertainFit, IsNotMarkedWhereTheDataSufficeForTheEffects) {
+  EXPECT_FALSE(fitted_to(30, "bias").uncertain.has_value());
+  EXPECT_FALSE(fitted_to(100000, "bias,bias_temperature").uncertain.has_value());
+}
+
+}  // namespace
+}  // namespace fogcomp

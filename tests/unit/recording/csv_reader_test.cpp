@@ -1,0 +1,283 @@
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "recording/recording.hpp"
+#include "support/input_error.hpp"
+#include "temporary_file.hpp"
+
+namespace fogcomp {
+namespace {
+
+const std::string kHeader = "time_s,temperature_degc,rate_dph\n";
+
+Recording read_text(const std::string& content, const ReadOptions& options = {}) {
+  return read_recording(temporary_file("recording.csv", content), options);
+}
+
+/// The message without its path: what stands after "recording.csv".
+std::string fault(const std::string& content, const ReadOptions& options = {}) {
+  try {
+    read_text(content, options);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    return message.substr(message.find("recording.csv") + 13);
+  }
+  return "no error";
+}
+
+TEST(CsvReader, TakesColumnsInAnyOrderWithCommentsCrlfAndByteOrderMark) {
+  const Recording recording = read_text(
+      "\xEF\xBB\xBF# chamber 3\r\n"
+      "rate_dph, \"temperature_degc\" ,time_s,supply_v\r\n"
+      "0.5,20,1,5.1\r\n"
+      "# pause\r\n"
+      " 0.25 , +21 ,\t2 ,5.2\r\n"
+      "-1e-3,22.5,3,5.3\r\n\r\n");
+  EXPECT_EQ(recording.time_s, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(recording.temperature_degc, (std::vector<double>{20, 21, 22.5}));
+  EXPECT_EQ(recording.rate_dph, (std::vector<double>{0.5, 0.25, -0.001}));
+  EXPECT_EQ(recording[fog::Input::supply], (std::vector<double>{5.1, 5.2, 5.3}));
+  EXPECT_TRUE(recording.input_rate_dph.empty());
+  EXPECT_EQ(recording.period_s, 1);
+  EXPECT_EQ(recording.stretch_starts, std::vector<std::size_t>{0});
+}
+
+TEST(CsvReader, NamesUnknownColumnsOnceAndIgnoresThem) {
+  ::testing::internal::CaptureStderr();
+  const Recording recording =
+      read_text("time_s,note,temperature_degc,rate_dph,suply_v\n1,x y,20,0.5,\n2,nan,20,0.6,7\n");
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(recording.rate_dph, (std::vector<double>{0.5, 0.6}));
+  EXPECT_NE(said.find("columns ignored: note, suply_v\n"), std::string::npos) << said;
+}
+
+TEST(CsvReader, ReadsOneRowWithoutLineEnd) {
+  const Recording recording = read_text(kHeader + "7.5,20,0.5");
+  EXPECT_EQ(recording.rows(), 1U);
+  EXPECT_EQ(recording.time_s[0], 7.5);
+  EXPECT_EQ(recording.period_s, 0);
+  EXPECT_EQ(recording.stretch_starts, std::vector<std::size_t>{0});
+}
+
+TEST(CsvReader, StartsAStretchAfterMoreThanOneAndAHalfPeriods) {
+  const Recording recording = read_text(kHeader + "0,20,1\n1,20,1\n2.5,20,1\n3.5,20,1\n5.1,20,1\n");
+  EXPECT_EQ(recording.stretch_starts, (std::vector<std::size_t>{0, 4}));
+}
+
+TEST(CsvReader, TurnsCountsIntoDegreesPerHour) {
+  ReadOptions options;
+  options.scale_factor = 7200;  // counts per deg/s: two counts per deg/h
+  const Recording recording = read_text("time_s,temperature_degc,counts\n0,20,-3\n", options);
+  EXPECT_EQ(recording.rate_dph[0], -1.5);
+  EXPECT_NE(fault("time_s,temperature_degc,counts\n0,20,-3\n")
+                .find(":1: 'counts' without a scale factor; give --scale-factor"),
+            std::string::npos);
+}
+
+TEST(CsvReader, GivesAFileWithoutInputRateTheDefault) {
+  ReadOptions options;
+  options.default_input_rate_dph = 9.5;
+  EXPECT_EQ(read_text(kHeader + "0,20,1\n", options).input_rate_dph, std::vector<double>{9.5});
+  const std::string with_column = "time_s,temperature_degc,rate_dph,input_rate_dph\n0,20,1,3\n";
+  EXPECT_EQ(read_text(with_column, options).input_rate_dph, std::vector<double>{3});
+}
+
+TEST(CsvReader, KeepsTheLabelsOfASegmentColumn) {
+  const Recording recording = read_text(
+      "time_s,temperature_degc,rate_dph,segment\n0,20,1,warm\n1,20,1,warm\n2,20,1, cold "
+      "\n3,20,1,\n");
+  ASSERT_EQ(recording.labels.size(), 3U);
+  EXPECT_EQ(recording.labels[0].text, "warm");
+  EXPECT_EQ(recording.labels[1].first_row, 2U);
+  EXPECT_EQ(recording.labels[1].text, "cold");
+  EXPECT_EQ(recording.labels[2].text, "");
+}
+
+TEST(CsvReader, KeepsLabelsThatCanBeShown) {
+  const Recording recording =
+      read_text("time_s,temperature_degc,rate_dph,segment\n0,20,1,Rampe 60\xB0\x1B[31m\n");
+  ASSERT_EQ(recording.labels.size(), 1U);
+  EXPECT_EQ(recording.labels[0].text, "Rampe 60\xEF\xBF\xBD?[31m");
+}
+
+TEST(CsvReader, TakesAHundredThousandColumns) {
+  std::string header = "time_s,temperature_degc,rate_dph";
+  std::string row = "0,20,1";
+  for (int i = 0; i < 100'000; ++i) {
+    header += ",c" + std::to_string(i);
+    row += ",1";
+  }
+  EXPECT_EQ(read_text(header + "\n" + row + "\n").rows(), 1U);
+}
+
+struct BadRow {
+  const char* name;
+  const char* line;
+  const char* message;
+};
+
+class CsvBadRow : public ::testing::TestWithParam<BadRow> {};
+
+TEST_P(CsvBadRow, IsNamedWithItsLineAndLeftOutOnRequest) {
+  const std::string remedy = "; correct the line or give --skip-bad-rows";
+  const std::string content =
+      kHeader + "# note\n1,20,0.5\n" + GetParam().line + "\n2,20,0.5\n3,20,0.5\n";
+  EXPECT_EQ(fault(content), ":4: " + std::string(GetParam().message) + remedy);
+
+  ReadOptions options;
+  options.skip_bad_rows = true;
+  const Recording recording = read_text(content, options);
+  EXPECT_EQ(recording.bad_rows, 1U);
+  EXPECT_EQ(recording.time_s, (std::vector<double>{1, 2, 3}));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, CsvBadRow,
+    ::testing::Values(
+        BadRow{"missing", "1.5,20", "2 fields where the header has 3"},
+        BadRow{"extra", "1.5,20,0.5,7", "4 fields where the header has 3"},
+        BadRow{"comma", "1.5,20,0.5,", "4 fields where the header has 3"},
+        BadRow{"empty", "1.5,,0.5", "temperature_degc is empty"},
+        BadRow{"text", "1.5,20,abc", "rate_dph is 'abc', not a finite number"},
+        BadRow{"unit", "1.5,20C,0.5", "temperature_degc is '20C', not a finite number"},
+        BadRow{"nan", "1.5,nan,0.5", "temperature_degc is 'nan', not a finite number"},
+        BadRow{"inf", "1.5,20,-inf", "rate_dph is '-inf', not a finite number"},
+        BadRow{"overflow", "1e999,20,0.5", "time_s is '1e999', not a finite number"},
+        BadRow{"binary", "1.5,20,\x01", "rate_dph is '?', not a finite number"},
+        BadRow{"no_value", "1.5,-999,0.5", "temperature_degc is -999, outside -273.15 to 1000"},
+        BadRow{"huge", "1.5,20,1e300", "rate_dph is 1e+300, outside -1e+09 to 1e+09"},
+        BadRow{"repeat", "1,20,0.5", "time_s repeats 1"},
+        BadRow{"back", "0.5,20,0.5", "time_s goes back from 1 to 0.5"}),
+    [](const auto& each) { return each.param.name; });
+
+TEST(CsvReader, SaysWhatIsWrongWithTheHeader) {
+  EXPECT_EQ(fault("time_s,temperature_deg,rate_dph\n1,20,1\n"),
+            ":1: no column 'temperature_degc' (did you mean 'temperature_deg'?); the header has "
+            "time_s, temperature_deg, rate_dph; rename or add it");
+  EXPECT_EQ(fault("# a\n\ntime_s,rate_dph,rate_dph,temperature_degc\n1,20,1,1\n"),
+            ":3: column 'rate_dph' stands twice, in fields 2 and 3; rename or remove one");
+  EXPECT_EQ(fault("1,20,0.5\n2,20,0.5\n"),
+            ":1: numbers where the column names should be; put a line such as "
+            "time_s,temperature_degc,rate_dph before them");
+  EXPECT_EQ(fault("time_s;temperature_degc;rate_dph\n1;20;0,5\n"),
+            ":1: columns separated by ';' or tabs; save the file with ','");
+}
+
+// A rename across units is an error of 3600, 1000 or 273: no message may propose it.
+TEST(CsvReader, SaysHowToConvertAnotherUnit) {
+  struct Case {
+    const char* header;
+    const char* said;
+  };
+  const Case cases[] = {
+      {"time_s,temperature_degc,rate_dps",
+       "no column 'rate_dph': 'rate_dps' is in deg/s: multiply by 3600, then name it rate_dph; or "
+       "name it counts and give --scale-factor 1"},
+      {"time_s,temperature_degc,Gyro_X [deg/s]",
+       "no column 'rate_dph': 'Gyro_X [deg/s]' is in deg/s: multiply by 3600, then name it "
+       "rate_dph; or name it counts and give --scale-factor 1"},
+      {"time_s,temperature_degc,rate_dpm",
+       "no column 'rate_dph': 'rate_dpm' is in deg/min: multiply by 60, then name it rate_dph; or "
+       "name it counts and give --scale-factor 60"},
+      {"time_s,temperature_degc,rate (rad/s)",
+       "no column 'rate_dph': 'rate (rad/s)' is in rad/s: multiply by 206264.8062, then name it "
+       "rate_dph; or name it counts and give --scale-factor 0.01745329252"},
+      {"time_ms,temperature_degc,rate_dph",
+       "no column 'time_s': 'time_ms' is in milliseconds: divide by 1000, then name it time_s"},
+      {"time_h,temperature_degc,rate_dph",
+       "no column 'time_s': 'time_h' is in hours: multiply by 3600, then name it time_s"},
+      {"time_s,temperature_k,rate_dph",
+       "no column 'temperature_degc': 'temperature_k' is in kelvin: subtract 273.15, then name it "
+       "temperature_degc"},
+      {"time_s,Temp [F],rate_dph",
+       "no column 'temperature_degc': 'Temp [F]' is in Fahrenheit: subtract 32, divide by 1.8, "
+       "then name it temperature_degc"},
+      {"time_s,temperature_degc,rate_x_dph,rate_y_dph,rate_z_dph",
+       "no column 'rate_dph': it could be any of rate_x_dph, rate_y_dph, rate_z_dph; name the "
+       "right "
+       "one rate_dph"},
+      {"time_s,temperature2_degc,rate_dph",
+       "no column 'temperature_degc'; the header has time_s, temperature2_degc, rate_dph; rename "
+       "or "
+       "add it"},
+  };
+  for (const Case& one : cases) {
+    EXPECT_EQ(fault(std::string(one.header) + "\n0,20,1\n"), ":1: " + std::string(one.said));
+  }
+  ::testing::internal::CaptureStderr();
+  read_text("time_s,temperature_degc,rate_dph,note,input_rate_dps\n0,20,1,2,3\n");
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("columns ignored: note, input_rate_dps ('input_rate_dps' is in deg/s: "
+                      "multiply by 3600, then name it input_rate_dph)"),
+            std::string::npos)
+      << said;
+}
+
+TEST(CsvReader, SaysWhatIsWrongWithTheFile) {
+  EXPECT_EQ(fault(""), ": is empty; is it the right file?");
+  EXPECT_EQ(fault("# only a comment\n"), ": has no header line and no rows; is it the right file?");
+  EXPECT_EQ(fault(kHeader), ": has a header but no rows");
+  EXPECT_THROW(read_recording(::testing::TempDir(), {}), InputError);
+  EXPECT_THROW(read_recording("/no/such/file.csv", {}), InputError);
+  ReadOptions options;
+  options.skip_bad_rows = true;
+  EXPECT_EQ(fault(kHeader + "1,2\n", options),
+            ": has no good row; the first bad one: line 2, 2 fields where the header has 3");
+  EXPECT_EQ(fault(kHeader + std::string(2U << 20U, '1')),
+            ":2: line longer than 1 MiB; is this a recording?");
+}
+
+TEST(CsvReader, RefusesTimesThatCannotBeSeconds) {
+  EXPECT_EQ(fault(kHeader + "0,20,1\n5e6,20,1\n1e7,20,1\n"),
+            ": rows are 5e+06 s apart; is time_s in seconds?");
+}
+
+TEST(CsvReader, NeverCrashesOnAMutatedFile) {
+  std::string good = kHeader;
+  for (int i = 0; i < 40; ++i) {
+    good += std::to_string(i) + ".25," + std::to_string(20 + i) + ".5,0.123456\n";
+  }
+  const std::string alphabet = "0123456789.,-+eE\n\r\t #\"naif\xEF\xBB\xBF\xA5\x5A;";
+  std::mt19937 random(1);
+  int read = 0;
+  for (int round = 0; round < 3000; ++round) {
+    std::string mutated = good;
+    for (unsigned change = 1 + random() % 4; change > 0; --change) {
+      const std::size_t at = random() % mutated.size();
+      switch (random() % 5) {
+        case 0:
+          mutated[at] = alphabet[random() % alphabet.size()];
+          break;
+        case 1:
+          mutated.insert(at, 1, alphabet[random() % alphabet.size()]);
+          break;
+        case 2:
+          mutated.erase(at, 1 + random() % 60);
+          break;
+        case 3:
+          mutated.insert(at, mutated.substr(random() % mutated.size(), 30));
+          break;
+        default:
+          mutated[at] = static_cast<char>(random());
+          break;
+      }
+      if (mutated.empty()) mutated = "\n";
+    }
+    ReadOptions options;
+    options.skip_bad_rows = random() % 2 == 0;
+    ::testing::internal::CaptureStderr();
+    try {
+      const Recording recording = read_text(mutated, options);
+      EXPECT_EQ(recording.rate_dph.size(), recording.rows());
+      ++read;
+    } catch (const InputError&) {
+    }
+    ::testing::internal::GetCapturedStderr();
+  }
+  EXPECT_GT(read, 500);
+}
+
+}  // namespace
+}  // namespace fogcomp

@@ -1,0 +1,314 @@
+#include "recording/row_judge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/acquisition/sample_monitor.hpp"
+#include "support/input_error.hpp"
+#include "temporary_file.hpp"
+
+namespace fogcomp {
+namespace {
+
+using Rows = std::vector<std::size_t>;
+
+// Two hours of a ramp up and down, 20 to 50 degC at 0.5 degC/min, behind 1/64 degC.
+Recording ramps(double period_s) {
+  Recording recording;
+  recording.file = "run.csv";
+  recording.period_s = period_s;
+  for (double time_s = 0; time_s < 7200; time_s += period_s) {
+    const double degc = 50 - std::fabs(time_s - 3600) / 120;
+    recording.time_s.push_back(time_s);
+    recording.temperature_degc.push_back(std::round(degc * 64) / 64);
+    recording.rate_dph.push_back(0.7 + 0.01 * std::sin(time_s));
+  }
+  recording.stretch_starts = {0};
+  return recording;
+}
+
+Recording with_temperature(double period_s, std::size_t rows,
+                           const std::function<double(double)>& degc) {
+  Recording recording;
+  recording.file = "run.csv";
+  recording.period_s = period_s;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double time_s = static_cast<double>(row) * period_s;
+    recording.time_s.push_back(time_s);
+    recording.temperature_degc.push_back(degc(time_s));
+    recording.rate_dph.push_back(0.7);
+  }
+  recording.stretch_starts = {0};
+  return recording;
+}
+
+Rows refused(const Recording& recording) {
+  Rows rows;
+  for (const RefusedRow& each : refused_rows(recording)) rows.push_back(each.row);
+  return rows;
+}
+
+class RowsOf : public ::testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(Seconds, RowsOf, ::testing::Values(0.005, 0.5, 1, 10, 60));
+
+TEST_P(RowsOf, AHealthyRecordingLosesNone) {
+  EXPECT_EQ(refused(ramps(GetParam())), Rows{});
+}
+
+// 85 degC: a DS18B20 before its first conversion, alone, in a burst, at the start and at the end.
+TEST_P(RowsOf, APowerOnReadingIsRefusedAndNothingElse) {
+  Recording recording = ramps(GetParam());
+  const std::size_t last = recording.rows() - 1;
+  Rows wrong{0, 1, 30, 50, 51, 52, 53, 54, 55, 80, last};
+  for (const std::size_t row : wrong) recording.temperature_degc[row] = 85;
+  const std::vector<RefusedRow> rows = refused_rows(recording);
+  EXPECT_EQ(refused(recording), wrong);
+  for (const RefusedRow& each : rows) EXPECT_EQ(each.why, Refusal::power_on_temperature);
+}
+
+TEST_P(RowsOf, AnImpossibleTemperatureIsRefusedAndNothingElse) {
+  Recording recording = ramps(GetParam());
+  const Rows wrong{0, 30, 50, 51};
+  for (const std::size_t row : wrong) {
+    recording.temperature_degc[row] = row % 20 == 0 ? -127 : 130.1;
+  }
+  EXPECT_EQ(refused(recording), wrong);
+  EXPECT_EQ(refused_rows(recording)[0].why, Refusal::impossible_temperature);
+}
+
+TEST_P(RowsOf, AConstantTemperatureOf85DegreesIsASoak) {
+  const auto soak = [](double) { return 85.0; };
+  EXPECT_EQ(refused(with_temperature(GetParam(), 100, soak)), Rows{});
+  EXPECT_EQ(refused(with_temperature(GetParam(), 1, soak)), Rows{});
+}
+
+// A programme's own temperatures, without a coil's lag: exactly 85 degC at once.
+TEST_P(RowsOf, ARampMayEndAndBeginAtExactly85Degrees) {
+  for (const double degc_per_min : {3.0, 12.0}) {
+    const auto to_85 = [&](double time_s) {
+      return std::min(85.0, 25 + degc_per_min * time_s / 60);
+    };
+    const auto from_85 = [&](double time_s) {
+      return std::max(-40.0, 85 - degc_per_min * std::max(0.0, time_s - 600) / 60);
+    };
+    const auto rows = static_cast<std::size_t>(3600 / GetParam());
+    EXPECT_EQ(refused(with_temperature(GetParam(), rows, to_85)), Rows{});
+    EXPECT_EQ(refused(with_temperature(GetParam(), rows, from_85)), Rows{});
+  }
+}
+
+// As fast as a coil can: 1 degC/s, behind a sensor with steps of 1 degC.
+TEST_P(RowsOf, TheFastestRampLosesNoneAndACoarseSensorNeither) {
+  const auto fast = [](double time_s) { return std::round(-60 + std::min(time_s, 140.0)); };
+  const auto rows = static_cast<std::size_t>(std::max(300 / GetParam(), 5.0));
+  EXPECT_EQ(refused(with_temperature(GetParam(), rows, fast)), Rows{});
+  const auto usual = [](double time_s) { return std::round(-40 + time_s * 3 / 60); };
+  EXPECT_EQ(refused(with_temperature(GetParam(), rows, usual)), Rows{});
+}
+
+TEST_P(RowsOf, AfterALongGapAnyTemperatureIsRight) {
+  Recording recording = ramps(GetParam());
+  for (std::size_t row = 60; row < recording.rows(); ++row) {
+    recording.time_s[row] += 3600;
+    recording.temperature_degc[row] = row < 90 ? 85 : -55;
+    if (row >= 90) recording.time_s[row] += 3600;
+  }
+  EXPECT_EQ(refused(recording), Rows{});
+}
+
+TEST(RowJudge, AFirstReadingThatTheOthersDenyIsRefusedNotTheOthers) {
+  for (const double period_s : {0.005, 1.0, 10.0}) {
+    Recording recording = ramps(period_s);
+    recording.temperature_degc[0] = -10;
+    EXPECT_EQ(refused(recording), Rows{0}) << period_s;
+    recording.temperature_degc[1] = 110;
+    EXPECT_EQ(refused(recording), (Rows{0, 1})) << period_s;
+  }
+}
+
+// The board would believe -10 degC after 30 s, and refuse the good rows that follow.
+TEST(RowJudge, AnExcursionIsRefusedFromItsBeginningAndNotWhatFollows) {
+  for (const double period_s : {1.0, 10.0}) {
+    Recording recording = ramps(period_s);
+    Rows wrong;
+    const auto rows = static_cast<std::size_t>(60 / period_s);
+    for (std::size_t row = 100; row < 100 + rows; ++row) {
+      wrong.push_back(row);
+      recording.temperature_degc[row] = -10;
+    }
+    EXPECT_EQ(refused(recording), wrong) << period_s;
+  }
+}
+
+// Soaks that somebody put behind one another without a gap.
+TEST(RowJudge, ANewLevelIsBelievedAsTheBoardBelievesIt) {
+  const auto steps = [](double time_s) { return time_s < 300 ? 20.0 : time_s < 700 ? 60.0 : 0.0; };
+  EXPECT_EQ(refused(with_temperature(10, 200, steps)), (Rows{30, 31, 32, 70, 71, 72, 73, 74}));
+  const auto joined = [](double time_s) { return time_s < 3000 || time_s >= 6000 ? 20.0 : 60.0; };
+  const Rows rows = refused(with_temperature(10, 900, joined));
+  EXPECT_EQ(rows, (Rows{300, 301, 302, 600, 601, 602})) << "until 1 degC/s would do";
+}
+
+// One rule: at the board's own sample rate, what the core's monitors refuse.
+TEST(RowJudge, RefusesAt200HzWhatTheBoardRefuses) {
+  std::mt19937 random(1);
+  Recording recording = ramps(0.005);
+  recording.time_s.resize(200000);
+  recording.temperature_degc.resize(200000);
+  recording.rate_dph.resize(200000);
+  for (int fault = 0; fault < 2000; ++fault) {
+    const std::size_t at = 10 + random() % 199900;
+    const double degc[] = {85, 20 + static_cast<double>(random() % 20), -80, 140, -60};
+    const double dph[] = {1e6, -2e6, 2.02e6, 4e5, 3e5};
+    const auto kind = static_cast<unsigned>(random() % 10U);
+    for (std::size_t row = at; row < at + 1 + random() % 30; ++row) {
+      if (kind < 5) recording.temperature_degc[row] = degc[kind];
+      if (kind >= 5) recording.rate_dph[row] = dph[kind - 5];
+    }
+  }
+  fog::AcquisitionParameters parameters;
+  parameters.sample_period_us = 5000;
+  parameters.range = fog::Rate::from_raw(570 * 3600 * 1024);
+  fog::SampleMonitor monitor(parameters);
+  Rows board;
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    const auto rate = static_cast<std::int32_t>(std::llround(recording.rate_dph[row] * 1024));
+    const auto degc =
+        static_cast<std::int32_t>(std::llround(recording.temperature_degc[row] * 65536));
+    const fog::SensorSample sample{static_cast<std::uint16_t>(row), rate, degc, true, true};
+    const auto verdict = monitor.judge(sample, fog::Rate::from_raw(rate));
+    if (verdict.status != fog::Status::none) board.push_back(row);
+  }
+  EXPECT_EQ(refused(recording), board);
+  EXPECT_GT(board.size(), 10000U);
+}
+
+TEST(RowJudge, RatesAreRefusedWhereNothingTurnsSoAndOutliersStay) {
+  Recording recording = ramps(0.005);
+  recording.rate_dph[100] = 500;      // an outlier: the fit weighs it down
+  recording.rate_dph[200] = 4e5;      // 111 deg/s in 5 ms
+  recording.rate_dph[300] = -2.05e6;  // at full scale
+  const std::vector<RefusedRow> rows = refused_rows(recording);
+  ASSERT_GE(rows.size(), 2U);
+  EXPECT_EQ(rows[0].row, 200U);
+  EXPECT_EQ(rows[0].why, Refusal::rate_jump);
+  EXPECT_EQ(rows[1].row, 300U);
+  EXPECT_EQ(rows[1].why, Refusal::rate_beyond_range);
+  EXPECT_LE(rows.back().row, 309U) << "50 ms";
+  Recording turning = ramps(0.005);  // at 100 deg/s^2 and more, through a spike
+  for (std::size_t row = 0; row < turning.rows(); ++row) {
+    turning.rate_dph[row] = 1800 * static_cast<double>(std::min<std::size_t>(row, 400));
+  }
+  turning.rate_dph[200] = -5e5;
+  EXPECT_EQ(refused(turning), Rows{200});
+  Recording slow = ramps(10);
+  slow.rate_dph[100] = 4e5;
+  EXPECT_EQ(refused(slow), Rows{}) << "in 10 s anything can turn so";
+}
+
+TEST(RowJudge, AFrozenTemperatureIsFoundInShortRowsAndKept) {
+  for (const double period_s : {0.5, 1.0, 10.0}) {
+    Recording recording = ramps(period_s);
+    const auto first = static_cast<std::size_t>(600 / period_s);
+    const auto end = static_cast<std::size_t>(2400 / period_s);
+    const double stands = recording.temperature_degc[first];
+    for (std::size_t row = first; row < end; ++row) recording.temperature_degc[row] = stands;
+    const std::vector<RowRange> frozen = frozen_temperatures(recording);
+    ASSERT_EQ(frozen.size(), period_s <= 1 ? 1U : 0U) << period_s;
+    if (frozen.empty()) continue;
+    EXPECT_NEAR(recording.time_s[frozen[0].first], 600 + 120, 20);
+    EXPECT_EQ(frozen[0].end, end);
+  }
+  EXPECT_TRUE(frozen_temperatures(ramps(0.5)).empty());
+}
+
+// As files.
+
+std::string header() {
+  return "time_s,temperature_degc,rate_dph\n";
+}
+
+std::string line(int time_s, double degc) {
+  return std::to_string(time_s) + "," + std::to_string(degc) + ",0.5\n";
+}
+
+TEST(RefusedRows, AreNamedWithTheirLinesCountedAndLeftOut) {
+  std::string text = "# chamber 3\n" + header();
+  for (int i = 0; i < 20; ++i) {
+    text += line(10 * i, i % 3 == 1 ? 85 : 20);
+    if (i == 5) text += "# pause\n";
+  }
+  const std::string path = temporary_file("refused.csv", text);
+  ::testing::internal::CaptureStderr();
+  const Recording recording = read_recording(path, {});
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+            path +
+                ": 7 rows left out: temperature 85 degC at line 4 (then 7, 11, 14, ...) is what a "
+                "DS18B20 says before its first conversion; the board would refuse them\n");
+  EXPECT_EQ(recording.refused_rows, 7U);
+  EXPECT_EQ(recording.rows(), 13U);
+  EXPECT_EQ(recording.rate_dph.size(), 13U);
+  EXPECT_EQ(recording.time_s[1], 20);
+  EXPECT_EQ(recording.period_s, 10);
+  for (const double degc : recording.temperature_degc) EXPECT_EQ(degc, 20);
+
+  ReadOptions options;
+  options.keep_refused_rows = true;
+  const Recording whole = read_recording(path, options);
+  EXPECT_EQ(whole.rows(), 20U) << "the board's own code judges by itself";
+  EXPECT_EQ(whole.refused_rows, 0U);
+}
+
+TEST(RefusedRows, LeaveLabelsWhereTheyWere) {
+  const auto row = [](int time_s, int degc, const std::string& label) {
+    return std::to_string(time_s) + "," + std::to_string(degc) + ",0.5," + label + "\n";
+  };
+  const Recording recording = read_recording(
+      temporary_file("labels.csv", "time_s,temperature_degc,rate_dph,segment\n" + row(0, 85, "a") +
+                                       row(1, 20, "a") + row(2, 20, "a") + row(3, 85, "b") +
+                                       row(4, 20, "a") + row(5, 20, "c") + row(6, 85, "d")),
+      {});
+  EXPECT_EQ(recording.time_s, (std::vector<double>{1, 2, 4, 5}));
+  ASSERT_EQ(recording.labels.size(), 2U);
+  EXPECT_EQ(recording.labels[0].text, "a");
+  EXPECT_EQ(recording.labels[0].first_row, 0U);
+  EXPECT_EQ(recording.labels[1].text, "c");
+  EXPECT_EQ(recording.labels[1].first_row, 3U);
+}
+
+TEST(RefusedRows, AreAnErrorWhereNoneIsLeft) {
+  std::string text = header();
+  for (int i = 0; i < 20; ++i) text += line(i, 293.15);
+  try {
+    read_recording(temporary_file("kelvin.csv", text), {});
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("the board would refuse every row: temperature 293.15 degC at line 2 "
+                           "(then 3, 4, 5, ...) is outside -70 to 130 degC; is temperature_degc in "
+                           "kelvin? subtract 273.15"),
+              std::string::npos)
+        << message;
+  }
+}
+
+// Real recordings, where somebody has put them beside the project.
+TEST(RefusedRows, AreNoneInRealRecordings) {
+  for (const char axis : {'x', 'y'}) {
+    const std::string path =
+        std::string(FOG_SOURCE_DIR) + "/../shared/data/mems_chamber_" + axis + ".csv";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << "no real recordings here";
+    ::testing::internal::CaptureStderr();
+    EXPECT_EQ(read_recording(path, {}).refused_rows, 0U);
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+  }
+}
+
+}  // namespace
+}  // namespace fogcomp
