@@ -86,8 +86,8 @@ std::string drift_table(const Comparison& comparison) {
   std::string text =
       format("\nDrift per segment: rms without the floor of %s, deg/h\n", rounded(floor).c_str());
   text += format("  %-26s %10s %10s\n", "segment", "before", "after");
-  for (const Comparison::Segment& segment : comparison.segments) {
-    if (segment.range.size() == 0) continue;
+  for (const Comparison::SegmentError& segment : comparison.segments) {
+    if (segment.rows.size() == 0) continue;
     text += format("  %-26s %10s %10s\n", segment.name.c_str(),
                    rounded(floor_removed(segment.raw_rms_dph, floor)).c_str(),
                    rounded(floor_removed(segment.rms_dph, floor)).c_str());

@@ -19,10 +19,10 @@ std::optional<double> drift(double rms_dph, const std::optional<double>& floor_d
   return floor_removed(rms_dph, *floor_dph);
 }
 
-Json segment_json(const Comparison::Segment& segment, const std::optional<double>& floor_dph) {
+Json segment_json(const Comparison::SegmentError& segment, const std::optional<double>& floor_dph) {
   Json object = Json::object();
   object.set("name", segment.name)
-      .set("rows", segment.range.size())
+      .set("rows", segment.rows.size())
       .set("mean_dph", segment.mean_dph)
       .set("std_dph", segment.std_dph)
       .set("rms_dph", segment.rms_dph)
@@ -123,15 +123,15 @@ Json outside_json(const OutsideTraining& outside) {
 
 Json run_json(const ModelOnRun& run) {
   const Comparison& comparison = run.comparison;
-  const Comparison::Segment& whole = comparison.whole;
-  Json segments = json_array(comparison.segments, [&](const Comparison::Segment& segment) {
+  const Comparison::SegmentError& whole = comparison.whole;
+  Json segments = json_array(comparison.segments, [&](const Comparison::SegmentError& segment) {
     return segment_json(segment, comparison.noise_floor_dph);
   });
   Json object = Json::object();
   object.set("file", comparison.file)
-      .set("rows", comparison.rows.size())
+      .set("rows", comparison.size())
       .set("outliers", comparison.outliers)
-      .set("row_s", comparison.row_s)
+      .set("row_s", comparison.rows.row_s)
       .set("raw_mean_dph", whole.raw_mean_dph)
       .set("raw_std_dph", whole.raw_std_dph)
       .set("raw_rms_dph", whole.raw_rms_dph)
@@ -158,7 +158,7 @@ Json model_json(const ModelOnRuns& model, Json object) {
   double rows = 0;
   for (const ModelOnRun& run : model.runs) {
     runs.push(run_json(run));
-    const auto run_rows = static_cast<double>(run.comparison.rows.size());
+    const auto run_rows = static_cast<double>(run.comparison.size());
     outside += run.comparison.outside.temperature * run_rows;
     rows += run_rows;
   }

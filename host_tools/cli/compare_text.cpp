@@ -22,9 +22,9 @@ std::string title(double row_s) {
   return format("deg/h, rms of %g s means\n", row_s);
 }
 
-std::string segment_row(const Comparison::Segment& segment) {
+std::string segment_row(const Comparison::SegmentError& segment) {
   return format("  %-18s %6zu | %9s %8s %8s | %9s %8s %8s\n", segment.name.c_str(),
-                segment.range.size(), rounded(segment.raw_mean_dph).c_str(),
+                segment.rows.size(), rounded(segment.raw_mean_dph).c_str(),
                 rounded(segment.raw_std_dph).c_str(), rounded(segment.raw_rms_dph).c_str(),
                 rounded(segment.mean_dph).c_str(), rounded(segment.std_dph).c_str(),
                 rounded(segment.rms_dph).c_str());
@@ -35,12 +35,12 @@ std::string segment_table(const Comparison& comparison) {
                             "after:", "", "") +
                      format("  %-18s %6s | %9s %8s %8s | %9s %8s %8s\n", "segment", "rows", "mean",
                             "std", "rms", "mean", "std", "rms");
-  for (const Comparison::Segment& segment : comparison.segments) text += segment_row(segment);
+  for (const Comparison::SegmentError& segment : comparison.segments) text += segment_row(segment);
   return text + segment_row(comparison.whole);
 }
 
 std::string one_model(const ModelOnRuns& model) {
-  std::string text = title(model.runs[0].comparison.row_s);
+  std::string text = title(model.runs[0].comparison.rows.row_s);
   for (const ModelOnRun& run : model.runs) {
     text += run.comparison.file + ": " + error_words(run.comparison) + "\n";
     text += "  " + structure_words(run) + "\n" + warnings(run, model.model, "  ");
@@ -102,7 +102,7 @@ std::string run_side_by_side(const std::vector<ModelOnRuns>& models, std::size_t
 }
 
 std::string several_models(const std::vector<ModelOnRuns>& models) {
-  std::string text = title(models[0].runs[0].comparison.row_s);
+  std::string text = title(models[0].runs[0].comparison.rows.row_s);
   for (std::size_t run = 0; run < models[0].runs.size(); ++run) {
     text += (run > 0 ? "\n" : "") + run_side_by_side(models, run);
   }

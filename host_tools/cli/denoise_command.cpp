@@ -26,12 +26,12 @@ struct MeanAndStd {
 };
 
 MeanAndStd statistics(const std::vector<double>& values, const Segment& segment) {
-  const auto count = static_cast<double>(segment.rows());
+  const auto count = static_cast<double>(segment.rows.size());
   MeanAndStd result;
-  for (std::size_t i = segment.first_row; i < segment.end_row; ++i) {
+  for (std::size_t i = segment.rows.first; i < segment.rows.end; ++i) {
     result.mean_dph += values[i] / count;
   }
-  for (std::size_t i = segment.first_row; i < segment.end_row; ++i) {
+  for (std::size_t i = segment.rows.first; i < segment.rows.end; ++i) {
     result.std_dph += std::pow(values[i] - result.mean_dph, 2) / std::max(1.0, count - 1);
   }
   result.std_dph = std::sqrt(result.std_dph);

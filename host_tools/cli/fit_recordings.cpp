@@ -36,10 +36,11 @@ std::optional<DenoiseMethod> row_denoising(const Arguments& arguments) {
 
 // The segment of a recording in which a time lies.
 std::string segment_at(const RunInBlocks& run, double time_s) {
-  for (const RunInBlocks::TimedSegment& segment : run.segments) {
-    if (time_s < segment.end_s) return segment.name;
+  std::string name;
+  for (const Segment& segment : run.segments) {
+    if (name.empty() || time_s >= segment.start_s) name = segment.name;
   }
-  return "";
+  return name;
 }
 
 std::string fitted(const Arguments& arguments, const std::string& effects) {

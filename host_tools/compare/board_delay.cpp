@@ -76,12 +76,14 @@ BoardError board_error(const Model& model, const RunInBlocks& run, const Compari
   const Delay delay = delay_of(averaging, run);
   BoardError error{comparison.whole.rms_dph, 0, 0};
   double square = 0;
-  for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
-    const Comparison::Row& row = comparison.rows[i];
-    if (row.outlier) continue;
-    const double residual = row.residual_dph() + delay.drift_dph[static_cast<Eigen::Index>(i)];
-    square += row.weight * residual * residual;
-    error.rows += row.weight;
+  const std::vector<double> residuals = comparison.residuals_dph();
+  for (std::size_t i = 0; i < comparison.size(); ++i) {
+    if (comparison.outlier[i]) continue;
+    const auto row = static_cast<Eigen::Index>(i);
+    const double weight = comparison.rows.weights[row];
+    const double residual = residuals[i] + delay.drift_dph[row];
+    square += weight * residual * residual;
+    error.rows += weight;
   }
   error.without_delay_dph = std::sqrt(square / std::max(error.rows, 1e-300));
   return error;

@@ -1,7 +1,6 @@
 #include "compare/comparison.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "model/drift_model.hpp"
@@ -9,7 +8,6 @@
 #include "noise/outlier_rows.hpp"
 #include "series/block_walk.hpp"
 #include "series/required_inputs.hpp"
-#include "series/signal_series.hpp"
 
 namespace fogcomp {
 namespace {
@@ -21,138 +19,88 @@ std::vector<std::string> names_of_parts(const Model& model) {
   return names;
 }
 
-double part_dph(const RealDriftModel& drift, std::size_t part, std::size_t effects) {
-  return part < effects ? drift.effect_dph(part) : drift.network_dph();
-}
-
-void add_weighted(double weight, const RealBlock& means, RealBlock& sum) {
-  sum.input_rate += weight * means.input_rate;
-  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    sum.extension[i] += weight * means.extension[i];
-  }
-}
-
-void scale(RealBlock& means, double factor) {
-  means.input_rate *= factor;
-  for (double& value : means.extension) value *= factor;
-}
-
 struct ModelledRows {
-  std::vector<Comparison::Row> rows;
-  std::vector<RowRange> stretches;
+  Rows rows;
+  Eigen::VectorXd drift_dph;
   std::vector<std::vector<double>> parts_dph;  // [part][row]
 };
 
-ModelledRows make_rows(const Model& model, const RunInBlocks& run, std::size_t parts) {
-  const BlockSeries& series = run.blocks;
-  require_inputs(model, series);
-  const std::int64_t per_row = blocks_per_row(run.average_s, series.block_s);
-  RealDriftModel drift(model, series.block_s);
+ModelledRows modelled_rows(const Model& model, const RunInBlocks& run, std::size_t parts) {
+  require_inputs(model, run.blocks);
+  RealDriftModel drift(model, run.blocks.block_s);
   ModelledRows result;
-  result.parts_dph.resize(parts);
-  const double sample_s = series.block_s / series.samples_per_block;
-  const double row_s = row_length_s(run.average_s, series.block_s);
-  std::int64_t row_number = -1;
-  double samples = 0;
-  const auto finish = [&] {
-    if (result.rows.empty()) return;
-    Comparison::Row& row = result.rows.back();
-    row.weight = samples * sample_s / row_s;
-    row.time_s /= samples;
-    row.temperature_degc /= samples;
-    row.temperature_rate_degc_per_min /= samples;
-    row.measured_dph /= samples;
-    row.drift_dph /= samples;
-    scale(row.inputs, 1 / samples);
-    for (std::vector<double>& part : result.parts_dph) part.back() /= samples;
-  };
-  const auto begin_row = [&](std::int64_t number) {
-    finish();
-    if (result.rows.empty() || number != row_number + 1) {
-      result.stretches.push_back({result.rows.size(), result.rows.size()});
-    }
-    ++result.stretches.back().end;
-    result.rows.push_back({});
-    for (std::vector<double>& part : result.parts_dph) part.push_back(0);
-    row_number = number;
-    samples = 0;
-  };
-  walk_blocks(series, drift, [&](const BlockSeries::Block& block) {
-    if (result.rows.empty() || block.number / per_row != row_number) {
-      begin_row(block.number / per_row);
-    }
-    const double weight = block.samples;
-    Comparison::Row& row = result.rows.back();
-    samples += weight;
-    row.time_s += weight * block.time_s;
-    row.temperature_degc += weight * block.means.temperature;
-    row.temperature_rate_degc_per_min += weight * drift.signals().temperature_rate;
-    row.measured_dph += weight * (block.rate_dph - block.means.input_rate);
-    row.drift_dph += weight * drift.drift_dph();
-    add_weighted(weight, block.means, row.inputs);
+  RowAverager averager(run.blocks, run.average_s, result.rows, 1 + parts);
+  std::vector<double> values(1 + parts);
+  walk_blocks(run.blocks, drift, [&](const BlockSeries::Block& block) {
+    values[0] = drift.drift_dph();
     for (std::size_t i = 0; i < parts; ++i) {
-      result.parts_dph[i].back() += weight * part_dph(drift, i, model.terms.size());
+      values[1 + i] = i < model.terms.size() ? drift.effect_dph(i) : drift.network_dph();
     }
+    averager.take(block, drift.signals(), values.data());
   });
-  finish();
+  averager.finish();
+  result.drift_dph = averager.further().col(0);
+  for (std::size_t i = 0; i < parts; ++i) {
+    const auto part = averager.further().col(static_cast<Eigen::Index>(1 + i));
+    result.parts_dph.emplace_back(part.begin(), part.end());
+  }
   return result;
 }
 
-std::vector<Comparison::VaryingInput> varying(const std::vector<Comparison::Row>& rows) {
+std::vector<Comparison::VaryingInput> varying(const Rows& rows) {
   std::vector<Comparison::VaryingInput> found;
   for (const fog::Input input : kOptionalInputs) {
     Comparison::VaryingInput one{input, {}};
-    for (const Comparison::Row& row : rows) one.values.push_back(optional_input(input, row.inputs));
+    for (const RealBlock& means : rows.inputs) one.values.push_back(optional_input(input, means));
     if (varies(one.values)) found.push_back(std::move(one));
   }
   return found;
 }
 
-// Rows count with the time behind them, outliers not at all.
-Comparison::Segment summarise(const std::string& name, SegmentKind kind,
-                              const std::vector<Comparison::Row>& rows, RowRange range) {
-  Comparison::Segment segment;
-  segment.name = name;
-  segment.kind = kind;
-  segment.range = range;
-  double time = 0;
-  double raw = 0;
-  double residual = 0;
-  for (std::size_t i = range.first; i < range.end; ++i) {
-    if (rows[i].outlier) continue;
-    time += rows[i].weight;
-    raw += rows[i].weight * rows[i].measured_dph;
-    residual += rows[i].weight * rows[i].residual_dph();
-  }
-  if (time == 0) return segment;
-  segment.raw_mean_dph = raw / time;
-  segment.mean_dph = residual / time;
-  double raw_square = 0;
-  double square = 0;
-  for (std::size_t i = range.first; i < range.end; ++i) {
-    if (rows[i].outlier) continue;
-    raw_square += rows[i].weight * std::pow(rows[i].measured_dph - segment.raw_mean_dph, 2);
-    square += rows[i].weight * std::pow(rows[i].residual_dph() - segment.mean_dph, 2);
-  }
-  const double freedom = std::max(time - 1, 1.0);
-  segment.raw_std_dph = std::sqrt(raw_square / freedom);
-  segment.std_dph = std::sqrt(square / freedom);
-  segment.raw_rms_dph = std::sqrt(raw_square / time + std::pow(segment.raw_mean_dph, 2));
-  segment.rms_dph = std::sqrt(square / time + std::pow(segment.mean_dph, 2));
-  return segment;
+struct WeightedMoments {
+  double mean = 0;
+  double deviation = 0;  // n - 1 in the denominator
+  double rms = 0;
+};
+
+WeightedMoments weighted_moments(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+  const double time = weights.sum();
+  if (time == 0) return {};
+  const double mean = values.dot(weights) / time;
+  const double square = ((values.array() - mean).square() * weights.array()).sum();
+  return {mean, std::sqrt(square / std::max(time - 1, 1.0)),
+          std::sqrt(square / time + mean * mean)};
 }
 
-std::vector<Comparison::Segment> summarise_segments(const RunInBlocks& run,
-                                                    const std::vector<Comparison::Row>& rows) {
-  std::vector<Comparison::Segment> segments;
-  std::size_t first = 0;
-  for (const RunInBlocks::TimedSegment& segment : run.segments) {
-    std::size_t end = first;
-    while (end < rows.size() && rows[end].time_s < segment.end_s) ++end;
-    segments.push_back(summarise(segment.name, segment.kind, rows, {first, end}));
-    first = end;
+Comparison::SegmentError error_in(const Comparison& comparison, const Segment& segment) {
+  const auto part = [&](const Eigen::VectorXd& values) -> Eigen::VectorXd {
+    return values.segment(static_cast<Eigen::Index>(segment.rows.first),
+                          static_cast<Eigen::Index>(segment.rows.size()));
+  };
+  Eigen::VectorXd weights = part(comparison.rows.weights);
+  for (Eigen::Index i = 0; i < weights.size(); ++i) {
+    if (comparison.outlier[segment.rows.first + static_cast<std::size_t>(i)]) weights[i] = 0;
   }
-  return segments;
+  const Eigen::VectorXd measured = part(comparison.rows.drift_dph);
+  const WeightedMoments raw = weighted_moments(measured, weights);
+  const WeightedMoments residual = weighted_moments(measured - part(comparison.modelled_dph), weights);
+  Comparison::SegmentError error;
+  static_cast<Segment&>(error) = segment;
+  error.raw_mean_dph = raw.mean;
+  error.raw_std_dph = raw.deviation;
+  error.raw_rms_dph = raw.rms;
+  error.mean_dph = residual.mean;
+  error.std_dph = residual.deviation;
+  error.rms_dph = residual.rms;
+  return error;
+}
+
+OutsideTraining outside_training(const Model& model, const Rows& rows) {
+  TrainedRange range(model, rows.row_s);
+  const std::vector<double> degc = rows.temperatures_degc();
+  const std::vector<double> rates = rows.temperature_rates_degc_per_min();
+  for (std::size_t i = 0; i < degc.size(); ++i) range.count(rows.time_s[i], degc[i], rates[i]);
+  return range.outside();
 }
 
 }  // namespace
@@ -164,9 +112,9 @@ bool varies(const std::vector<double>& values) {
   return *max - *min > kRounding * std::max(std::fabs(*min), std::fabs(*max));
 }
 
-double constant_rms_dph(const Comparison& comparison, const Comparison::Segment& segment) {
+double constant_rms_dph(const Comparison& comparison, const Comparison::SegmentError& segment) {
   const double constant_dph = comparison.whole.raw_mean_dph - comparison.whole.mean_dph;
-  const auto count = static_cast<double>(segment.range.size());
+  const auto count = static_cast<double>(segment.rows.size());
   const double variance = std::pow(segment.raw_std_dph, 2) * (count - 1) / count;
   return std::hypot(std::sqrt(variance), segment.raw_mean_dph - constant_dph);
 }
@@ -176,66 +124,43 @@ double floor_removed(double std_dph, double floor_dph) {
 }
 
 std::vector<double> Comparison::residuals_dph() const {
-  std::vector<double> values;
-  for (const Row& row : rows) values.push_back(row.residual_dph());
-  return values;
+  const Eigen::VectorXd residual = rows.drift_dph - modelled_dph;
+  return {residual.begin(), residual.end()};
 }
 
 std::vector<double> Comparison::measured_dph() const {
-  std::vector<double> values;
-  for (const Row& row : rows) values.push_back(row.measured_dph);
-  return values;
+  return {rows.drift_dph.begin(), rows.drift_dph.end()};
 }
 
 std::vector<double> Comparison::bridged(std::vector<double> values) const {
-  std::vector<bool> outlier;
-  for (const Row& row : rows) outlier.push_back(row.outlier);
-  bridge_outliers(outlier, stretches, values);
+  bridge_outliers(outlier, rows.stretches(), values);
   return values;
 }
 
 std::vector<double> Comparison::counted(const std::vector<double>& values) const {
   std::vector<double> counted;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!rows[i].outlier) counted.push_back(values[i]);
+  for (std::size_t i = 0; i < outlier.size(); ++i) {
+    if (!outlier[i]) counted.push_back(values[i]);
   }
   return counted;
 }
 
-Rows Comparison::as_rows(const std::vector<double>& values) const {
-  Rows all;
-  const auto size = static_cast<Eigen::Index>(rows.size());
-  all.drift_dph = Eigen::Map<const Eigen::VectorXd>(values.data(), size);
-  all.weights.resize(size);
-  all.row_s = row_s;
-  all.run_starts = {0};
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Row& row = rows[i];
-    all.weights[static_cast<Eigen::Index>(i)] = row.weight;
-    all.time_s.push_back(row.time_s);
-    all.signals.push_back({row.temperature_degc, row.temperature_rate_degc_per_min, row.inputs});
-    all.inputs.push_back(row.inputs);
-  }
-  return all;
-}
-
 Comparison compare_with(const Model& model, const RunInBlocks& run) {
   const std::vector<std::string> parts = names_of_parts(model);
-  ModelledRows modelled = make_rows(model, run, parts.size());
+  ModelledRows modelled = modelled_rows(model, run, parts.size());
   Comparison comparison;
   comparison.file = run.file;
-  comparison.row_s = row_length_s(run.average_s, run.blocks.block_s);
   comparison.noise_floor_dph = run.noise_floor_dph;
   comparison.rows = std::move(modelled.rows);
-  comparison.stretches = std::move(modelled.stretches);
-  const Eigen::VectorXd counts = counted_rows(comparison.as_rows(comparison.measured_dph()));
-  for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
-    comparison.rows[i].outlier = counts[static_cast<Eigen::Index>(i)] == 0;
-    if (comparison.rows[i].outlier) ++comparison.outliers;
+  comparison.modelled_dph = std::move(modelled.drift_dph);
+  const Eigen::VectorXd counts = counted_rows(comparison.rows);
+  for (const double count : counts) comparison.outlier.push_back(count == 0);
+  comparison.outliers = static_cast<std::size_t>((counts.array() == 0).count());
+  const RowRange all{0, comparison.size()};
+  for (const Segment& segment : segments_on(run.segments, comparison.rows.time_s, all)) {
+    comparison.segments.push_back(error_in(comparison, segment));
   }
-  comparison.segments = summarise_segments(run, comparison.rows);
-  comparison.whole =
-      summarise("all", SegmentKind::soak, comparison.rows, {0, comparison.rows.size()});
+  comparison.whole = error_in(comparison, {"all", SegmentKind::soak, 0, 0, all});
   const std::vector<double> residual = comparison.counted(comparison.residuals_dph());
   const std::vector<double> measured = comparison.counted(comparison.measured_dph());
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -244,11 +169,7 @@ Comparison compare_with(const Model& model, const RunInBlocks& run) {
   }
   comparison.parts_dph = std::move(modelled.parts_dph);
   comparison.inputs = varying(comparison.rows);
-  TrainedRange range(model, comparison.row_s);
-  for (const Comparison::Row& row : comparison.rows) {
-    range.count(row.time_s, row.temperature_degc, row.temperature_rate_degc_per_min);
-  }
-  comparison.outside = range.outside();
+  comparison.outside = outside_training(model, comparison.rows);
   return comparison;
 }
 

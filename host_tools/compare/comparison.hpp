@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,27 +11,15 @@
 #include "model/drift_model.hpp"
 #include "model/model.hpp"
 #include "recording/segments.hpp"
-#include "series/signal_series.hpp"
+#include "series/rows.hpp"
 
 namespace fogcomp {
 
 /// A model against one recording, in rows of RunInBlocks::average_s.
 struct Comparison {
-  struct Row {
-    double time_s = 0;
-    double temperature_degc = 0;
-    double temperature_rate_degc_per_min = 0;  ///< as the model's derivative has it
-    double measured_dph = 0;                   ///< measured rate - input rate
-    double drift_dph = 0;                      ///< as modelled
-    double weight = 1;                         ///< time behind it, relative to a full row
-    bool outlier = false;                      ///< counts in no figure (outlier_rows.hpp)
-    RealBlock inputs;                          ///< means of what else was measured
-    double residual_dph() const { return measured_dph - drift_dph; }
-  };
-  struct Segment {
-    std::string name;
-    SegmentKind kind = SegmentKind::soak;
-    RowRange range;  ///< its rows
+  /// A segment and what is left in it, deg/h. Rows count with the time behind them, outliers not at
+  /// all.
+  struct SegmentError : Segment {
     double raw_mean_dph = 0;
     double raw_std_dph = 0;
     double raw_rms_dph = 0;
@@ -44,25 +33,24 @@ struct Comparison {
     std::vector<double> values;  ///< of each row, in the input's unit
   };
   std::string file;
-  double row_s = 0;
-  std::vector<Row> rows;
-  std::vector<RowRange> stretches;  ///< rows without a gap
-  std::size_t outliers = 0;         ///< rows left out as such
-  std::vector<Segment> segments;
-  Segment whole;
+  Rows rows;                     ///< of this run alone
+  Eigen::VectorXd modelled_dph;  ///< drift of each row
+  std::vector<bool> outlier;     ///< rows that count in no figure (outlier_rows.hpp)
+  std::size_t outliers = 0;
+  std::vector<SegmentError> segments;
+  SegmentError whole;
   std::vector<EffectShare> effects;            ///< in the model's order, then the network
   std::vector<std::vector<double>> parts_dph;  ///< [as effects][row]: what each contributes
   std::vector<VaryingInput> inputs;
   std::optional<double> noise_floor_dph;  ///< of a row, from the recording alone
   OutsideTraining outside;
 
-  std::vector<double> residuals_dph() const;
+  std::size_t size() const { return outlier.size(); }
   std::vector<double> measured_dph() const;
-  /// Of a value per row: outliers bridged (bridge_outliers); only the rows that count; and what a
-  /// fit would see of them.
+  std::vector<double> residuals_dph() const;
+  /// Of a value per row: outliers bridged (bridge_outliers); only the rows that count.
   std::vector<double> bridged(std::vector<double> values) const;
   std::vector<double> counted(const std::vector<double>& values) const;
-  Rows as_rows(const std::vector<double>& values) const;
 };
 
 /// Whether an input is more than a constant, of which averaging leaves rounding.
@@ -72,8 +60,8 @@ bool varies(const std::vector<double>& values);
 Comparison compare_with(const Model& model, const RunInBlocks& run);
 
 /// Rms that a constant alone would leave of a segment, deg/h: the model's mean over the whole run.
-/// In the same sense as Segment::rms_dph, so that an offset of the run counts in both.
-double constant_rms_dph(const Comparison& comparison, const Comparison::Segment& segment);
+/// In the same sense as SegmentError::rms_dph, so that an offset of the run counts in both.
+double constant_rms_dph(const Comparison& comparison, const Comparison::SegmentError& segment);
 
 /// sqrt(std^2 - floor^2), 0 where the floor is higher: the drift without the noise.
 double floor_removed(double std_dph, double floor_dph);

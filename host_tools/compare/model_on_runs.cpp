@@ -64,7 +64,7 @@ std::string error_words(const Comparison& comparison) {
 std::string structure_words(const ModelOnRun& run) {
   const std::vector<Finding> found = findings(run.analysis, run.comparison);
   constexpr std::size_t kLeastRows = 50;
-  if (run.comparison.rows.size() < kLeastRows) return "too few rows to say on what it depends";
+  if (run.comparison.size() < kLeastRows) return "too few rows to say on what it depends";
   if (found.empty()) {
     return "nothing in it depends on temperature, temperature rate, time or history beyond noise";
   }
@@ -76,7 +76,7 @@ std::string structure_words(const ModelOnRun& run) {
 
 bool is_below_floor(const Comparison& comparison) {
   const double rms_dph = comparison.whole.rms_dph;
-  const double uncertainty = floor_uncertainty(comparison.rows.size() - comparison.outliers);
+  const double uncertainty = floor_uncertainty(comparison.size() - comparison.outliers);
   return comparison.noise_floor_dph && rms_dph < *comparison.noise_floor_dph * (1 - uncertainty);
 }
 
@@ -84,14 +84,14 @@ std::vector<std::string> remarks(const ModelOnRun& run) {
   const Comparison& comparison = run.comparison;
   std::vector<std::string> found;
   if (comparison.outliers > 0)
-    found.push_back(outlier_words(comparison.outliers, comparison.row_s));
+    found.push_back(outlier_words(comparison.outliers, comparison.rows.row_s));
   if (run.error.delay_matters()) found.push_back(delay_words(run.error));
   if (is_below_floor(comparison)) {
     found.push_back(format(
         "the floor is above the residual, so it is none: from row to row (%.3g s) this recording "
         "changes by more than noise, as with a line near a period of two rows or an input "
         "that moves; look again with another --average",
-        comparison.row_s));
+        comparison.rows.row_s));
   }
   return found;
 }

@@ -14,29 +14,23 @@ constexpr std::size_t kRateBins = 15;
 constexpr std::size_t kTimeBins = 24;
 constexpr std::size_t kInputBins = 15;
 
-template <class Value>
-std::vector<double> column(const Comparison& comparison, Value value) {
-  std::vector<double> values;
-  for (const Comparison::Row& row : comparison.rows) values.push_back(value(row));
-  return values;
-}
-
 std::optional<double> excess(const Comparison& comparison) {
   if (!comparison.noise_floor_dph) return std::nullopt;
   const double floor = std::pow(*comparison.noise_floor_dph, 2);
   const double beyond = std::pow(comparison.whole.rms_dph, 2) - floor;
-  const std::size_t rows = comparison.rows.size() - comparison.outliers;
+  const std::size_t rows = comparison.size() - comparison.outliers;
   if (beyond <= 2 * floor_uncertainty(rows) * floor) return std::nullopt;
   return beyond;
 }
 
 std::vector<RowRange> soak_stretches(const Comparison& comparison) {
   std::vector<RowRange> ranges;
-  for (const Comparison::Segment& segment : comparison.segments) {
+  const std::vector<RowRange> stretches = comparison.rows.stretches();
+  for (const Comparison::SegmentError& segment : comparison.segments) {
     if (segment.kind != SegmentKind::soak) continue;
-    for (const RowRange& stretch : comparison.stretches) {
-      const std::size_t first = std::max(segment.range.first, stretch.first);
-      const std::size_t end = std::min(segment.range.end, stretch.end);
+    for (const RowRange& stretch : stretches) {
+      const std::size_t first = std::max(segment.rows.first, stretch.first);
+      const std::size_t end = std::min(segment.rows.end, stretch.end);
       if (first < end) ranges.push_back({first, end});
     }
   }
@@ -58,24 +52,19 @@ std::optional<double> ResidualAnalysis::share_of_excess(const ClassTest& test) c
 
 ResidualAnalysis analyse_residual(const Comparison& comparison) {
   ResidualAnalysis analysis;
-  if (comparison.rows.empty()) return analysis;
+  if (comparison.size() == 0) return analysis;
   ResidualRows rows;
   rows.residual_dph = comparison.bridged(comparison.residuals_dph());
-  rows.time_s = column(comparison, [](const Comparison::Row& row) { return row.time_s; });
-  rows.stretches = comparison.stretches;
-  // As a fit takes it: from the parts in which the temperature stands still.
-  const Rows as_fitted = comparison.as_rows(rows.residual_dph);
-  rows.noise = noise_of(as_fitted, as_fitted.drift_dph);
-  const std::vector<double> degc =
-      column(comparison, [](const Comparison::Row& row) { return row.temperature_degc; });
+  rows.time_s = comparison.rows.time_s;
+  rows.stretches = comparison.rows.stretches();
+  rows.noise = noise_of(comparison.rows, Eigen::Map<const Eigen::VectorXd>(rows.residual_dph.data(),
+                                                                           comparison.rows.size()));
+  const std::vector<double> degc = comparison.rows.temperatures_degc();
   analysis.excess_dph2 = excess(comparison);
   analysis.offset = test_of_mean(rows);
   analysis.offset_sigma_dph = sigma_of_mean(rows);
   analysis.temperature = dependence_on(degc, rows, kTemperatureBins);
-  analysis.rate = dependence_on(
-      column(comparison,
-             [](const Comparison::Row& row) { return row.temperature_rate_degc_per_min; }),
-      rows, kRateBins);
+  analysis.rate = dependence_on(comparison.rows.temperature_rates_degc_per_min(), rows, kRateBins);
   analysis.time = dependence_on(rows.time_s, rows, kTimeBins);
   for (const Comparison::VaryingInput& input : comparison.inputs) {
     analysis.inputs.push_back(dependence_on(input.values, rows, kInputBins));
@@ -83,14 +72,14 @@ ResidualAnalysis analyse_residual(const Comparison& comparison) {
   analysis.history = loop_over(degc, rows, kTemperatureBins);
   for (const std::size_t lag : {1U, 2U, 5U, 10U, 20U, 50U, 100U}) {
     if (lag > rows.residual_dph.size() / 4) break;
-    analysis.autocorrelation.push_back({static_cast<double>(lag) * comparison.row_s,
+    analysis.autocorrelation.push_back({static_cast<double>(lag) * comparison.rows.row_s,
                                         autocorrelation(rows.residual_dph, rows.stretches, lag)});
   }
   analysis.white_band = 2 / std::sqrt(static_cast<double>(rows.residual_dph.size()));
   const std::vector<RowRange> soaks = soak_stretches(comparison);
   analysis.raw_allan =
-      allan_deviation(comparison.bridged(comparison.measured_dph()), soaks, comparison.row_s);
-  analysis.residual_allan = allan_deviation(rows.residual_dph, soaks, comparison.row_s);
+      allan_deviation(comparison.bridged(comparison.measured_dph()), soaks, comparison.rows.row_s);
+  analysis.residual_allan = allan_deviation(rows.residual_dph, soaks, comparison.rows.row_s);
   return analysis;
 }
 

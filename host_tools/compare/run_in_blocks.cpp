@@ -30,8 +30,7 @@ std::vector<std::string> long_row_notes(const Recording& recording,
   double shortest_s = HUGE_VAL;
   std::string shortest;
   for (const Segment& segment : segments) {
-    const double length_s = recording.time_s[segment.end_row - 1] -
-                            recording.time_s[segment.first_row] + recording.period_s;
+    const double length_s = segment.end_s - segment.start_s;
     whole_s += length_s;
     if (length_s >= 2 * row_s) continue;
     ++parts;
@@ -58,17 +57,12 @@ RunInBlocks run_in_blocks(const Recording& recording, double average_s) {
   run.refused_rows = recording.refused_rows;
   run.rows_hash = rows_hash(recording);
   run.blocks = make_blocks(recording);
-  const std::vector<Segment> segments = find_segments(recording);
-  for (const Segment& segment : segments) {
-    const bool last = segment.end_row == recording.rows();
-    run.segments.push_back(
-        {segment.name, segment.kind, last ? HUGE_VAL : recording.time_s[segment.end_row]});
-  }
+  run.segments = find_segments(recording);
   run.average_s = average_s;
   // Of the rows as they are: a whole number of blocks.
   const double row_s = row_length_s(average_s, run.blocks.block_s);
   run.noise_floor_dph = noise_floor_dph(recording, row_s);
-  run.notes = long_row_notes(recording, segments, row_s);
+  run.notes = long_row_notes(recording, run.segments, row_s);
   return run;
 }
 

@@ -16,16 +16,11 @@ namespace fogcomp {
 /// how quiet its rows could be. A two-hundredth of a 200 Hz recording's memory, so that many runs
 /// can be held at once.
 struct RunInBlocks {
-  struct TimedSegment {
-    std::string name;
-    SegmentKind kind = SegmentKind::soak;
-    double end_s = 0;  ///< where the next one begins; infinite for the last
-  };
   std::string file;
   std::size_t refused_rows = 0;  ///< left out of it because the board would refuse them
   std::uint64_t rows_hash = 0;   ///< of the recording (recording/data_hash.hpp)
   BlockSeries blocks;
-  std::vector<TimedSegment> segments;     ///< in order of time, all of the run
+  std::vector<Segment> segments;          ///< of the recording, in order of time, all of it
   double average_s = 0;                   ///< wanted length of a row
   std::optional<double> noise_floor_dph;  ///< of such a row, from the recording alone
   std::vector<std::string> notes;         ///< what such rows cannot show, a line each

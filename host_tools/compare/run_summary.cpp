@@ -57,21 +57,21 @@ SegmentSummary summarize_segment(const Recording& recording, const Segment& segm
   SegmentSummary summary;
   summary.name = segment.name;
   summary.kind = segment.kind;
-  summary.rows = segment.rows();
-  summary.blocks = in_blocks.rows();
-  const std::size_t last = segment.end_row - 1;
-  summary.start_s = recording.time_s[segment.first_row];
+  summary.rows = segment.rows.size();
+  summary.blocks = in_blocks.rows.size();
+  const std::size_t last = segment.rows.end - 1;
+  summary.start_s = segment.start_s;
   summary.end_s = recording.time_s[last];
   summary.duration_s = summary.end_s - summary.start_s + recording.period_s;
   const auto first = recording.temperature_degc.begin();
   const auto [least, most] =
-      std::minmax_element(first + static_cast<std::ptrdiff_t>(segment.first_row),
-                          first + static_cast<std::ptrdiff_t>(segment.end_row));
+      std::minmax_element(first + static_cast<std::ptrdiff_t>(segment.rows.first),
+                          first + static_cast<std::ptrdiff_t>(segment.rows.end));
   summary.temperature_min_degc = *least;
   summary.temperature_max_degc = *most;
-  if (last > segment.first_row) {
+  if (last > segment.rows.first) {
     summary.temperature_rate_degc_per_min =
-        (recording.temperature_degc[last] - recording.temperature_degc[segment.first_row]) /
+        (recording.temperature_degc[last] - recording.temperature_degc[segment.rows.first]) /
         (summary.end_s - summary.start_s) * kSecondsPerMinute;
   }
   return summary;
@@ -125,7 +125,8 @@ Recording without_outliers(Recording blocks, const Judged& judged) {
 RunSummary summarize(const Recording& recording, double average_s) {
   const std::vector<Segment> segments = find_segments(recording);
   Blocks blocks = block_means(recording, wanted_row_s(recording, average_s));
-  const std::vector<Segment> in_blocks = segments_in_blocks(segments, blocks);
+  const std::vector<Segment> in_blocks =
+      segments_on(segments, blocks.means.time_s, {0, blocks.means.rows()});
   const Judged block_bias = judge_blocks(blocks.means);
   const Judged bias = judge_samples(recording, blocks, block_bias.outlier);
 
@@ -137,8 +138,7 @@ RunSummary summarize(const Recording& recording, double average_s) {
   summary.noise_floor_dph = noise_floor_dph(recording, summary.average_s);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     SegmentSummary segment = summarize_segment(recording, segments[i], in_blocks[i]);
-    segment.bias = summarize_bias(bias, {segments[i].first_row, segments[i].end_row}, block_bias,
-                                  {in_blocks[i].first_row, in_blocks[i].end_row});
+    segment.bias = summarize_bias(bias, segments[i].rows, block_bias, in_blocks[i].rows);
     summary.segments.push_back(std::move(segment));
   }
   const std::vector<RowRange> soaks = soak_ranges(recording, segments);

@@ -21,15 +21,15 @@ struct Soak {
 
 double mean(const std::vector<double>& values, const Segment& segment) {
   double sum = 0;
-  for (std::size_t i = segment.first_row; i < segment.end_row; ++i) sum += values[i];
-  return sum / static_cast<double>(segment.rows());
+  for (std::size_t i = segment.rows.first; i < segment.rows.end; ++i) sum += values[i];
+  return sum / static_cast<double>(segment.rows.size());
 }
 
 void compare_soaks(const Recording& blocks, const std::vector<double>& bias,
                    const std::vector<Segment>& segments, TemperatureSensitivity& result) {
   std::vector<Soak> soaks;
   for (const Segment& segment : segments) {
-    if (segment.kind != SegmentKind::soak || segment.rows() == 0) continue;
+    if (segment.kind != SegmentKind::soak || segment.rows.size() == 0) continue;
     soaks.push_back({mean(blocks.temperature_degc, segment), mean(bias, segment)});
   }
   if (soaks.empty()) return;
@@ -121,7 +121,7 @@ void find_widest_loop(const Recording& blocks, const std::vector<double>& bias,
   for (const Segment& segment : segments) {
     if (segment.kind == SegmentKind::soak) continue;
     const std::size_t branch = segment.kind == SegmentKind::ramp_up ? 0 : 1;
-    for (std::size_t i = segment.first_row; i < segment.end_row; ++i) {
+    for (std::size_t i = segment.rows.first; i < segment.rows.end; ++i) {
       const auto bin = static_cast<std::size_t>((blocks.temperature_degc[i] - *least) / width_degc);
       Branch& part = branches[std::min(bin, kBins - 1)][branch];
       part.sum_dph += bias[i];

@@ -26,7 +26,7 @@ struct TemperatureSensitivity {
   std::optional<double> hysteresis_at_degc;
 };
 
-/// `segments` count blocks (segments_in_blocks).
+/// `segments` count blocks (segments_on).
 TemperatureSensitivity temperature_sensitivity(const Recording& block_means,
                                                const std::vector<Segment>& segments);
 

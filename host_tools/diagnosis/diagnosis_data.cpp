@@ -19,15 +19,8 @@ std::string DiagnosisData::add(const RunInBlocks& run) {
   series_.add(run.blocks);
   inputs_ &= run.blocks.inputs;
   const Rows& rows = series_.rows();
-  std::size_t first = first_row;
-  for (const RunInBlocks::TimedSegment& segment : run.segments) {
-    std::size_t end = first;
-    while (end < rows.time_s.size() && rows.time_s[end] < segment.end_s) ++end;
-    if (end > first) {
-      segments_.push_back({segment.name, static_cast<Eigen::Index>(first),
-                           static_cast<Eigen::Index>(end), segment.kind});
-    }
-    first = end;
+  for (Segment& segment : segments_on(run.segments, rows.time_s, {first_row, rows.time_s.size()})) {
+    if (segment.rows.size() > 0) segments_.push_back(std::move(segment));
   }
   if (run.noise_floor_dph) {
     const auto count = static_cast<double>(rows.time_s.size() - first_row);

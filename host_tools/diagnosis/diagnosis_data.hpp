@@ -30,12 +30,6 @@ class DiagnosisData {
   std::string add(const Recording& recording) { return add(run_in_blocks(recording, average_s_)); }
   const KnownRows& known() const { return known_; }
 
-  struct Segment {
-    std::string name;
-    Eigen::Index first = 0;  ///< row
-    Eigen::Index end = 0;
-    SegmentKind kind = SegmentKind::soak;
-  };
   const SignalSeries& series() const { return series_; }
   const std::vector<EffectTerm>& offered() const { return offered_; }
   const std::vector<Segment>& segments() const { return segments_; }

@@ -5,7 +5,7 @@
 namespace fogcomp {
 
 ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd& residual,
-                       const std::vector<DiagnosisData::Segment>& segments) {
+                       const std::vector<Segment>& segments) {
   ResidualPlace place;
   double most = 0;
   for (std::size_t i = 0; i < structure.groups.size(); ++i) {
@@ -19,8 +19,10 @@ ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd&
   for (NamedShare& variable : place.variables) variable.share /= most > 0 ? most : 1;
   const Eigen::VectorXd smooth = structure.all * (structure.all.transpose() * residual);
   double sum = 0;
-  for (const DiagnosisData::Segment& segment : segments) {
-    const double part = smooth.segment(segment.first, segment.end - segment.first).squaredNorm();
+  for (const Segment& segment : segments) {
+    const auto first = static_cast<Eigen::Index>(segment.rows.first);
+    const double part =
+        smooth.segment(first, static_cast<Eigen::Index>(segment.rows.size())).squaredNorm();
     place.segments.push_back({segment.name, part});
     sum += part;
   }

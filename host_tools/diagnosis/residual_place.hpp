@@ -22,6 +22,6 @@ struct ResidualPlace {
 
 /// `residual`: whitened, as `structure`.
 ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd& residual,
-                       const std::vector<DiagnosisData::Segment>& segments);
+                       const std::vector<Segment>& segments);
 
 }  // namespace fogcomp

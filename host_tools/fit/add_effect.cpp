@@ -19,11 +19,13 @@ class RiseTest {
  public:
   void add(const Comparison& before, const Comparison& after) {
     const std::size_t first = rise_.size();
-    for (std::size_t i = 0; i < before.rows.size(); ++i) {
-      if (before.rows[i].outlier) continue;
-      const double weight = before.rows[i].weight;
-      const double square_before = std::pow(before.rows[i].residual_dph(), 2);
-      const double square_after = std::pow(after.rows[i].residual_dph(), 2);
+    const std::vector<double> residual_before = before.residuals_dph();
+    const std::vector<double> residual_after = after.residuals_dph();
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (before.outlier[i]) continue;
+      const double weight = before.rows.weights[static_cast<Eigen::Index>(i)];
+      const double square_before = std::pow(residual_before[i], 2);
+      const double square_after = std::pow(residual_after[i], 2);
       rise_.push_back(square_after - square_before);
       before_ += weight * square_before;
       after_ += weight * square_after;

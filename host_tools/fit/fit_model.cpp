@@ -16,15 +16,11 @@ double weighted_std(const Eigen::VectorXd& values, const Eigen::VectorXd& weight
   return std::sqrt((deviation.square() * weights.array()).sum() / std::max(weights.sum() - 1, 1.0));
 }
 
-// What the network is trained on, without its noise, as the reference paper does it. Rows further
-// apart than one and a half times their length are not neighbours.
+// What the network is trained on, without its noise, as the reference paper does it.
 void denoise_rows(const Rows& rows, const DenoiseMethod& method, Eigen::VectorXd& values) {
   std::vector<fog::Span<double>> parts;
-  for (std::size_t row = 0; row < rows.time_s.size(); ++row) {
-    if (rows.starts_run(row) || rows.time_s[row] - rows.time_s[row - 1] > 1.5 * rows.row_s) {
-      parts.push_back({values.data() + row, 0});
-    }
-    ++parts.back().size;
+  for (const RowRange& stretch : rows.stretches()) {
+    parts.push_back({values.data() + stretch.first, stretch.size()});
   }
   denoise_parts(parts, method, "--denoise-rows");
 }

@@ -190,9 +190,7 @@ Eigen::VectorXd residual_of_effects(Model model, const std::vector<RunInBlocks>&
   for (const RunInBlocks& run : runs) {
     const Comparison comparison = compare_with(model, run);
     const double offset = run_offsets ? comparison.whole.mean_dph : 0;
-    for (const Comparison::Row& row : comparison.rows) {
-      residual.push_back(row.residual_dph() - offset);
-    }
+    for (const double value : comparison.residuals_dph()) residual.push_back(value - offset);
   }
   return Eigen::Map<const Eigen::VectorXd>(residual.data(),
                                            static_cast<Eigen::Index>(residual.size()));

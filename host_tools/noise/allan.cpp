@@ -108,7 +108,7 @@ std::vector<RowRange> soak_ranges(const Recording& recording,
   std::vector<RowRange> ranges;
   for (const Segment& segment : segments) {
     if (segment.kind != SegmentKind::soak) continue;
-    const auto parts = stretches_of(recording, {segment.first_row, segment.end_row});
+    const auto parts = stretches_of(recording, segment.rows);
     ranges.insert(ranges.end(), parts.begin(), parts.end());
   }
   return ranges;

@@ -9,9 +9,8 @@
 namespace fogcomp {
 namespace {
 
-constexpr double kNeighbourGap = 1.5;  // rows
-constexpr std::size_t kWindow = 64;    // rows
-constexpr double kBeyondChance = 3;    // standard errors
+constexpr std::size_t kWindow = 64;  // rows
+constexpr double kBeyondChance = 3;  // standard errors
 // By simulation: variance of ln of the median distance in a window of n rows, times n, of normal
 // noise and of Student's t with three degrees.
 constexpr double kSamplingVariance = 2.2;
@@ -21,12 +20,11 @@ constexpr double kSamplingVariance = 2.2;
 Eigen::VectorXd distances(const Rows& rows, const Eigen::VectorXd& residual,
                           const Eigen::VectorXd& counted) {
   Eigen::VectorXd distance = Eigen::VectorXd::Zero(residual.size());
-  const double reach_s = 2 * kNeighbourGap * rows.row_s;
   for (const RowRange& run : rows.runs()) {
     for (std::size_t row = run.first + 1; row + 1 < run.end; ++row) {
       const auto at = static_cast<Eigen::Index>(row);
       const bool all = counted[at - 1] > 0 && counted[at] > 0 && counted[at + 1] > 0;
-      if (!all || rows.time_s[row + 1] - rows.time_s[row - 1] > reach_s) continue;
+      if (!all || !rows.follows(row) || !rows.follows(row + 1)) continue;
       const double weight = rows.weights.size() > 0 ? rows.weights[at] : 1;
       distance[at] = (residual[at] - (residual[at - 1] + residual[at + 1]) / 2) * std::sqrt(weight);
     }

@@ -182,18 +182,6 @@ class OutlierSearch {
   double sigmas_ = 0;
 };
 
-std::vector<RowRange> stretches_of(const Rows& rows) {
-  constexpr double kGap = 1.5;  // rows
-  std::vector<RowRange> stretches;
-  for (std::size_t row = 0; row < rows.time_s.size(); ++row) {
-    if (rows.starts_run(row) || rows.time_s[row] - rows.time_s[row - 1] > kGap * rows.row_s) {
-      stretches.push_back({row, row});
-    }
-    ++stretches.back().end;
-  }
-  return stretches;
-}
-
 }  // namespace
 
 std::vector<bool> find_outliers(const ValuesInTime& rows) {
@@ -204,7 +192,7 @@ Eigen::VectorXd counted_rows(const Rows& rows) {
   ValuesInTime in_time;
   in_time.values.assign(rows.drift_dph.begin(), rows.drift_dph.end());
   in_time.weights.assign(rows.weights.begin(), rows.weights.end());
-  in_time.stretches = stretches_of(rows);
+  in_time.stretches = rows.stretches();
   for (const fog::Input input : kOptionalInputs) {
     std::vector<double>& values = in_time.inputs.emplace_back();
     for (const auto& means : rows.inputs) values.push_back(optional_input(input, means));
@@ -247,7 +235,7 @@ Eigen::VectorXd bridged(const Rows& rows, const Eigen::VectorXd& values,
   std::vector<bool> outlier;
   for (const double count : counted) outlier.push_back(count <= 0);
   std::vector<double> bridge(values.begin(), values.end());
-  bridge_outliers(outlier, stretches_of(rows), bridge);
+  bridge_outliers(outlier, rows.stretches(), bridge);
   return Eigen::Map<const Eigen::VectorXd>(bridge.data(), values.size());
 }
 

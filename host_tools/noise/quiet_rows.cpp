@@ -13,7 +13,6 @@ constexpr double kLeastLimit = 0.02;  // degC/min
 constexpr double kShareOfRamps = 0.05;
 constexpr double kRampQuantile = 0.95;
 constexpr std::size_t kLeastQuietRows = 32;
-constexpr double kGap = 1.5;  // rows
 
 double rate_limit(const Rows& rows) {
   std::vector<double> rates;
@@ -22,11 +21,6 @@ double rate_limit(const Rows& rows) {
                                       kRampQuantile * static_cast<double>(rates.size() - 1));
   std::nth_element(rates.begin(), at, rates.end());
   return std::max(kLeastLimit, kShareOfRamps * *at);
-}
-
-bool follows(const Rows& rows, std::size_t row) {
-  return row > 0 && !rows.starts_run(row) &&
-         rows.time_s[row] - rows.time_s[row - 1] < kGap * rows.row_s;
 }
 
 // An axis that is turned, a field that is switched on: no noise either.
@@ -77,7 +71,7 @@ std::vector<RowRange> quiet_ranges(const Rows& rows) {
   };
   for (std::size_t row = 0; row < size; ++row) {
     const bool quiet = std::abs(rows.signals[row].temperature_rate) <= limit;
-    if (quiet && (row == begin || (follows(rows, row) && !jumps.between(row - 1, row)))) continue;
+    if (quiet && (row == begin || (rows.follows(row) && !jumps.between(row - 1, row)))) continue;
     finish(row);
     begin = quiet ? row : row + 1;
   }

@@ -7,6 +7,7 @@
 #include "recording/csv_reader.hpp"
 #include "recording/line_numbers.hpp"
 #include "recording/refused_rows.hpp"
+#include "recording/row_range.hpp"
 #include "recording/stream_reader.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
@@ -15,7 +16,6 @@
 namespace fogcomp {
 namespace {
 
-constexpr double kGapPeriods = 1.5;
 constexpr double kShortestPeriodS = 1e-6;
 constexpr double kLongestPeriodS = 86400;
 
@@ -43,12 +43,12 @@ void find_stretches(Recording& recording) {
   recording.period_s = 0;
   const std::vector<double>& time_s = recording.time_s;
   if (time_s.size() < 2) return;
-  const double longest_s = kGapPeriods * median_spacing_s(time_s);
+  const double typical_s = median_spacing_s(time_s);
   double spanned_s = 0;
   std::size_t spacings = 0;
   for (std::size_t i = 1; i < time_s.size(); ++i) {
     const double spacing_s = time_s[i] - time_s[i - 1];
-    if (spacing_s > longest_s) {
+    if (is_gap(spacing_s, typical_s)) {
       recording.stretch_starts.push_back(i);
     } else {
       spanned_s += spacing_s;

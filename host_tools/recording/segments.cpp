@@ -57,6 +57,12 @@ std::string name_of(const Recording& recording, const std::vector<ProgrammePart>
   return format("ramp %ld..%ld", from, to);
 }
 
+Segment segment_of(const Recording& recording, const std::string& name, SegmentKind kind,
+                   RowRange rows) {
+  return {name, kind, recording.time_s[rows.first],
+          recording.time_s[rows.end - 1] + recording.period_s, rows};
+}
+
 std::vector<Segment> segments_by_temperature(const Recording& recording) {
   std::vector<Segment> segments;
   const RowRange all{0, recording.rows()};
@@ -65,7 +71,7 @@ std::vector<Segment> segments_by_temperature(const Recording& recording) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string name = name_of(recording, parts, i);
       for (const RowRange& rows : cut_at_gaps(recording, parts[i].rows, kLongestDropoutS)) {
-        segments.push_back({name, parts[i].kind, rows.first, rows.end});
+        segments.push_back(segment_of(recording, name, parts[i].kind, rows));
       }
     }
   }
@@ -99,7 +105,7 @@ std::vector<Segment> segments_by_label(const Recording& recording) {
   std::vector<Segment> segments;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     for (const RowRange& rows : cut_at_gaps(recording, ranges[i], kLongestDropoutS)) {
-      segments.push_back({names[i], kind_of(recording, rows), rows.first, rows.end});
+      segments.push_back(segment_of(recording, names[i], kind_of(recording, rows), rows));
     }
   }
   return segments;
@@ -132,6 +138,20 @@ std::vector<Segment> find_segments(const Recording& recording) {
   std::vector<Segment> segments =
       recording.labels.empty() ? segments_by_temperature(recording) : segments_by_label(recording);
   number_repeated_names(segments);
+  return segments;
+}
+
+std::vector<Segment> segments_on(std::vector<Segment> segments, const std::vector<double>& time_s,
+                                 RowRange rows) {
+  const auto row_at = [&](double start_s) {
+    const auto first = time_s.begin() + static_cast<std::ptrdiff_t>(rows.first);
+    const auto end = time_s.begin() + static_cast<std::ptrdiff_t>(rows.end);
+    return static_cast<std::size_t>(std::lower_bound(first, end, start_s) - time_s.begin());
+  };
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    segments[i].rows.first = i == 0 ? rows.first : segments[i - 1].rows.end;
+    segments[i].rows.end = i + 1 == segments.size() ? rows.end : row_at(segments[i + 1].start_s);
+  }
   return segments;
 }
 

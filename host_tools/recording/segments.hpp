@@ -1,24 +1,23 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "recording/recording.hpp"
+#include "recording/row_range.hpp"
 
 namespace fogcomp {
 
 enum class SegmentKind : std::uint8_t { soak, ramp_up, ramp_down };
 
-/// A part of a recording in which the chamber does one thing.
+/// A part of a run in which the chamber does one thing.
 struct Segment {
-  std::string name;  ///< unique within the recording: "soak 20", "ramp 20..-40", "soak 20 (2)"
+  std::string name;  ///< unique within the run: "soak 20", "ramp 20..-40", "soak 20 (2)"
   SegmentKind kind = SegmentKind::soak;
-  std::size_t first_row = 0;
-  std::size_t end_row = 0;  ///< one past the last
-
-  std::size_t rows() const { return end_row - first_row; }
+  double start_s = 0;  ///< of its first row
+  double end_s = 0;    ///< of its last row, and the length of one
+  RowRange rows;       ///< of the series that it is a part of
 };
 
 /// Soaks and ramps that cover all rows in order, from the temperature alone (find_programme_parts),
@@ -27,12 +26,12 @@ struct Segment {
 /// temperature nor drift moves. (stretch_starts has every gap.)
 std::vector<Segment> find_segments(const Recording& recording);
 
-/// The rows without a gap that `rows` [first, end) consist of.
-struct RowRange {
-  std::size_t first = 0;
-  std::size_t end = 0;
-  std::size_t size() const { return end - first; }
-};
+/// The same segments in another series of the same run, of which `rows` have these times: a row
+/// belongs to the segment that began last. Segments too short to have a row have none.
+std::vector<Segment> segments_on(std::vector<Segment> segments, const std::vector<double>& time_s,
+                                 RowRange rows);
+
+/// The rows without a gap that `rows` consist of.
 std::vector<RowRange> stretches_of(const Recording& recording, RowRange rows);
 
 }  // namespace fogcomp

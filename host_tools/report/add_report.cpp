@@ -54,15 +54,10 @@ Text before_and_after(const Addition::RunError& run) {
 }
 
 void add_run(Report& report, const Addition::RunError& run, const std::string& group) {
-  std::vector<double> time_s;
-  std::vector<double> degc;
-  for (const Comparison::Row& row : run.after.rows) {
-    time_s.push_back(row.time_s);
-    degc.push_back(row.temperature_degc);
-  }
+  const std::vector<double> degc = run.after.rows.temperatures_degc();
   const std::vector<double> before = run.before.residuals_dph();
   const std::vector<double> after = run.after.residuals_dph();
-  const TimeAxis axis{time_s, starts_of(run.after.stretches), group, segments_of(run.after)};
+  const TimeAxis axis = time_axis(run.after, group);
   report.file_section(run.file, remark(run));
   Plot residual = time_plot("Residual.", "residual, deg/h", axis,
                             {{"before", "measured", before}, {"after", "residual", after}});

@@ -17,7 +17,7 @@ namespace {
 std::vector<std::string> names_from_outside(const DiagnosisData& data,
                                             const std::vector<std::string>& files) {
   std::vector<std::string> names = files;
-  for (const DiagnosisData::Segment& segment : data.segments()) names.push_back(segment.name);
+  for (const Segment& segment : data.segments()) names.push_back(segment.name);
   for (const EffectTerm& term : data.offered()) names.push_back(term.name);
   return names;
 }
@@ -116,8 +116,8 @@ std::vector<Text> segment_names(const DiagnosisData& data, const std::vector<std
   const std::vector<std::string> files = short_names(runs);
   const Rows& rows = data.series().rows();
   std::vector<Text> names;
-  for (const DiagnosisData::Segment& segment : data.segments()) {
-    const std::size_t run = rows.run_at(static_cast<std::size_t>(segment.first));
+  for (const Segment& segment : data.segments()) {
+    const std::size_t run = rows.run_at(segment.rows.first);
     names.push_back((files.size() > 1 ? verbatim(files[run]) + ", " : Text()) +
                     verbatim(segment.name));
   }
@@ -157,8 +157,8 @@ struct Run {
   std::vector<double> temperature_degc;
   std::vector<double> first_dph;
   std::vector<double> last_dph;
-  std::vector<std::size_t> stretch_starts;
-  std::vector<TimeAxis::Segment> segments;
+  std::vector<RowRange> stretches;  // counted from the run's first row
+  std::vector<Segment> segments;
 };
 
 template <class Value>
@@ -179,21 +179,19 @@ Run columns_of(const DiagnosisData& data, RowRange range, const Ladder& ladder) 
   Run run;
   run.range = range;
   for (std::size_t row = range.first; row < range.end; ++row) {
-    const bool gap =
-        row > range.first && rows.time_s[row] - rows.time_s[row - 1] > 1.5 * rows.row_s;
-    if (row == range.first || gap) run.stretch_starts.push_back(row - range.first);
+    const std::size_t own = row - range.first;
+    if (!rows.follows(row)) run.stretches.push_back({own, own});
+    run.stretches.back().end = own + 1;
     run.time_s.push_back(rows.time_s[row]);
   }
   run.temperature_degc =
       column(rows, range, [](const auto& signals) { return signals.temperature; });
   run.first_dph = part(ladder.first.residual_dph, range);
   run.last_dph = part(ladder.last.residual_dph, range);
-  for (const DiagnosisData::Segment& segment : data.segments()) {
-    const auto first = static_cast<std::size_t>(segment.first);
-    const auto end = static_cast<std::size_t>(segment.end);
-    if (first < range.first || end > range.end) continue;
-    run.segments.push_back({segment.name, segment.kind, rows.time_s[first] - rows.row_s / 2,
-                            rows.time_s[end - 1] + rows.row_s / 2});
+  for (const Segment& segment : data.segments()) {
+    if (segment.rows.first >= range.first && segment.rows.end <= range.end) {
+      run.segments.push_back(segment);
+    }
   }
   return run;
 }
@@ -253,22 +251,13 @@ std::vector<Variable> variables_of(const Rows& rows, const Run& run, const Diagn
   return all;
 }
 
-std::vector<RowRange> stretches_of(const Run& run) {
-  std::vector<RowRange> stretches;
-  for (const std::size_t start : run.stretch_starts) {
-    if (!stretches.empty()) stretches.back().end = start;
-    stretches.push_back({start, run.time_s.size()});
-  }
-  return stretches;
-}
-
 void add_over_variables(Report& report, const Rows& rows, const Run& run, const Ladder& ladder) {
   const std::vector<Branch> branch = branches(run.temperature_degc);
   const auto add = [&](const Variable& variable, const char* when, const std::vector<double>& y) {
     ResidualRows residual;
     residual.residual_dph = y;
     residual.time_s = run.time_s;
-    residual.stretches = stretches_of(run);
+    residual.stretches = run.stretches;
     residual.noise = ladder.first.noise;
     constexpr std::size_t kBins = 15;
     const Dependence dependence = dependence_on(variable.values, residual, kBins);
@@ -291,7 +280,7 @@ void add_over_variables(Report& report, const Rows& rows, const Run& run, const 
 
 void add_run(Report& report, const Run& run, const Ladder& ladder, const DiagnosisData& data,
              const std::string& group) {
-  const TimeAxis axis{run.time_s, run.stretch_starts, group, run.segments};
+  const TimeAxis axis{run.time_s, starts_of(run.stretches), group, run.segments};
   std::vector<Trace> residuals;
   if (ladder.steps.empty()) {
     residuals.push_back({"residual", "residual", run.first_dph});

@@ -85,10 +85,10 @@ void add_segments(Report& report, const RunSummary& summary) {
   report.table(table);
 }
 
-std::vector<TimeAxis::Segment> summary_segments(const RunSummary& summary) {
-  std::vector<TimeAxis::Segment> segments;
+std::vector<Segment> summary_segments(const RunSummary& summary) {
+  std::vector<Segment> segments;
   for (const SegmentSummary& one : summary.segments) {
-    segments.push_back({one.name, one.kind, one.start_s, one.start_s + one.duration_s});
+    segments.push_back({one.name, one.kind, one.start_s, one.start_s + one.duration_s, {}});
   }
   return segments;
 }

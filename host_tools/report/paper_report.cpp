@@ -80,19 +80,21 @@ void add_table_3(Report& report, const Study& study) {
 }
 
 // Rows of one segment follow each other; "20~-40" is a ramp.
-std::vector<TimeAxis::Segment> study_segments(const Study& study, const std::vector<double>& degc) {
+std::vector<Segment> study_segments(const Study& study, const std::vector<double>& degc) {
   const std::vector<std::string>& names = study.run.segments;
   const Rows& rows = study.run.series.rows();
-  std::vector<TimeAxis::Segment> segments;
+  std::vector<Segment> segments;
   std::size_t first = 0;
   for (std::size_t row = 1; row <= names.size(); ++row) {
     if (row < names.size() && names[row] == names[first]) continue;
     const bool is_ramp = names[first].find('~') != std::string::npos;
     const SegmentKind ramp =
         degc[row - 1] > degc[first] ? SegmentKind::ramp_up : SegmentKind::ramp_down;
-    segments.push_back({names[first], is_ramp ? ramp : SegmentKind::soak,
+    segments.push_back({names[first],
+                        is_ramp ? ramp : SegmentKind::soak,
                         rows.time_s[first] - rows.row_s / 2,
-                        rows.time_s[row - 1] + rows.row_s / 2});
+                        rows.time_s[row - 1] + rows.row_s / 2,
+                        {first, row}});
     first = row;
   }
   return segments;

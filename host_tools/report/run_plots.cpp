@@ -37,9 +37,9 @@ Plot plot_over_time(const Text& title, const Text& y_label, const TimeAxis& axis
   plot.y_label = y_label;
   plot.group = axis.group;
   for (const double time : time_s) plot.x.push_back(time / kSecondsPerHour);
-  for (const TimeAxis::Segment& segment : axis.segments) {
-    plot.bands.push_back({verbatim(segment.name), segment.from_s / kSecondsPerHour,
-                          segment.to_s / kSecondsPerHour, shade_of(segment.kind)});
+  for (const Segment& segment : axis.segments) {
+    plot.bands.push_back({verbatim(segment.name), segment.start_s / kSecondsPerHour,
+                          segment.end_s / kSecondsPerHour, shade_of(segment.kind)});
   }
   return plot;
 }
@@ -52,15 +52,11 @@ std::vector<std::size_t> starts_of(const std::vector<RowRange>& stretches) {
   return starts;
 }
 
-std::vector<TimeAxis::Segment> segments_of(const Comparison& comparison) {
-  std::vector<TimeAxis::Segment> segments;
-  const double half_row_s = comparison.row_s / 2;
-  for (const Comparison::Segment& one : comparison.segments) {
-    if (one.range.size() == 0) continue;
-    segments.push_back({one.name, one.kind, comparison.rows[one.range.first].time_s - half_row_s,
-                        comparison.rows[one.range.end - 1].time_s + half_row_s});
-  }
-  return segments;
+TimeAxis time_axis(const Comparison& comparison, const std::string& group) {
+  return {comparison.rows.time_s,
+          starts_of(comparison.rows.stretches()),
+          group,
+          {comparison.segments.begin(), comparison.segments.end()}};
 }
 
 std::string part_colour(std::size_t i) {
@@ -84,9 +80,9 @@ Plot temperature_plot(const TimeAxis& axis, const std::vector<double>& temperatu
   Plot plot = time_plot("Temperature.", "temperature, degC", axis,
                         {{"temperature", "part5", temperature_degc}});
   const auto [min, max] = std::minmax_element(temperature_degc.begin(), temperature_degc.end());
-  const auto soaks = std::count_if(
-      axis.segments.begin(), axis.segments.end(),
-      [](const TimeAxis::Segment& segment) { return segment.kind == SegmentKind::soak; });
+  const auto soaks =
+      std::count_if(axis.segments.begin(), axis.segments.end(),
+                    [](const Segment& segment) { return segment.kind == SegmentKind::soak; });
   const auto ramps = static_cast<std::ptrdiff_t>(axis.segments.size()) - soaks;
   plot.caption =
       words(format("%.1f to %.1f degC; soaks: %td, ramps: %td.", *min, *max, soaks, ramps));

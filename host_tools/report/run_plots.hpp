@@ -21,20 +21,14 @@ struct Trace {
 
 /// Time axis of a run that several plots share: cursor and zoom go together by `group`.
 struct TimeAxis {
-  /// A soak or a ramp.
-  struct Segment {
-    std::string name;
-    SegmentKind kind = SegmentKind::soak;
-    double from_s = 0;
-    double to_s = 0;
-  };
   const std::vector<double>& time_s;
   std::vector<std::size_t> stretch_starts;
   std::string group;
   std::vector<Segment> segments;
 };
+/// Of a comparison, which must outlive it.
+TimeAxis time_axis(const Comparison& comparison, const std::string& group);
 std::vector<std::size_t> starts_of(const std::vector<RowRange>& stretches);
-std::vector<TimeAxis::Segment> segments_of(const Comparison& comparison);
 
 /// Traces over hours since power-on, the segments shaded; long ones as minimum and maximum of each
 /// column.

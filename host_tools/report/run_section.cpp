@@ -15,13 +15,6 @@ namespace {
 
 using Models = std::vector<const ModelOnRuns*>;
 
-template <class Value>
-std::vector<double> column(const Comparison& comparison, Value value) {
-  std::vector<double> values;
-  for (const Comparison::Row& row : comparison.rows) values.push_back(value(row));
-  return values;
-}
-
 const Comparison& on_run(const ModelOnRuns& model, std::size_t run) {
   return model.runs[run].comparison;
 }
@@ -84,21 +77,21 @@ void add_segments(Report& report, const Comparison& comparison) {
   Table table{{"segment", "rms left", "drift left", "by a constant", "residual mean",
                "residual std", "raw mean", "raw std", "rows"},
               {}};
-  const auto add = [&](const Comparison::Segment& segment) {
-    if (segment.range.size() == 0) return;
+  const auto add = [&](const Comparison::SegmentError& segment) {
+    if (segment.rows.size() == 0) return;
     table.rows.push_back({verbatim(segment.name), number(segment.rms_dph),
                           dph(drift_left(comparison, segment.rms_dph)),
                           number(constant_rms_dph(comparison, segment)), number(segment.mean_dph),
                           number(segment.std_dph), number(segment.raw_mean_dph),
                           number(segment.raw_std_dph),
-                          verbatim(std::to_string(segment.range.size()))});
+                          verbatim(std::to_string(segment.rows.size()))});
   };
-  for (const Comparison::Segment& segment : comparison.segments) add(segment);
+  for (const Comparison::SegmentError& segment : comparison.segments) add(segment);
   add(comparison.whole);
   report.sentence(
       words(format("deg/h, means of %.4g s. Drift left: √(rms² − floor²). By a constant: the rms "
                    "that the model's mean over the run alone would leave.",
-                   comparison.row_s)));
+                   comparison.rows.row_s)));
   report.table(table);
 }
 
@@ -116,12 +109,12 @@ void add_before_and_after(Report& report, const Models& models, std::size_t run)
     bars.keys.push_back({"by " + names[i], residual_colour(i)});
   }
   const auto add = [&](std::size_t segment, bool whole) {
-    const auto of = [&](const ModelOnRuns& model) -> const Comparison::Segment& {
+    const auto of = [&](const ModelOnRuns& model) -> const Comparison::SegmentError& {
       const Comparison& comparison = on_run(model, run);
       return whole ? comparison.whole : comparison.segments[segment];
     };
-    const Comparison::Segment& own = of(*models[0]);
-    if (own.range.size() == 0) return;
+    const Comparison::SegmentError& own = of(*models[0]);
+    if (own.rows.size() == 0) return;
     const double before_dph = constant_rms_dph(best, own);
     Bars::Row row{verbatim(own.name), {{before_dph, "measured", number(before_dph)}}};
     for (std::size_t i = 0; i < models.size(); ++i) {
@@ -140,21 +133,19 @@ Text worst_segment(const Comparison& comparison) {
   const auto worst =
       std::max_element(comparison.segments.begin(), comparison.segments.end(),
                        [](const auto& a, const auto& b) { return a.rms_dph < b.rms_dph; });
-  if (comparison.segments.size() < 2 || worst->range.size() == 0) return {};
+  if (comparison.segments.size() < 2 || worst->rows.size() == 0) return {};
   return "Largest in " + verbatim(worst->name) + ": rms " + number(worst->rms_dph) + " deg/h.";
 }
 
 void add_over_time(Report& report, const Models& models, std::size_t run) {
   const Comparison& best = on_run(*models[0], run);
-  const std::vector<double> time_s =
-      column(best, [](const Comparison::Row& row) { return row.time_s; });
-  const std::vector<double> degc =
-      column(best, [](const Comparison::Row& row) { return row.temperature_degc; });
+  const std::vector<double> degc = best.rows.temperatures_degc();
   const std::vector<double> measured = best.measured_dph();
   std::vector<std::vector<double>> drifts;
   std::vector<std::vector<double>> residuals;
   for (const ModelOnRuns* model : models) {
-    drifts.push_back(column(on_run(*model, run), [](const auto& row) { return row.drift_dph; }));
+    const Eigen::VectorXd& drift = on_run(*model, run).modelled_dph;
+    drifts.emplace_back(drift.begin(), drift.end());
     residuals.push_back(on_run(*model, run).residuals_dph());
   }
   const bool several = models.size() > 1;
@@ -166,7 +157,7 @@ void add_over_time(Report& report, const Models& models, std::size_t run) {
     over.push_back({drift_names[i], several ? residual_colour(i) : "model", drifts[i], look_of(i)});
     left.push_back({residual_names[i], residual_colour(i), residuals[i], look_of(i)});
   }
-  const TimeAxis axis{time_s, starts_of(best.stretches), format("run %zu", run), segments_of(best)};
+  const TimeAxis axis = time_axis(best, format("run %zu", run));
   Plot rate = time_plot("Rate less input rate, the model on top.", "rate, deg/h", axis, over);
   rate.caption = "Std of what is measured " + number(best.whole.raw_std_dph) + " deg/h.";
   report.plot(rate);
@@ -179,8 +170,6 @@ void add_over_time(Report& report, const Models& models, std::size_t run) {
 
 void add_parts(Report& report, const ModelOnRuns& model, std::size_t run) {
   const Comparison& comparison = on_run(model, run);
-  const std::vector<double> time_s =
-      column(comparison, [](const Comparison::Row& row) { return row.time_s; });
   std::vector<Trace> parts;
   for (std::size_t i = 0; i < comparison.effects.size(); ++i) {
     constexpr double kConstant = 1e-9;  // deg/h: such a part has no share in any change
@@ -189,10 +178,8 @@ void add_parts(Report& report, const ModelOnRuns& model, std::size_t run) {
         {verbatim(comparison.effects[i].name), part_colour(parts.size()), comparison.parts_dph[i]});
   }
   if (!parts.empty()) {
-    report.plot(stacked_plot(
-        "What each part of the model does.", "drift, deg/h",
-        {time_s, starts_of(comparison.stretches), format("run %zu", run), segments_of(comparison)},
-        parts));
+    report.plot(stacked_plot("What each part of the model does.", "drift, deg/h",
+                             time_axis(comparison, format("run %zu", run)), parts));
   }
   Table table{{"part", "share of the raw variance", "std, deg/h", "mean, deg/h"}, {}};
   for (const EffectShare& effect : comparison.effects) {
@@ -224,10 +211,8 @@ void add_dependences(Report& report, const ModelOnRuns& model, std::size_t run) 
   const Comparison& comparison = on_run(model, run);
   const ResidualAnalysis& analysis = model.runs[run].analysis;
   const std::vector<double> residual = comparison.residuals_dph();
-  const std::vector<double> degc =
-      column(comparison, [](const Comparison::Row& row) { return row.temperature_degc; });
-  const std::vector<double> rate = column(
-      comparison, [](const Comparison::Row& row) { return row.temperature_rate_degc_per_min; });
+  const std::vector<double> degc = comparison.rows.temperatures_degc();
+  const std::vector<double> rate = comparison.rows.temperature_rates_degc_per_min();
   const std::vector<Branch> branch = branches(degc);
   std::vector<Dependent> all;
   const auto add = [&](const Text& title, const Text& label, const std::vector<double>& x,
@@ -281,8 +266,8 @@ void add_autocorrelation(Report& report, const Models& models, std::size_t run) 
     const std::vector<double> residual = comparison.bridged(comparison.residuals_dph());
     Curve curve{names[i], residual_colour(i), {}, {}, {}, look_of(i)};
     for (std::size_t lag = 1; lag <= std::min(kLags, residual.size() / 4); ++lag) {
-      curve.x.push_back(static_cast<double>(lag) * comparison.row_s);
-      curve.y.push_back(autocorrelation(residual, comparison.stretches, lag));
+      curve.x.push_back(static_cast<double>(lag) * comparison.rows.row_s);
+      curve.y.push_back(autocorrelation(residual, comparison.rows.stretches(), lag));
     }
     if (curve.x.size() < 2) return;
     plot.curves.push_back(std::move(curve));
@@ -327,7 +312,7 @@ void add_run(Report& report, const Models& models, std::size_t run) {
   }
   add_before_and_after(report, models, run);
   add_segments(report, best);
-  if (best.rows.size() < 2) return;
+  if (best.size() < 2) return;
   add_over_time(report, models, run);
   add_dependences(report, *models[0], run);
   add_parts(report, *models[0], run);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "recording/columns.hpp"
+#include "recording/segments.hpp"
 
 namespace fogcomp {
 namespace {
@@ -56,22 +57,6 @@ Blocks block_means(const Recording& recording, double average_s) {
     }
   }
   return blocks;
-}
-
-std::vector<Segment> segments_in_blocks(const std::vector<Segment>& segments,
-                                        const Blocks& blocks) {
-  const auto first_block_from = [&blocks](std::size_t row) {
-    const auto found = std::partition_point(
-        blocks.first_rows.begin(), blocks.first_rows.end(),
-        [&](std::size_t first) { return first + blocks.rows_per_block / 2 < row; });
-    return static_cast<std::size_t>(found - blocks.first_rows.begin());
-  };
-  std::vector<Segment> result = segments;
-  for (Segment& segment : result) {
-    segment.first_row = first_block_from(segment.first_row);
-    segment.end_row = first_block_from(segment.end_row);
-  }
-  return result;
 }
 
 }  // namespace fogcomp

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "recording/recording.hpp"
-#include "recording/segments.hpp"
 
 namespace fogcomp {
 
@@ -23,9 +22,5 @@ std::size_t rows_per_block(const Recording& recording, double average_s);
 /// incomplete block at the end of a stretch is dropped; where no stretch is as long as a block, the
 /// longest makes the only one.
 Blocks block_means(const Recording& recording, double average_s);
-
-/// The blocks whose middle row lies in each segment: same names, kinds and order; `first_row` and
-/// `end_row` then count blocks and are equal where a segment is too short to have one.
-std::vector<Segment> segments_in_blocks(const std::vector<Segment>& segments, const Blocks& blocks);
 
 }  // namespace fogcomp

@@ -4,33 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/thermal/signals.hpp"
 #include "model/model.hpp"
-#include "recording/segments.hpp"
 #include "series/block_series.hpp"
+#include "series/rows.hpp"
 
 namespace fogcomp {
-
-/// The rows of a fit: means over `average_s`, or over one row of a recording that has longer ones.
-struct Rows {
-  Eigen::VectorXd drift_dph;  ///< measured rate - input rate
-  Eigen::VectorXd weights;    ///< time behind a row, relative to a full one
-  double row_s = 0;           ///< of a full row; the longest where recordings differ
-  double rounding_dph = 0;    ///< standard deviation that the rate's rounding makes in a full row
-  std::vector<double> time_s;
-  std::vector<fog::Signals<RealNumbers>> signals;    ///< means, as late as the board has them
-  std::vector<fog::BlockMeans<RealNumbers>> inputs;  ///< means of what was measured meanwhile
-  std::vector<std::size_t> run_starts;               ///< first row of each recording
-
-  Eigen::Index size() const { return drift_dph.size(); }
-  /// The rows of each recording.
-  std::vector<RowRange> runs() const;
-  /// Which of them a row is part of, and whether it is its first.
-  std::size_t run_at(std::size_t row) const;
-  bool starts_run(std::size_t row) const;
-  /// From the first row to the last, of the longest recording.
-  double longest_run_s() const;
-};
 
 /// How a temperature becomes the signals that effects see.
 enum class Phase : std::uint8_t {
@@ -88,12 +66,10 @@ class SignalSeries {
     std::vector<Block> blocks;
     std::vector<fog::Signals<RealNumbers>> smoothed;  ///< per block; none in Phase::zero
   };
-  friend class SignalRecorder;
-  friend class RowCollector;
+  class Recorder;
 
-  void add_as_the_board(const BlockSeries& series, class RowCollector& rows);
-  void add_without_delay(const BlockSeries& series, class RowCollector& rows);
-  void append_rows(const std::vector<struct RowSums>& sums, double sample_s);
+  void add_as_the_board(const BlockSeries& series, RowAverager& rows);
+  void add_without_delay(const BlockSeries& series, RowAverager& rows);
   // Row means of what make(block_s) gives block by block: an object with size(), reset(signals) and
   // step(signals, values).
   template <class Make>
@@ -102,13 +78,7 @@ class SignalSeries {
   const Model& model_;
   Phase phase_;
   std::vector<Run> runs_;
-  Eigen::VectorXd seconds_;  // behind each row
   Rows rows_;
 };
-
-/// Blocks that make one row of `average_s` seconds, at least one.
-std::int64_t blocks_per_row(double average_s, double block_s);
-/// The length of that row, seconds.
-double row_length_s(double average_s, double block_s);
 
 }  // namespace fogcomp

@@ -18,21 +18,20 @@ TEST(Comparison, AConstantIsJudgedAsTheModelIs) {
   Recording recording = fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
   for (double& rate : recording.rate_dph) rate += 3;  // a turn-on bias counts against both
   const Comparison comparison = compare(fog::test::truth(), recording);
-  double drift = 0;
-  for (const Comparison::Row& row : comparison.rows) drift += row.drift_dph;
-  const double constant = drift / static_cast<double>(comparison.rows.size());
+  const double constant = comparison.modelled_dph.mean();
+  const std::vector<double> measured = comparison.measured_dph();
   const auto left_by_constant = [&](RowRange range) {
     double square = 0;
     for (std::size_t i = range.first; i < range.end; ++i) {
-      square += std::pow(comparison.rows[i].measured_dph - constant, 2);
+      square += std::pow(measured[i] - constant, 2);
     }
     return std::sqrt(square / static_cast<double>(range.size()));
   };
-  for (const Comparison::Segment& segment : comparison.segments) {
-    EXPECT_NEAR(constant_rms_dph(comparison, segment), left_by_constant(segment.range), 1e-9);
+  for (const Comparison::SegmentError& segment : comparison.segments) {
+    EXPECT_NEAR(constant_rms_dph(comparison, segment), left_by_constant(segment.rows), 1e-9);
   }
   EXPECT_NEAR(constant_rms_dph(comparison, comparison.whole),
-              left_by_constant(comparison.whole.range), 1e-9);
+              left_by_constant(comparison.whole.rows), 1e-9);
   EXPECT_LT(comparison.whole.rms_dph, constant_rms_dph(comparison, comparison.whole));
 }
 
@@ -50,7 +49,7 @@ TEST(Comparison, KnowsTheInputsThatVary) {
   ASSERT_EQ(comparison.inputs.size(), 2U);
   EXPECT_EQ(comparison.inputs[0].input, fog::Input::light_power);
   EXPECT_EQ(comparison.inputs[1].input, fog::Input::input_rate);
-  ASSERT_EQ(comparison.inputs[1].values.size(), comparison.rows.size());
+  ASSERT_EQ(comparison.inputs[1].values.size(), comparison.size());
 
   const ResidualAnalysis analysis = analyse_residual(comparison);
   ASSERT_EQ(analysis.inputs.size(), 2U);

@@ -68,9 +68,9 @@ TEST(Allan, LooksAtSoaksOnlyAndNotAcrossGaps) {
   Recording recording;
   recording.time_s.resize(100);
   recording.stretch_starts = {0, 20, 60};
-  const std::vector<Segment> segments{{"a", SegmentKind::soak, 0, 40},
-                                      {"b", SegmentKind::ramp_up, 40, 70},
-                                      {"c", SegmentKind::soak, 70, 100}};
+  const std::vector<Segment> segments{{"a", SegmentKind::soak, 0, 0, {0, 40}},
+                                      {"b", SegmentKind::ramp_up, 0, 0, {40, 70}},
+                                      {"c", SegmentKind::soak, 0, 0, {70, 100}}};
   const auto ranges = soak_ranges(recording, segments);
   ASSERT_EQ(ranges.size(), 3U);
   EXPECT_EQ(ranges[1].first, 20U);

@@ -70,9 +70,9 @@ const std::vector<std::string> kPaperSegments{
 void expect_to_cover_all_rows(const Recording& recording) {
   std::size_t next = 0;
   for (const Segment& segment : find_segments(recording)) {
-    EXPECT_EQ(segment.first_row, next);
-    EXPECT_GT(segment.end_row, segment.first_row);
-    next = segment.end_row;
+    EXPECT_EQ(segment.rows.first, next);
+    EXPECT_GT(segment.rows.end, segment.rows.first);
+    next = segment.rows.end;
   }
   EXPECT_EQ(next, recording.rows());
 }
@@ -85,8 +85,8 @@ TEST(Segments, FindThePapersProgramme) {
   EXPECT_EQ(names(recording), kPaperSegments);
   expect_to_cover_all_rows(recording);
   // Corners to within the time in which the ramp covers the tolerance.
-  EXPECT_NEAR(recording.time_s[segments[1].first_row], 120 * 60, 60);
-  EXPECT_NEAR(recording.time_s[segments[2].first_row], 240 * 60, 60);
+  EXPECT_NEAR(recording.time_s[segments[1].rows.first], 120 * 60, 60);
+  EXPECT_NEAR(recording.time_s[segments[2].rows.first], 240 * 60, 60);
   EXPECT_EQ(segments[1].kind, SegmentKind::ramp_down);
   EXPECT_EQ(segments[3].kind, SegmentKind::ramp_up);
 }
@@ -120,8 +120,8 @@ TEST(Segments, CountTheTailOfTheChamberToTheRamp) {
   EXPECT_EQ(names(recording), kPaperSegments);
   for (const Segment& segment : find_segments(recording)) {
     if (segment.kind != SegmentKind::soak) continue;
-    const double start = recording.temperature_degc[segment.first_row];
-    const double end = recording.temperature_degc[segment.end_row - 1];
+    const double start = recording.temperature_degc[segment.rows.first];
+    const double end = recording.temperature_degc[segment.rows.end - 1];
     EXPECT_NEAR(start, end, 0.8) << segment.name;
   }
 }
@@ -160,8 +160,8 @@ TEST(Segments, StartAnewAfterAGapButNotAfterALostSample) {
   pause(4000, 3600);
   const std::vector<Segment> segments = find_segments(recording);
   ASSERT_EQ(segments.size(), 3U);
-  EXPECT_EQ(segments[1].first_row, 2000U);
-  EXPECT_EQ(segments[2].first_row, 4000U);
+  EXPECT_EQ(segments[1].rows.first, 2000U);
+  EXPECT_EQ(segments[2].rows.first, 4000U);
   EXPECT_EQ(segments[2].name, "soak 20 (3)");
 }
 

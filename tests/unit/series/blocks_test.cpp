@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "recording/segments.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -52,16 +54,17 @@ TEST(Blocks, KeepAnIncompleteOneOnlyWhereThereIsNoOther) {
   EXPECT_EQ(block_means(counting(1), 10).means.rate_dph, std::vector<double>{0});
 }
 
-TEST(Blocks, BelongToTheSegmentOfTheirMiddle) {
+TEST(Blocks, BelongToTheSegmentInWhichTheirMiddleLies) {
   const Blocks blocks = block_means(counting(20), 2);
-  const std::vector<Segment> segments{{"a", SegmentKind::soak, 0, 7},
-                                      {"b", SegmentKind::soak, 7, 9},
-                                      {"c", SegmentKind::soak, 9, 20}};
-  const std::vector<Segment> in_blocks = segments_in_blocks(segments, blocks);
-  EXPECT_EQ(in_blocks[0].end_row, 2U);  // the middle row of block 1 is 6
-  EXPECT_EQ(in_blocks[1].rows(), 0U);
-  EXPECT_EQ(in_blocks[2].first_row, 2U);
-  EXPECT_EQ(in_blocks[2].end_row, 5U);
+  const std::vector<Segment> segments{{"a", SegmentKind::soak, 0, 3.5, {0, 7}},
+                                      {"b", SegmentKind::soak, 3.5, 4.5, {7, 9}},
+                                      {"c", SegmentKind::soak, 4.5, 10, {9, 20}}};
+  const std::vector<Segment> in_blocks =
+      segments_on(segments, blocks.means.time_s, {0, blocks.means.rows()});
+  EXPECT_EQ(in_blocks[0].rows.end, 2U);  // the middle of block 1 is at 2.75 s
+  EXPECT_EQ(in_blocks[1].rows.size(), 0U);
+  EXPECT_EQ(in_blocks[2].rows.first, 2U);
+  EXPECT_EQ(in_blocks[2].rows.end, 5U);
 }
 
 }  // namespace

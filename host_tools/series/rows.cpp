@@ -1,0 +1,138 @@
+#include "series/rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fogcomp {
+namespace {
+
+using Means = fog::BlockMeans<RealNumbers>;
+using Signals = fog::Signals<RealNumbers>;
+
+std::int64_t blocks_per_row(double average_s, double block_s) {
+  return std::max(1LL, std::llround(average_s / block_s));
+}
+
+void add_weighted(double weight, const Means& means, Means& sum) {
+  sum.temperature += weight * means.temperature;
+  sum.input_rate += weight * means.input_rate;
+  sum.elapsed += weight * means.elapsed;
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    sum.extension[i] += weight * means.extension[i];
+  }
+}
+
+void add_weighted(double weight, const Signals& signals, Signals& sum) {
+  sum.temperature += weight * signals.temperature;
+  sum.temperature_rate += weight * signals.temperature_rate;
+  add_weighted(weight, signals.block, sum.block);
+}
+
+}  // namespace
+
+std::vector<RowRange> Rows::runs() const {
+  std::vector<RowRange> runs;
+  for (const std::size_t start : run_starts) {
+    if (!runs.empty()) runs.back().end = start;
+    runs.push_back({start, static_cast<std::size_t>(size())});
+  }
+  return runs;
+}
+
+std::size_t Rows::run_at(std::size_t row) const {
+  const auto after = std::upper_bound(run_starts.begin(), run_starts.end(), row);
+  return static_cast<std::size_t>(after - run_starts.begin()) - 1;
+}
+
+bool Rows::starts_run(std::size_t row) const {
+  return std::binary_search(run_starts.begin(), run_starts.end(), row);
+}
+
+bool Rows::follows(std::size_t row) const {
+  return row > 0 && !starts_run(row) && !is_gap(time_s[row] - time_s[row - 1], row_s);
+}
+
+std::vector<RowRange> Rows::stretches() const {
+  std::vector<RowRange> stretches;
+  for (std::size_t row = 0; row < time_s.size(); ++row) {
+    if (!follows(row)) stretches.push_back({row, row});
+    ++stretches.back().end;
+  }
+  return stretches;
+}
+
+double Rows::longest_run_s() const {
+  double longest_s = 0;
+  for (const RowRange& run : runs()) {
+    longest_s = std::max(longest_s, time_s[run.end - 1] - time_s[run.first]);
+  }
+  return longest_s;
+}
+
+std::vector<double> Rows::temperatures_degc() const {
+  std::vector<double> values;
+  for (const Means& means : inputs) values.push_back(means.temperature);
+  return values;
+}
+
+std::vector<double> Rows::temperature_rates_degc_per_min() const {
+  std::vector<double> values;
+  for (const Signals& seen : signals) values.push_back(seen.temperature_rate);
+  return values;
+}
+
+RowAverager::RowAverager(const BlockSeries& blocks, double average_s, Rows& rows,
+                         std::size_t further)
+    : rows_(rows),
+      blocks_per_row_(blocks_per_row(average_s, blocks.block_s)),
+      sample_s_(blocks.block_s / blocks.samples_per_block),
+      first_row_(rows.time_s.size()),
+      further_values_(static_cast<Eigen::Index>(further)) {
+  rows.row_s = std::max(rows.row_s, static_cast<double>(blocks_per_row_) * blocks.block_s);
+  const double samples = static_cast<double>(blocks_per_row_) * blocks.samples_per_block;
+  rows.rounding_dph = std::max(rows.rounding_dph, blocks.rounding_dph / std::sqrt(samples));
+}
+
+std::int32_t RowAverager::take(const BlockSeries::Block& block, const Signals& signals,
+                               const double* further) {
+  const std::int64_t number = block.number / blocks_per_row_;
+  if (sums_.empty() || sums_.back().number != number) {
+    sums_.emplace_back();
+    sums_.back().number = number;
+    sums_.back().further = Eigen::RowVectorXd::Zero(further_values_);
+  }
+  Sum& sum = sums_.back();
+  const double samples = block.samples;
+  sum.samples += samples;
+  sum.time += samples * block.time_s;
+  sum.drift += samples * (block.rate_dph - block.means.input_rate);
+  add_weighted(samples, signals, sum.signals);
+  add_weighted(samples, block.means, sum.inputs);
+  for (Eigen::Index i = 0; i < further_values_; ++i) sum.further[i] += samples * further[i];
+  return static_cast<std::int32_t>(first_row_ + sums_.size() - 1);
+}
+
+void RowAverager::finish() {
+  const auto count = static_cast<Eigen::Index>(sums_.size());
+  const Eigen::Index first = rows_.size();
+  rows_.run_starts.push_back(first_row_);
+  rows_.drift_dph.conservativeResize(first + count);
+  rows_.seconds.conservativeResize(first + count);
+  further_.resize(count, further_values_);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Sum& sum = sums_[static_cast<std::size_t>(i)];
+    rows_.drift_dph[first + i] = sum.drift / sum.samples;
+    rows_.seconds[first + i] = sum.samples * sample_s_;
+    rows_.time_s.push_back(sum.time / sum.samples);
+    add_weighted(1 / sum.samples, sum.signals, rows_.signals.emplace_back());
+    add_weighted(1 / sum.samples, sum.inputs, rows_.inputs.emplace_back());
+    further_.row(i) = sum.further / sum.samples;
+  }
+  rows_.weights = rows_.seconds / rows_.row_s;
+}
+
+double row_length_s(double average_s, double block_s) {
+  return static_cast<double>(blocks_per_row(average_s, block_s)) * block_s;
+}
+
+}  // namespace fogcomp

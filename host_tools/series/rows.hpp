@@ -1,0 +1,83 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/thermal/signals.hpp"
+#include "model/real_numbers.hpp"
+#include "recording/row_range.hpp"
+#include "series/block_series.hpp"
+
+namespace fogcomp {
+
+/// What is fitted, compared and diagnosed: means over `average_s` of the blocks of one or more
+/// recordings, or over one block where blocks are longer.
+struct Rows {
+  Eigen::VectorXd drift_dph;  ///< measured rate - input rate
+  Eigen::VectorXd seconds;    ///< behind each row
+  Eigen::VectorXd weights;    ///< the same relative to a full row
+  double row_s = 0;           ///< of a full row; the longest where recordings differ
+  double rounding_dph = 0;    ///< standard deviation that the rate's rounding makes in a full row
+  std::vector<double> time_s;
+  std::vector<fog::Signals<RealNumbers>> signals;    ///< means, as late as the board has them
+  std::vector<fog::BlockMeans<RealNumbers>> inputs;  ///< means of what was measured meanwhile
+  std::vector<std::size_t> run_starts;               ///< first row of each recording
+
+  Eigen::Index size() const { return drift_dph.size(); }
+  /// The rows of each recording.
+  std::vector<RowRange> runs() const;
+  /// Which of them a row is part of, and whether it is its first.
+  std::size_t run_at(std::size_t row) const;
+  bool starts_run(std::size_t row) const;
+  /// Whether a row comes right after the one before it: of the same recording, without a gap.
+  bool follows(std::size_t row) const;
+  /// Rows without a gap.
+  std::vector<RowRange> stretches() const;
+  /// From the first row to the last, of the longest recording.
+  double longest_run_s() const;
+
+  std::vector<double> temperatures_degc() const;  ///< measured meanwhile
+  std::vector<double> temperature_rates_degc_per_min() const;
+};
+
+/// Averages the blocks of one recording to rows behind those that are there.
+class RowAverager {
+ public:
+  /// `further`: values per block whose means are wanted beside those of Rows.
+  RowAverager(const BlockSeries& blocks, double average_s, Rows& rows, std::size_t further = 0);
+
+  /// Counts a block, in order of time, with the signals that the board has by then and `further`
+  /// values. Returns its row.
+  std::int32_t take(const BlockSeries::Block& block, const fog::Signals<RealNumbers>& signals,
+                    const double* further = nullptr);
+  /// Ends the last row. To be called once.
+  void finish();
+  /// Means of the further values: a row of Rows each, of this recording alone.
+  const Eigen::MatrixXd& further() const { return further_; }
+
+ private:
+  struct Sum {
+    std::int64_t number = 0;
+    double samples = 0;
+    double time = 0;
+    double drift = 0;
+    fog::Signals<RealNumbers> signals;
+    fog::BlockMeans<RealNumbers> inputs;
+    Eigen::RowVectorXd further;
+  };
+
+  Rows& rows_;
+  std::int64_t blocks_per_row_;
+  double sample_s_;
+  std::size_t first_row_;
+  std::vector<Sum> sums_;
+  Eigen::Index further_values_;
+  Eigen::MatrixXd further_;
+};
+
+/// The length of a row, seconds: a whole number of blocks, at least one.
+double row_length_s(double average_s, double block_s);
+
+}  // namespace fogcomp
