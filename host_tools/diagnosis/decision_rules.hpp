@@ -15,10 +15,12 @@ namespace fogcomp::rules {
 // decides, because no gyro is quite what its noise and its model say: at a chance of 1 % every
 // twentieth faultless simulated gyro was beyond it. Smooth structure is a sum over many directions:
 // of 548 tests on faultless gyros, half of them with a recording at rest, the smallest chance was
-// 2 %. Clean gyros.
+// 2 %. Fast structure is three tests, and no physics stands behind what they find: 1 of 300 clean
+// gyros was called a cycle at a chance of 0.05 %; three of 1e-5 each make that 1 of 100 times 300.
+// Clean gyros.
 inline const double kLibraryLogP = std::log(0.0001);
 inline const double kStructureLogP = std::log(0.01);
-inline const double kFastLogP = std::log(0.0005);
+inline const double kFastLogP = std::log(0.00001);
 
 /// Rows for any opinion: what a fit of a few effects and their noise needs.
 constexpr std::ptrdiff_t kMinRows = 60;
