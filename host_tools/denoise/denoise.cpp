@@ -15,10 +15,10 @@ class Shrinkage {
       : method_(method), report_(report) {}
 
   void operator()(fog::Span<double> details) {
-    const Magnitudes magnitudes({details.data, details.size});
+    const fog::Span<const double> level{details.data, details.size};
     const bool estimate = report_.levels.empty() || method_.noise == NoiseFrom::each_level;
-    const double noise = estimate ? noise_of(magnitudes) : report_.levels.front().noise;
-    const double threshold = threshold_of(method_.rule, magnitudes, details.size, noise);
+    const double noise = estimate ? noise_of(level) : report_.levels.front().noise;
+    const double threshold = threshold_of(method_.rule, level, noise);
     shrink(details, threshold, method_.hard);
     report_.levels.push_back({noise, threshold});
   }
@@ -33,7 +33,7 @@ void shrink_wavelet(fog::Span<double> values, const DenoiseMethod& method, Denoi
   Decomposition parts =
       decompose({values.data, values.size}, lowpass, method.levels, method.extension);
   Shrinkage shrinkage(method, report);
-  for (LargeArray& details : parts.details) shrinkage({details.data(), details.size()});
+  for (std::vector<double>& details : parts.details) shrinkage({details.data(), details.size()});
   reconstruct(parts, lowpass, values);
 }
 

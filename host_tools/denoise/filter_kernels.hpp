@@ -5,7 +5,7 @@
 
 namespace fogcomp {
 
-/// Outputs that one call of a kernel makes at least: arrays are a multiple of this long.
+/// Outputs that one round of a kernel makes: arrays are a multiple of this long.
 constexpr std::size_t kKernelStep = 8;
 
 /// The two filters of a transform, split into even and odd taps.
@@ -18,24 +18,16 @@ struct FilterPair {
   std::size_t length() const { return 2 * taps.size(); }
 };
 
-/// The inner loops of a transform on separated even and odd samples. `count` is a multiple of
-/// kKernelStep; results do not overlap inputs. With p = taps / 2 - 1:
-struct FilterKernels {
-  /// low[k] = sum over i of low_even[i] odd[k + p - i] + low_odd[i] even[k + p - i]; high likewise.
-  /// Reads even and odd up to count + p.
-  void (*analyse)(const FilterPair& filters, const double* even, const double* odd,
-                  std::size_t count, double* low, double* high);
-  /// even[k] = sum over i of low_odd[i] low[k + i] + high_odd[i] high[k + i]; odd[k] with the even
-  /// taps. Reads low and high up to count + p.
-  void (*synthesise)(const FilterPair& filters, const double* low, const double* high,
-                     std::size_t count, double* even, double* odd);
-};
+// The inner loops of a transform on separated even and odd samples. `count` is a multiple of
+// kKernelStep; results do not overlap inputs. With p = taps / 2 - 1:
 
-/// For any processor of the architecture.
-extern const FilterKernels kPortableKernels;
-
-/// The fastest for the processor that this runs on (AVX2 where there is one). Same order of
-/// operations and no fused multiply-add, so the results are the same to the bit.
-const FilterKernels& best_kernels();
+/// low[k] = sum over i of low_even[i] odd[k + p - i] + low_odd[i] even[k + p - i]; high likewise.
+/// Reads even and odd up to count + p.
+void analyse(const FilterPair& filters, const double* even, const double* odd, std::size_t count,
+             double* low, double* high);
+/// even[k] = sum over i of low_odd[i] low[k + i] + high_odd[i] high[k + i]; odd[k] with the even
+/// taps. Reads low and high up to count + p.
+void synthesise(const FilterPair& filters, const double* low, const double* high, std::size_t count,
+                double* even, double* odd);
 
 }  // namespace fogcomp

@@ -32,7 +32,7 @@ double outlier_limit(fog::Span<const double> values) {
     differences.push_back(values[i] - values[i - 1]);
   }
   if (differences.empty()) return 0;
-  return kSigmas / std::sqrt(2) * noise_of(Magnitudes({differences.data(), differences.size()}));
+  return kSigmas / std::sqrt(2) * noise_of({differences.data(), differences.size()});
 }
 
 }  // namespace fogcomp

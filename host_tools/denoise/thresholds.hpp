@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "denoise/magnitudes.hpp"
+#include "core/signal/span.hpp"
 
 namespace fogcomp {
 
@@ -22,13 +22,13 @@ const std::vector<std::string>& threshold_rule_names();
 /// Throws InputError for another name.
 ThresholdRule threshold_rule(const std::string& name);
 
-/// The threshold for coefficients of these magnitudes, n of them, with noise `sigma` (same unit). 0
-/// for sigma = 0.
-double threshold_of(ThresholdRule rule, const Magnitudes& magnitudes, std::size_t n, double sigma);
+/// The threshold for these coefficients (at least one) with noise `sigma` (same unit). 0 for
+/// sigma = 0.
+double threshold_of(ThresholdRule rule, fog::Span<const double> coefficients, double sigma);
 
 /// Noise from the median absolute deviation of detail coefficients: median / 0.6745, which a signal
 /// in less than half of them does not carry away.
-double noise_of(const Magnitudes& details);
+double noise_of(fog::Span<const double> details);
 
 /// Towards 0 by `threshold` (soft), or to 0 what is not beyond it (hard).
 void shrink(fog::Span<double> coefficients, double threshold, bool hard);

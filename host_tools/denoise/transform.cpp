@@ -52,7 +52,7 @@ std::size_t coefficients_of(std::size_t length, const FilterPair& filters) {
 
 // `low` and `high` have room for coefficients_of(values).
 void analyse_level(fog::Span<const double> values, const FilterPair& filters, Extension extension,
-                   const FilterKernels& kernels, double* low, double* high) {
+                   double* low, double* high) {
   const std::size_t phases = filters.taps.size();
   const std::size_t outputs = coefficients_of(values.size, filters);
   Buffer even{};
@@ -64,11 +64,10 @@ void analyse_level(fog::Span<const double> values, const FilterPair& filters, Ex
     separate(values, static_cast<std::ptrdiff_t>(first) - static_cast<std::ptrdiff_t>(phases - 1),
              count + phases - 1, extension, even.data(), odd.data());
     if (count == padded(count)) {
-      kernels.analyse(filters, even.data(), odd.data(), count, low + first, high + first);
+      analyse(filters, even.data(), odd.data(), count, low + first, high + first);
       continue;
     }
-    kernels.analyse(filters, even.data(), odd.data(), padded(count), low_part.data(),
-                    high_part.data());
+    analyse(filters, even.data(), odd.data(), padded(count), low_part.data(), high_part.data());
     std::copy_n(low_part.data(), count, low + first);
     std::copy_n(high_part.data(), count, high + first);
   }
@@ -77,8 +76,7 @@ void analyse_level(fog::Span<const double> values, const FilterPair& filters, Ex
 // The transpose of analyse_level: the coefficients in the front of `values` and those of `high`
 // become `values`. From the end, so that every coefficient is read before it is overwritten. A
 // level of odd length gets back its own length, not one more.
-void synthesise_level(const double* high, const FilterPair& filters, const FilterKernels& kernels,
-                      fog::Span<double> values) {
+void synthesise_level(const double* high, const FilterPair& filters, fog::Span<double> values) {
   const std::size_t phases = filters.taps.size();
   Buffer low_part{};
   Buffer high_part{};
@@ -89,13 +87,12 @@ void synthesise_level(const double* high, const FilterPair& filters, const Filte
     const std::size_t first = (end - 1) / kChunk * kChunk;
     const std::size_t count = end - first;
     if (count == padded(count)) {
-      kernels.synthesise(filters, values.data + first, high + first, count, even.data(),
-                         odd.data());
+      synthesise(filters, values.data + first, high + first, count, even.data(), odd.data());
     } else {
       std::copy_n(values.data + first, count + phases - 1, low_part.data());
       std::copy_n(high + first, count + phases - 1, high_part.data());
-      kernels.synthesise(filters, low_part.data(), high_part.data(), padded(count), even.data(),
-                         odd.data());
+      synthesise(filters, low_part.data(), high_part.data(), padded(count), even.data(),
+                 odd.data());
     }
     const std::size_t whole = std::min(count, values.size / 2 - first);
     double* to = values.data + 2 * first;
@@ -117,38 +114,38 @@ int most_levels(std::size_t length, std::size_t taps) {
 }
 
 Decomposition decompose(fog::Span<const double> values, const std::vector<double>& lowpass,
-                        int levels, Extension extension, const FilterKernels& kernels) {
+                        int levels, Extension extension) {
   const FilterPair filters(lowpass);
   Decomposition result;
   result.length = values.size;
   fog::Span<const double> input = values;
-  std::array<LargeArray, 2> approximations;  // take turns
+  std::array<std::vector<double>, 2> approximations;  // take turns
   for (int level = 0; level < levels; ++level) {
     const std::size_t outputs = coefficients_of(input.size, filters);
-    LargeArray& low = approximations[static_cast<std::size_t>(level % 2)];
+    std::vector<double>& low = approximations[static_cast<std::size_t>(level % 2)];
     // Levels shrink, unless they are shorter than the filter.
-    if (level < 2) low = LargeArray(std::max(outputs, filters.length()));
-    LargeArray high(outputs);
-    analyse_level(input, filters, extension, kernels, low.data(), high.data());
+    if (level < 2) low = std::vector<double>(std::max(outputs, filters.length()));
+    std::vector<double> high(outputs);
+    analyse_level(input, filters, extension, low.data(), high.data());
     result.details.push_back(std::move(high));
     input = {low.data(), outputs};
   }
-  result.approximation = LargeArray(input.size);
+  result.approximation = std::vector<double>(input.size);
   std::copy(input.begin(), input.end(), result.approximation.begin());
   return result;
 }
 
 void reconstruct(const Decomposition& decomposition, const std::vector<double>& lowpass,
-                 fog::Span<double> values, const FilterKernels& kernels) {
+                 fog::Span<double> values) {
   const FilterPair filters(lowpass);
   // Levels grow in place. Of a signal shorter than the filter they are the longer ones.
-  const LargeArray& coarsest = decomposition.approximation;
-  LargeArray longer(coarsest.size() > values.size ? coarsest.size() : 0);
+  const std::vector<double>& coarsest = decomposition.approximation;
+  std::vector<double> longer(coarsest.size() > values.size ? coarsest.size() : 0);
   double* const work = longer.size() > 0 ? longer.data() : values.data;
   std::copy(coarsest.begin(), coarsest.end(), work);
   for (std::size_t level = decomposition.details.size(); level-- > 0;) {
     const std::size_t size = level > 0 ? decomposition.details[level - 1].size() : values.size;
-    synthesise_level(decomposition.details[level].data(), filters, kernels, {work, size});
+    synthesise_level(decomposition.details[level].data(), filters, {work, size});
   }
   if (longer.size() > 0) std::copy_n(work, values.size, values.data);
 }

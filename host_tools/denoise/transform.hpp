@@ -6,7 +6,6 @@
 
 #include "core/signal/span.hpp"
 #include "denoise/filter_kernels.hpp"
-#include "support/large_array.hpp"
 
 namespace fogcomp {
 
@@ -18,9 +17,9 @@ enum class Extension : std::uint8_t {
 
 /// A signal taken apart by an orthogonal discrete wavelet transform (PyWavelets' wavedec).
 struct Decomposition {
-  LargeArray approximation;         ///< of the coarsest level
-  std::vector<LargeArray> details;  ///< [0] is level 1, the finest
-  std::size_t length = 0;           ///< of the signal
+  std::vector<double> approximation;         ///< of the coarsest level
+  std::vector<std::vector<double>> details;  ///< [0] is level 1, the finest
+  std::size_t length = 0;                    ///< of the signal
 };
 
 /// Levels at which the filter is no longer than what it filters: PyWavelets' dwt_max_level.
@@ -31,11 +30,10 @@ int most_levels(std::size_t length, std::size_t taps);
 /// a level is made of extension more than of signal. A level of n values gives
 /// (n + taps - 1) / 2 coefficients, rounded down.
 Decomposition decompose(fog::Span<const double> values, const std::vector<double>& lowpass,
-                        int levels, Extension extension = Extension::symmetric,
-                        const FilterKernels& kernels = best_kernels());
+                        int levels, Extension extension = Extension::symmetric);
 
 /// The signal again, exact to rounding for either extension; `values` has its length.
 void reconstruct(const Decomposition& decomposition, const std::vector<double>& lowpass,
-                 fog::Span<double> values, const FilterKernels& kernels = best_kernels());
+                 fog::Span<double> values);
 
 }  // namespace fogcomp

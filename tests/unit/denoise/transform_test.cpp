@@ -8,7 +8,6 @@
 
 #include "denoise/denoise.hpp"
 #include "denoise/filters.hpp"
-#include "denoise/magnitudes.hpp"
 #include "denoise/outliers.hpp"
 #include "unit/denoise/view.hpp"
 
@@ -62,68 +61,12 @@ TEST(WaveletTransform, IsReversibleForAnyLengthLevelAndExtension) {
   }
 }
 
-TEST(WaveletTransform, GivesTheSameBitsOnEveryProcessor) {
-  const std::vector<double> signal = white_noise(10007, 2);
-  for (const std::string& name : fogcomp::wavelet_names()) {
-    const std::vector<double>& taps = fogcomp::lowpass_filter(name);
-    const auto best = fogcomp::decompose(view(signal), taps, 5);
-    const auto portable = fogcomp::decompose(view(signal), taps, 5, fogcomp::Extension::symmetric,
-                                             fogcomp::kPortableKernels);
-    std::vector<double> best_again(signal.size());
-    std::vector<double> portable_again(signal.size());
-    fogcomp::reconstruct(best, taps, {best_again.data(), best_again.size()});
-    fogcomp::reconstruct(portable, taps, {portable_again.data(), portable_again.size()},
-                         fogcomp::kPortableKernels);
-    for (std::size_t level = 0; level < best.details.size(); ++level) {
-      ASSERT_TRUE(std::equal(best.details[level].begin(), best.details[level].end(),
-                             portable.details[level].begin()))
-          << name;
-    }
-    ASSERT_EQ(best_again, portable_again) << name;
-  }
-}
-
 TEST(WaveletTransform, AllowsTheLevelsThatTheLengthCarries) {
   EXPECT_EQ(fogcomp::most_levels(1, 16), 0);
   EXPECT_EQ(fogcomp::most_levels(29, 16), 0);
   EXPECT_EQ(fogcomp::most_levels(30, 16), 1);
   EXPECT_EQ(fogcomp::most_levels(480, 16), 5);
   EXPECT_EQ(fogcomp::most_levels(1024, 2), 10);
-}
-
-// Values that crowd into one bucket, spread over 600 orders of magnitude, or are equal.
-TEST(Magnitudes, AreExactHoweverTheValuesCrowd) {
-  std::vector<std::vector<double>> sets{white_noise(4001, 3), std::vector<double>(50, 0.25),
-                                        std::vector<double>(7, 0.0)};
-  sets.push_back(white_noise(3000, 4));
-  for (double& value : sets.back()) value = 1 + 1e-9 * value;
-  sets.push_back(white_noise(2000, 5));
-  sets.back()[17] = 1e300;
-  sets.push_back({1e-310, 2e-310, 5e-310});
-  for (const std::vector<double>& values : sets) {
-    const fogcomp::Magnitudes magnitudes(view(values));
-    std::vector<double> sorted = values;
-    for (double& value : sorted) value = std::abs(value);
-    std::sort(sorted.begin(), sorted.end());
-    const std::size_t n = sorted.size();
-    EXPECT_EQ(magnitudes.median(), (sorted[(n - 1) / 2] + sorted[n / 2]) / 2);
-    if (sorted.back() > 1e100 || sorted.back() < 1e-100) continue;  // squares leave the range
-    const auto count = static_cast<double>(n);
-    double squares = 0;
-    double least = HUGE_VAL;
-    double best = 0;
-    for (std::size_t k = 1; k <= n; ++k) {
-      const double square = sorted[k - 1] * sorted[k - 1];
-      squares += square;
-      const auto up_to = static_cast<double>(k);
-      const double risk = count - 2 * up_to + squares + (count - up_to) * square;
-      if (risk < least) {
-        least = risk;
-        best = sorted[k - 1];
-      }
-    }
-    EXPECT_EQ(magnitudes.least_risk(1), best);
-  }
 }
 
 TEST(OfflineDenoise, LeavesAConstantAsItIs) {
