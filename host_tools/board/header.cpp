@@ -61,6 +61,32 @@ std::string header_text(const BoardTable& table, const std::string& model_name,
   return text;
 }
 
+namespace {
+
+std::string line_of(const std::string& text, std::size_t at, const std::string& file) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);
+  return file + ":" + std::to_string(1 + std::count(text.begin(), end, '\n'));
+}
+
+// The word at `at`, which is then behind it.
+std::int32_t read_word(const std::string& text, std::size_t& at, const std::string& file) {
+  const std::string most_negative = "(-2147483647 - 1)";
+  if (text.compare(at, most_negative.size(), most_negative) == 0) {
+    at += most_negative.size();
+    return INT32_MIN;
+  }
+  const std::size_t end = text.find_first_of(" \t\r\n,}", at);
+  const auto value = parse_number(text.substr(at, end == std::string::npos ? end : end - at));
+  if (!value || *value < INT32_MIN || *value > INT32_MAX ||
+      *value != static_cast<double>(static_cast<std::int64_t>(*value))) {
+    throw InputError(line_of(text, at, file), "not a 32-bit integer; export the header again");
+  }
+  at = end;
+  return static_cast<std::int32_t>(*value);
+}
+
+}  // namespace
+
 BoardTable parse_header(const std::string& text, const std::string& file) {
   const std::size_t start = text.find(kTableStart);
   if (start == std::string::npos) {
@@ -70,36 +96,19 @@ BoardTable parse_header(const std::string& text, const std::string& file) {
   }
   BoardTable table;
   std::size_t at = start + std::string(kTableStart).size();
-  const auto line_of = [&] {
-    return file + ":" +
-           std::to_string(
-               1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-  };
-  const std::string most_negative = "(-2147483647 - 1)";
   for (;;) {
     at = text.find_first_not_of(" \t\r\n,", at);
     if (at == std::string::npos) throw InputError(file, "ends inside the table; export it again");
     if (text[at] == '}') break;
     if (text.compare(at, 2, "/*") == 0) {
       const std::size_t end = text.find("*/", at);
-      if (end == std::string::npos)
-        throw InputError(line_of(), "comment without an end; export it again");
+      if (end == std::string::npos) {
+        throw InputError(line_of(text, at, file), "comment without an end; export it again");
+      }
       at = end + 2;
       continue;
     }
-    if (text.compare(at, most_negative.size(), most_negative) == 0) {
-      table.words.push_back(INT32_MIN);
-      at += most_negative.size();
-      continue;
-    }
-    const std::size_t end = text.find_first_of(" \t\r\n,}", at);
-    const auto value = parse_number(text.substr(at, end == std::string::npos ? end : end - at));
-    if (!value || *value < INT32_MIN || *value > INT32_MAX ||
-        *value != static_cast<double>(static_cast<std::int64_t>(*value))) {
-      throw InputError(line_of(), "not a 32-bit integer; export the header again");
-    }
-    table.words.push_back(static_cast<std::int32_t>(*value));
-    at = end;
+    table.words.push_back(read_word(text, at, file));
   }
   read_board_table(table, file);
   return table;

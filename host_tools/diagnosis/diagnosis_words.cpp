@@ -64,34 +64,26 @@ std::string walk_words(const Diagnosis& diagnosis) {
 }
 
 // One sentence, then how certain it is.
-std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
-  switch (diagnosis.verdict) {
-    case Verdict::none:
-      if (diagnosis.walk.may_be_all()) {
-        return {"nothing is missing that these recordings can show",
-                "slow changes of less than a fifth of a row's noise are left, which " +
-                    walk_words(diagnosis)};
-      }
-      return {"nothing is missing: what is left is noise, as far as these recordings can show", ""};
-    case Verdict::missing_effect: {
-      const std::vector<std::string> together = effects_together(diagnosis);
-      if (!together.empty()) {
-        return {"several effects together are missing: " + joined(together, "and"),
-                "each alone hardly helps"};
-      }
-      const CandidateFinding* finding = diagnosis.find(diagnosis.effect);
-      const std::string described = shape_words(finding->term());
-      return {format("missing effect: %s (%s)", diagnosis.effect.c_str(),
-                     info_of(finding->term()).title.c_str()),
-              format("probability %.2f%s", finding->probability,
-                     described.empty() ? "" : ("; " + described).c_str())};
-    }
-    case Verdict::ambiguous:
-      return {"an effect is missing; these recordings cannot tell which of",
-              joined(diagnosis.confusable, "or")};
-    case Verdict::unknown:
-      break;
+namespace {
+
+// What is said, and what is said behind it.
+using Headline = std::pair<std::string, std::string>;
+
+Headline missing_words(const Diagnosis& diagnosis) {
+  const std::vector<std::string> together = effects_together(diagnosis);
+  if (!together.empty()) {
+    return {"several effects together are missing: " + joined(together, "and"),
+            "each alone hardly helps"};
   }
+  const CandidateFinding* finding = diagnosis.find(diagnosis.effect);
+  const std::string described = shape_words(finding->term());
+  return {format("missing effect: %s (%s)", diagnosis.effect.c_str(),
+                 info_of(finding->term()).title.c_str()),
+          format("probability %.2f%s", finding->probability,
+                 described.empty() ? "" : ("; " + described).c_str())};
+}
+
+Headline unknown_words(const Diagnosis& diagnosis) {
   if (diagnosis.fast_kind != FastKind::none) {
     return {
         std::string("something is missing that no effect of the catalogue explains: ") +
@@ -115,6 +107,28 @@ std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
               std::string(offered ? " and no expression offered" : "") + " explains (" +
               percent(diagnosis.unexplained_fraction) + " of it is left unexplained)",
           ""};
+}
+
+}  // namespace
+
+std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
+  switch (diagnosis.verdict) {
+    case Verdict::none:
+      if (diagnosis.walk.may_be_all()) {
+        return {"nothing is missing that these recordings can show",
+                "slow changes of less than a fifth of a row's noise are left, which " +
+                    walk_words(diagnosis)};
+      }
+      return {"nothing is missing: what is left is noise, as far as these recordings can show", ""};
+    case Verdict::missing_effect:
+      return missing_words(diagnosis);
+    case Verdict::ambiguous:
+      return {"an effect is missing; these recordings cannot tell which of",
+              joined(diagnosis.confusable, "or")};
+    case Verdict::unknown:
+      break;
+  }
+  return unknown_words(diagnosis);
 }
 
 std::string error_words(const Diagnosis& diagnosis) {

@@ -76,18 +76,49 @@ struct Start {
   double worth = 0;  // by the held-out rows, or where there are none by the evidence
 };
 
+// Where the training is.
+struct State {
+  VectorXd w;
+  VectorXd errors;
+  MatrixXd jacobian;
+  MatrixXd normal;
+  double damping = 1;
+
+  void look(const TrainingProblem& problem) {
+    problem.rows->errors(problem.shape, w, errors, &jacobian);
+    normal = gram(jacobian);
+  }
+};
+
+// One step down, damped until it is one. By how much the cost falls; 0 where none is found.
+double step(const TrainingProblem& problem, const Evidence& evidence, State& state) {
+  const double cost = evidence.cost(state.errors, state.w);
+  const VectorXd gradient = state.jacobian.transpose() * state.errors + evidence.alpha * state.w;
+  for (; state.damping <= kMostDamping; state.damping *= 10) {
+    MatrixXd system = state.normal;
+    system.diagonal().array() += evidence.alpha + state.damping;
+    const VectorXd tried = state.w - solve_definite(system, gradient);
+    VectorXd tried_errors;
+    problem.rows->errors(problem.shape, tried, tried_errors, nullptr);
+    const double fall = cost - evidence.cost(tried_errors, tried);
+    if (fall <= 0) continue;
+    state.w = tried;
+    state.damping = std::max(state.damping / 10, kLeastDamping);
+    return fall;
+  }
+  return 0;
+}
+
 Start train_from(const TrainingProblem& problem, const TrainerSettings& settings, int start) {
   const Perceptron& shape = problem.shape;
   const Batch& rows = *problem.rows;
-  VectorXd w = shape.first_weights(settings.seed * kStarts + static_cast<std::uint64_t>(start));
-  VectorXd errors;
-  MatrixXd jacobian;
-  rows.errors(shape, w, errors, &jacobian);
-  MatrixXd normal = gram(jacobian);
-  Evidence evidence(errors, rows.whitens());
-  double damping = 1;
+  State state;
+  state.w = shape.first_weights(settings.seed * kStarts + static_cast<std::uint64_t>(start));
+  state.look(problem);
+  Evidence evidence(state.errors, rows.whitens());
   BestWeights best(problem, kStepsWithoutGain);
-  if (problem.held_out != nullptr) best.offer(w, rows.mean_square(shape, w));
+  const auto offer = [&] { best.offer(state.w, rows.mean_square(shape, state.w)); };
+  if (problem.held_out != nullptr) offer();
   TrainerResult result;
   const int most_steps = std::min(settings.epochs, kMaxIterations);
   for (; result.epochs < most_steps; ++result.epochs) {
@@ -96,34 +127,19 @@ Start train_from(const TrainingProblem& problem, const TrainerSettings& settings
         settings.go_on &&
         !settings.go_on((start + static_cast<double>(result.epochs) / most_steps) / kStarts);
     if (result.stopped_early || result.interrupted) break;
-    const double cost = evidence.cost(errors, w);
-    const VectorXd gradient = jacobian.transpose() * errors + evidence.alpha * w;
-    double fall = 0;
-    for (; damping <= kMostDamping; damping *= 10) {
-      MatrixXd system = normal;
-      system.diagonal().array() += evidence.alpha + damping;
-      const VectorXd tried = w - solve_definite(system, gradient);
-      VectorXd tried_errors;
-      rows.errors(shape, tried, tried_errors, nullptr);
-      fall = cost - evidence.cost(tried_errors, tried);
-      if (fall > 0) {
-        w = tried;
-        damping = std::max(damping / 10, kLeastDamping);
-        break;
-      }
-    }
+    const double cost = evidence.cost(state.errors, state.w);
+    const double fall = step(problem, evidence, state);
     if (fall <= 0) break;
-    rows.errors(shape, w, errors, &jacobian);
-    normal = gram(jacobian);
-    evidence.update(normal, errors, w);
-    if (problem.held_out != nullptr) best.offer(w, rows.mean_square(shape, w));
+    state.look(problem);
+    evidence.update(state.normal, state.errors, state.w);
+    if (problem.held_out != nullptr) offer();
     if (fall < kSmallFall * cost) break;
   }
-  if (problem.held_out == nullptr) best.offer(w, rows.mean_square(shape, w));
+  if (problem.held_out == nullptr) offer();
   best.put_into(result);
   result.effective_parameters = evidence.gamma;
   const double worth = problem.held_out == nullptr
-                           ? evidence.logarithm(normal, errors, w)
+                           ? evidence.logarithm(state.normal, state.errors, state.w)
                            : -problem.held_out->mean_square(shape, result.weights);
   return {result, worth};
 }

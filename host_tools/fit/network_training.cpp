@@ -60,6 +60,17 @@ VectorXd TrainedNetwork::drift_dph(const MatrixXd& rows) const {
   return (amplitude_dph * y).array() + centre_dph;
 }
 
+namespace {
+
+// Rows that are trained on: all but the last recording, which is held out where others are there.
+Index trained_rows(const NetworkTask& task) {
+  const auto last_run = static_cast<Index>(task.run_starts.back());
+  const Index rows = task.weights.size();
+  return last_run > 0 && task.weights.tail(rows - last_run).sum() > 0 ? last_run : rows;
+}
+
+}  // namespace
+
 TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& settings) {
   TrainedNetwork network;
   network.inputs = min_max(task.inputs);
@@ -68,9 +79,7 @@ TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& set
   const MatrixXd inputs = normalised(task.inputs, network.inputs);
   const VectorXd target = (task.target_dph.array() - network.centre_dph) / network.amplitude_dph;
   const Index rows = target.size();
-  const auto last_run = static_cast<Index>(task.run_starts.back());
-  const bool hold_out = last_run > 0 && task.weights.tail(rows - last_run).sum() > 0;
-  const Index trained = hold_out ? last_run : rows;
+  const Index trained = trained_rows(task);
   const Index rest = rows - trained;
   Whiten whiten;
   if (task.whiten) {
@@ -81,7 +90,7 @@ TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& set
   const Batch batch(inputs.topRows(trained), target.head(trained), task.weights.head(trained),
                     whiten);
   std::optional<Batch> held_out;
-  if (hold_out) {
+  if (rest > 0) {
     held_out.emplace(inputs.bottomRows(rest), target.tail(rest), task.weights.tail(rest));
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 
 #include "core/bytes/crc.hpp"
 #include "core/denoise/denoise_parameters.hpp"
@@ -218,54 +219,94 @@ void write_history(ModelWriter& out, const HistoryEntry& entry) {
   if (entry.forced) out.word(kHistoryForced).end_line();
 }
 
+void write_term(ModelWriter& out, const EffectTerm& term) {
+  if (term.expression) return write_expression(out, term);
+  out.word("effect").word(term.name).number(static_cast<double>(term.parameters.size()));
+  out.numbers(term.parameters).numbers(term.identified).numbers(term.parameter_sigma);
+  out.number(static_cast<double>(term.coefficients_dph.size()));
+  out.numbers(term.coefficients_dph).numbers(term.sigma_dph).end_line();
+}
+
+void write_network(ModelWriter& out, const RealNetwork& network) {
+  for (const RealInput& input : network.inputs) {
+    out.word("input").word(name_of(input.signal)).number(input.centre).number(input.half_range);
+    out.number(input.tau_s).end_line();
+  }
+  write_layer(out, "hidden", network.hidden);
+  write_layer(out, "output", network.output);
+  out.word("network_drift_dph").number(network.centre_dph);
+  out.number(network.amplitude_dph).end_line();
+}
+
+void read_temperature_range(ModelReader& in, Model& model) {
+  const Range range = read_range(in);
+  if (range.least < -kMaxDegc || range.most > kMaxDegc) in.fail("no gyro is so cold or hot");
+  model.least_degc = range.least;
+  model.most_degc = range.most;
+}
+
+void read_denoiser(ModelReader& in, Model& model) {
+  model.denoise.wavelet = in.word();
+  model.denoise.levels = static_cast<int>(in.count(fog::kMostLevels));
+  model.denoise.rule = read_rule(in);
+  model.denoise.hard = in.word() == "hard";
+}
+
+void read_network_input(ModelReader& in, Model& model) {
+  if (model.network.inputs.size() == fog::kMostNetworkInputs) in.fail("too many inputs");
+  model.network.inputs.push_back(read_input(in));
+}
+
+double read_dph(ModelReader& in) {
+  return in.number(0, kMaxModelDph);
+}
+
+double read_signed_dph(ModelReader& in) {
+  return in.number(-kMaxModelDph, kMaxModelDph);
+}
+
+// What a line holds, by its first word; but for the history.
+using LineReader = void (*)(ModelReader&, Model&);
+const std::map<std::string, LineReader> kLines{
+    // As --scale-factor, --derivative-tau, --average take them.
+    {"scale_factor", [](ModelReader& in, Model& m) { m.scale_factor = in.number(1e-6, 1e15); }},
+    {"derivative_tau_s",
+     [](ModelReader& in, Model& m) { m.derivative_tau_s = in.number(1e-3, 1e5); }},
+    {"average_s", [](ModelReader& in, Model& m) { m.average_s = in.number(1e-6, 1e6); }},
+    {"range_degc", read_temperature_range},
+    {"range_degc_per_min",
+     [](ModelReader& in, Model& m) { m.rate_range_degc_per_min = read_range(in); }},
+    {"range_s", [](ModelReader& in, Model& m) { m.time_range_s = read_range(in); }},
+    {"noise_dph_rthz", [](ModelReader& in, Model& m) { m.noise_dph_rthz = read_dph(in); }},
+    {"residual_rms_dph", [](ModelReader& in, Model& m) { m.residual_rms_dph = read_dph(in); }},
+    {"uncertain_dph",
+     [](ModelReader& in, Model& m) {
+       const double sigma_dph = read_dph(in);
+       m.uncertain = Model::Uncertain{sigma_dph, read_dph(in)};
+     }},
+    {"denoise", read_denoiser},
+    {"effect", [](ModelReader& in, Model& m) { m.terms.push_back(read_effect(in)); }},
+    {"expression", [](ModelReader& in, Model& m) { m.terms.push_back(read_expression(in)); }},
+    {"input", read_network_input},
+    {"hidden",
+     [](ModelReader& in, Model& m) {
+       m.network.hidden = read_layer(in, static_cast<Eigen::Index>(m.network.inputs.size()));
+     }},
+    {"output", [](ModelReader& in,
+                  Model& m) { m.network.output = read_layer(in, m.network.hidden.biases.size()); }},
+    {"network_drift_dph",
+     [](ModelReader& in, Model& m) {
+       m.network.centre_dph = read_signed_dph(in);
+       m.network.amplitude_dph = read_signed_dph(in);
+     }},
+};
+
 void read_line(ModelReader& in, Model& model) {
   const std::string key = in.word();
-  if (key == "scale_factor") {
-    model.scale_factor = in.number(1e-6, 1e15);  // as --scale-factor
-  } else if (key == "derivative_tau_s") {
-    model.derivative_tau_s = in.number(1e-3, 1e5);  // as --derivative-tau
-  } else if (key == "range_degc") {
-    const Range range = read_range(in);
-    if (range.least < -kMaxDegc || range.most > kMaxDegc) in.fail("no gyro is so cold or hot");
-    model.least_degc = range.least;
-    model.most_degc = range.most;
-  } else if (key == "range_degc_per_min") {
-    model.rate_range_degc_per_min = read_range(in);
-  } else if (key == "range_s") {
-    model.time_range_s = read_range(in);
-  } else if (key == "noise_dph_rthz") {
-    model.noise_dph_rthz = in.number(0, kMaxModelDph);
-  } else if (key == "residual_rms_dph") {
-    model.residual_rms_dph = in.number(0, kMaxModelDph);
-  } else if (key == "uncertain_dph") {
-    const double sigma_dph = in.number(0, kMaxModelDph);
-    model.uncertain = Model::Uncertain{sigma_dph, in.number(0, kMaxModelDph)};
-  } else if (key == "average_s") {
-    model.average_s = in.number(1e-6, 1e6);
-  } else if (key == "denoise") {
-    model.denoise.wavelet = in.word();
-    model.denoise.levels = static_cast<int>(in.count(fog::kMostLevels));
-    model.denoise.rule = read_rule(in);
-    model.denoise.hard = in.word() == "hard";
-  } else if (key == "effect") {
-    model.terms.push_back(read_effect(in));
-  } else if (key == "expression") {
-    model.terms.push_back(read_expression(in));
-  } else if (key == "input") {
-    if (model.network.inputs.size() == fog::kMostNetworkInputs) in.fail("too many inputs");
-    model.network.inputs.push_back(read_input(in));
-  } else if (key == "hidden") {
-    model.network.hidden = read_layer(in, static_cast<Eigen::Index>(model.network.inputs.size()));
-  } else if (key == "output") {
-    model.network.output = read_layer(in, model.network.hidden.biases.size());
-  } else if (key == "network_drift_dph") {
-    model.network.centre_dph = in.number(-kMaxModelDph, kMaxModelDph);
-    model.network.amplitude_dph = in.number(-kMaxModelDph, kMaxModelDph);
-  } else if (key.rfind(kHistory, 0) == 0) {
-    read_history(in, key, model.history);
-  } else {
-    in.fail("unknown entry '" + key + "'");
-  }
+  const auto line = kLines.find(key);
+  if (line != kLines.end()) return line->second(in, model);
+  if (key.rfind(kHistory, 0) == 0) return read_history(in, key, model.history);
+  in.fail("unknown entry '" + key + "'");
 }
 
 // A mail or a checkout may have made CRLF of the line ends.
@@ -300,26 +341,8 @@ std::string model_text(const Model& model) {
   out.word("denoise").word(model.denoise.wavelet).number(model.denoise.levels);
   out.word(kBoardRules[static_cast<std::size_t>(model.denoise.rule)]);
   out.word(model.denoise.hard ? "hard" : "soft").end_line();
-  for (const EffectTerm& term : model.terms) {
-    if (term.expression) {
-      write_expression(out, term);
-      continue;
-    }
-    out.word("effect").word(term.name).number(static_cast<double>(term.parameters.size()));
-    out.numbers(term.parameters).numbers(term.identified).numbers(term.parameter_sigma);
-    out.number(static_cast<double>(term.coefficients_dph.size()));
-    out.numbers(term.coefficients_dph).numbers(term.sigma_dph).end_line();
-  }
-  if (model.network.present()) {
-    for (const RealInput& input : model.network.inputs) {
-      out.word("input").word(name_of(input.signal)).number(input.centre).number(input.half_range);
-      out.number(input.tau_s).end_line();
-    }
-    write_layer(out, "hidden", model.network.hidden);
-    write_layer(out, "output", model.network.output);
-    out.word("network_drift_dph").number(model.network.centre_dph);
-    out.number(model.network.amplitude_dph).end_line();
-  }
+  for (const EffectTerm& term : model.terms) write_term(out, term);
+  if (model.network.present()) write_network(out, model.network);
   for (const HistoryEntry& entry : model.history) write_history(out, entry);
   std::string text = std::move(out.text());
   return text + format("crc %08x\n", static_cast<unsigned>(crc_of(text, text.size())));

@@ -157,6 +157,43 @@ void weigh_walks(const Spectrum& spectrum, const Eigen::ArrayXd& white, const Ei
   for (NoiseModel::Walk& one : walks) one.log_odds = log_likelihood(one.coefficient) - none;
 }
 
+// Of the components that may be there: of flicker all, by themselves those that a sample can show.
+struct TimeConstants {
+  std::vector<double> all_s;
+  std::size_t own = 0;
+  double longest_s = 0;  // of what the noise is wanted for
+};
+
+TimeConstants time_constants(const std::vector<NoiseSample>& samples, double row_s, double run_s) {
+  double longest_s = 0;
+  for (const NoiseSample& sample : samples) {
+    const double periods = static_cast<double>(sample.first_frequency) / 3;
+    longest_s = std::max(longest_s, static_cast<double>(sample.values.size()) * row_s / periods);
+  }
+  TimeConstants taus;
+  taus.longest_s = std::max(run_s, longest_s);
+  for (double tau_s = 2 * row_s; tau_s <= std::max(longest_s / 2, run_s); tau_s *= kLadderStep) {
+    taus.all_s.push_back(tau_s);
+    if (tau_s <= longest_s / 2) ++taus.own;
+  }
+  return taus;
+}
+
+// By multiplicative updates, which stay positive.
+Eigen::ArrayXd likeliest_variances(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& power) {
+  Eigen::ArrayXd variance = Eigen::ArrayXd::Constant(basis.cols(), kLateStart * power.mean());
+  variance[0] = power.mean() / 2;
+  variance[1] = power.mean() / (2 * basis.col(1).mean());
+  for (int update = 0; update < kUpdates; ++update) {
+    const Eigen::ArrayXd model = (basis.matrix() * variance.matrix()).array();
+    const Eigen::ArrayXd up =
+        (basis.matrix().transpose() * (power / model.square()).matrix()).array();
+    const Eigen::ArrayXd down = (basis.matrix().transpose() * model.inverse().matrix()).array();
+    variance *= (up / down).sqrt();
+  }
+  return variance;
+}
+
 }  // namespace
 
 double NoiseModel::white_dph() const {
@@ -185,19 +222,9 @@ std::vector<NoiseSample> noise_samples(const std::vector<Eigen::VectorXd>& stret
 
 NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, double run_s) {
   Spectrum spectrum;
-  double longest_s = 0;
-  for (const NoiseSample& sample : samples) {
-    add_periodogram(sample, spectrum);
-    const double periods = static_cast<double>(sample.first_frequency) / 3;
-    longest_s = std::max(longest_s, static_cast<double>(sample.values.size()) * row_s / periods);
-  }
-  std::vector<double> taus_s;
-  std::size_t own = 0;
-  for (double tau_s = 2 * row_s; tau_s <= std::max(longest_s / 2, run_s); tau_s *= kLadderStep) {
-    taus_s.push_back(tau_s);
-    if (tau_s <= longest_s / 2) ++own;
-  }
-  const Eigen::ArrayXXd basis = basis_of(spectrum.angle, row_s, taus_s, own);
+  for (const NoiseSample& sample : samples) add_periodogram(sample, spectrum);
+  const TimeConstants taus = time_constants(samples, row_s, run_s);
+  const Eigen::ArrayXXd basis = basis_of(spectrum.angle, row_s, taus.all_s, taus.own);
   const Eigen::Map<const Eigen::ArrayXd> power(spectrum.power.data(), basis.rows());
   NoiseModel noise;
   noise.row_s = row_s;
@@ -205,33 +232,22 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
   noise.freedom = 1;
   noise.white_variance = kLeastVariance;
   if (!(power.mean() > 0)) return noise;  // the same value in every row
-  Eigen::ArrayXd variance = Eigen::ArrayXd::Constant(basis.cols(), kLateStart * power.mean());
-  variance[0] = power.mean() / 2;
-  variance[1] = power.mean() / (2 * basis.col(1).mean());
-  for (int update = 0; update < kUpdates; ++update) {
-    const Eigen::ArrayXd model = (basis.matrix() * variance.matrix()).array();
-    const Eigen::ArrayXd up =
-        (basis.matrix().transpose() * (power / model.square()).matrix()).array();
-    const Eigen::ArrayXd down = (basis.matrix().transpose() * model.inverse().matrix()).array();
-    variance *= (up / down).sqrt();
-  }
-
+  const Eigen::ArrayXd variance = likeliest_variances(basis, power);
   noise.white_variance = variance[0];
   noise.quiet_spectrum = in_bands(spectrum, noise.white_variance);
-  noise.walks = possible_walks(noise.white_dph(), std::max(run_s, longest_s));
+  noise.walks = possible_walks(noise.white_dph(), taus.longest_s);
   Eigen::ArrayXd slow = variance;
   slow[0] = 0;
   weigh_walks(spectrum, basis.col(0) * variance[0], (basis.matrix() * slow.matrix()).array(), row_s,
               noise.walks);
   constexpr double kLowest = 4;  // periods in a run: slower is the model's, not the noise's
-  noise.freedom = freedom_of(
-      basis, variance,
-      basis_of({2 * kPi * kLowest * row_s / std::max(run_s, longest_s)}, row_s, taus_s, own)
-          .row(0));
-  for (std::size_t j = 0; j < taus_s.size(); ++j) {
-    const double alone = j < own ? variance[2 + static_cast<Eigen::Index>(j)] : 0;
+  const Eigen::ArrayXXd lowest =
+      basis_of({2 * kPi * kLowest * row_s / taus.longest_s}, row_s, taus.all_s, taus.own);
+  noise.freedom = freedom_of(basis, variance, lowest.row(0));
+  for (std::size_t j = 0; j < taus.all_s.size(); ++j) {
+    const double alone = j < taus.own ? variance[2 + static_cast<Eigen::Index>(j)] : 0;
     const double all = variance[1] + alone;
-    if (all >= kNegligible * variance[0]) noise.components.push_back({taus_s[j], all});
+    if (all >= kNegligible * variance[0]) noise.components.push_back({taus.all_s[j], all});
   }
   return noise;
 }

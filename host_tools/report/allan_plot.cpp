@@ -47,6 +47,24 @@ Text seen(const std::vector<Curve>& slopes) {
 
 }  // namespace
 
+namespace {
+
+// Of each coefficient that was found, over these times.
+std::vector<Curve> slopes_of(const NoiseCoefficients& fitted, const std::vector<double>& tau_s) {
+  std::vector<Curve> slopes;
+  for (const Term& term : terms_of(fitted)) {
+    if (!term.coefficient) continue;
+    Curve slope{term.label, term.colour, {}, tau_s, {}, Look::dashed};
+    for (const double tau : tau_s) {
+      slope.y.push_back(std::sqrt(term.square(term.coefficient->value, tau / kSecondsPerHour)));
+    }
+    slopes.push_back(std::move(slope));
+  }
+  return slopes;
+}
+
+}  // namespace
+
 Plot allan_plot(const std::vector<AllanCurve>& curves, const NoiseCoefficients& fitted) {
   Plot plot;
   plot.kind = Plot::Kind::log_log;
@@ -64,16 +82,9 @@ Plot allan_plot(const std::vector<AllanCurve>& curves, const NoiseCoefficients& 
   }
   std::vector<double> sum(plot.curves.back().x.size());
   const std::vector<double> tau_s = plot.curves.back().x;
-  std::vector<Curve> slopes;
-  for (const Term& term : terms_of(fitted)) {
-    if (!term.coefficient) continue;
-    Curve slope{term.label, term.colour, {}, tau_s, {}, Look::dashed};
-    for (std::size_t i = 0; i < tau_s.size(); ++i) {
-      const double square = term.square(term.coefficient->value, tau_s[i] / kSecondsPerHour);
-      sum[i] += square;
-      slope.y.push_back(std::sqrt(square));
-    }
-    slopes.push_back(std::move(slope));
+  std::vector<Curve> slopes = slopes_of(fitted, tau_s);
+  for (const Curve& slope : slopes) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += slope.y[i] * slope.y[i];
   }
   plot.caption = seen(slopes);
   if (slopes.empty()) return plot;

@@ -20,6 +20,41 @@ std::size_t Parameters::index_of(const std::string& name) const {
   return static_cast<std::size_t>(found - specs_->begin());
 }
 
+namespace {
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
+// The number of the choice. `where`, `name`: for errors.
+double choice_of(const ParameterSpec& spec, const std::string& value, const std::string& where,
+                 const std::string& name) {
+  const auto choice = std::find(spec.choices.begin(), spec.choices.end(), value);
+  if (choice == spec.choices.end()) {
+    throw InputError(where, name + " '" + value + "' is not one of " + listed(spec.choices) +
+                                did_you_mean(value, spec.choices));
+  }
+  return static_cast<double>(choice - spec.choices.begin());
+}
+
+double number_of(const ParameterSpec& spec, const std::string& value, const std::string& where,
+                 const std::string& name) {
+  const auto number = parse_number(value);
+  if (!number || *number < spec.least || *number > spec.most) {
+    throw InputError(where, name + " '" + value + "' is not a number from " +
+                                format("%g to %g", spec.least, spec.most) +
+                                (spec.unit.empty() ? "" : " " + spec.unit));
+  }
+  if (spec.whole && *number != std::floor(*number)) {
+    throw InputError(where, name + " '" + value + "' is not a whole number");
+  }
+  return *number;
+}
+
+}  // namespace
+
 void Parameters::assign(const std::string& where, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) {
@@ -30,36 +65,14 @@ void Parameters::assign(const std::string& where, const std::string& assignment)
   const std::size_t index = index_of(name);
   if (index == specs_->size()) {
     std::vector<std::string> names;
-    std::string list;
-    for (const ParameterSpec& spec : *specs_) {
-      names.push_back(spec.name);
-      list += (list.empty() ? "" : ", ") + spec.name;
-    }
+    for (const ParameterSpec& spec : *specs_) names.push_back(spec.name);
     throw InputError(where, owner_ + " has no parameter '" + name + "'" +
-                                did_you_mean(name, names) + "; it has " + list);
+                                did_you_mean(name, names) + "; it has " + listed(names));
   }
   const ParameterSpec& spec = (*specs_)[index];
-  if (!spec.choices.empty()) {
-    const auto choice = std::find(spec.choices.begin(), spec.choices.end(), value);
-    if (choice == spec.choices.end()) {
-      std::string list;
-      for (const std::string& word : spec.choices) list += (list.empty() ? "" : ", ") + word;
-      throw InputError(where, owner_ + ": " + name + " '" + value + "' is not one of " + list +
-                                  did_you_mean(value, spec.choices));
-    }
-    values_[index] = static_cast<double>(choice - spec.choices.begin());
-  } else {
-    const auto number = parse_number(value);
-    if (!number || *number < spec.least || *number > spec.most) {
-      throw InputError(where, owner_ + ": " + name + " '" + value + "' is not a number from " +
-                                  format("%g to %g", spec.least, spec.most) +
-                                  (spec.unit.empty() ? "" : " " + spec.unit));
-    }
-    if (spec.whole && *number != std::floor(*number)) {
-      throw InputError(where, owner_ + ": " + name + " '" + value + "' is not a whole number");
-    }
-    values_[index] = *number;
-  }
+  const std::string full_name = owner_ + ": " + name;
+  values_[index] = spec.choices.empty() ? number_of(spec, value, where, full_name)
+                                        : choice_of(spec, value, where, full_name);
   set_[index] = true;
 }
 
