@@ -51,6 +51,7 @@ class Compensator {
         pending_(parameters.needs()),
         drift_model_(parameters.thermal, parameters.effects, parameters.expressions,
                      parameters.network, parameters.policy),
+        catch_up_steps_(steps_per_sample(parameters)),
         denoiser_(parameters.denoise) {}
 
   /// Takes one byte of the sensor stream. Where it completes a sample, writes the frames that
@@ -129,12 +130,21 @@ class Compensator {
     collector_.add_extension(pending_);
     pending_.clear();
     finish_blocks(block_clock_.advance(1));
+    for (std::uint32_t i = 0; i < catch_up_steps_; ++i) drift_model_.catch_up();
     return result;
   }
 
  private:
-  using Collector = BlockCollector<needs_of(kEffects) | inputs_of_expressions(kExpressions) |
-                                   inputs_of_network(kNetworkInputs)>;
+  using Drift = DriftModel<kEffects, kExpressions, kNetworkInputs>;
+  using Collector = BlockCollector<Drift::inputs>;
+
+  // Steps of the drift model for each sample, so that it has caught up with any hold before the
+  // next block ends: one where a block has more samples than there are blocks in a hold.
+  static std::uint32_t steps_per_sample(const ModelParameters& parameters) {
+    constexpr std::uint32_t kMost = 64;
+    const std::uint32_t steps = parameters.policy.hold_blocks / parameters.samples_per_block;
+    return steps < kMost ? steps + 1 : kMost;
+  }
 
   static Fixed<std::int64_t, Rate::fractional_bits> difference(Rate a, Rate b) {
     using Wide = Fixed<std::int64_t, Rate::fractional_bits>;
@@ -153,7 +163,7 @@ class Compensator {
     input_missing_ = status_if(!collector_.has_inputs(), Status::input_missing);
     if (collector_.has_temperature() && collector_.has_inputs()) {
       const auto later = Elapsed::from_raw(static_cast<std::int32_t>(blocks - 1));
-      drift_model_.step(collector_.means(block_clock_.elapsed() - later));
+      drift_model_.take(collector_.means(block_clock_.elapsed() - later));
       --blocks;
     }
     collector_.clear();
@@ -185,7 +195,8 @@ class Compensator {
   Collector collector_;
   typename Collector::Extension pending_;  // what came since the last sample
   Status input_missing_ = Status::none;
-  DriftModel<kEffects, kExpressions, kNetworkInputs> drift_model_;
+  Drift drift_model_;
+  std::uint32_t catch_up_steps_;
   Denoiser<kTaps, kLevels> denoiser_;
   DenoiserOutput denoised_;
   Temperature last_temperature_{};
