@@ -20,17 +20,22 @@ struct AcquisitionParameters {
 /// Judges each sample by itself and by those before it.
 class SampleMonitor {
  public:
-  using Verdict = SequenceMonitor::Verdict;
+  struct Verdict : SequenceMonitor::Verdict {
+    TemperatureUse temperature = TemperatureUse::none;
+    bool temperature_confirmed = false;  ///< there was a reading that can be trusted
+  };
 
   explicit SampleMonitor(const AcquisitionParameters& parameters)
       : stuck_(parameters.stuck_samples),
         rate_(parameters.range, parameters.sample_period_us),
-        temperature_(parameters.sample_period_us) {}
+        temperature_(parameters.sample_period_us, kConfirmUs) {}
 
   /// `measured` is the sample's calibrated rate.
   Verdict judge(const SensorSample& sample, Rate measured);
 
  private:
+  static constexpr std::uint32_t kConfirmUs = 500'000;  // of a first or far temperature
+
   SequenceMonitor sequence_;
   StuckMonitor stuck_;
   RateMonitor rate_;

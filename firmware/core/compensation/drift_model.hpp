@@ -59,6 +59,9 @@ class DriftModel {
     evaluate(signals);
   }
 
+  /// What the model was told was wrong: there is no drift until it is started anew.
+  void stop() { started_ = false; }
+
   /// The means of one more block. The model is stepped by catch_up(): once, and once more for each
   /// block before it that was held.
   void take(const BlockMeans<BoardNumbers>& block) {
@@ -68,7 +71,7 @@ class DriftModel {
 
   /// One step, if one is due; a drift that was held is held until the last.
   void catch_up() {
-    if (bridge_.left() == 0) return;
+    if (!started_ || bridge_.left() == 0) return;
     if (settling_blocks_ > 0) --settling_blocks_;
     const Rate held = drift_;
     evaluate(thermal_.step(bridge_.next()));
@@ -83,7 +86,7 @@ class DriftModel {
   /// take(), and all steps that are due.
   void step(const BlockMeans<BoardNumbers>& block) {
     take(block);
-    while (bridge_.left() > 0) catch_up();
+    while (bridge_.left() > 0) catch_up();  // it has been started
   }
 
   /// So many blocks without a trustworthy temperature or input: the drift stays.

@@ -101,7 +101,11 @@ class Compensator {
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
-    const bool temperature_good = !any(verdict.status, Status::temperature_invalid);
+    const bool temperature_good = verdict.temperature != TemperatureUse::none;
+    if (verdict.temperature == TemperatureUse::good_anew) {
+      drift_model_.stop();
+      collector_.forget_temperature();
+    }
     if (temperature_good && !drift_model_.started() && pending_.has_all()) {
       start_with(temperature, measured);
     }
@@ -110,6 +114,7 @@ class Compensator {
     result.sequence = sample.sequence;
     result.drift = drift_model_.drift();
     result.status = fault_ | verdict.status | drift_model_.status() | input_missing_ |
+                    status_if(!verdict.temperature_confirmed, Status::drift_given_up) |
                     status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
     result.compensated = saturate_to<Rate>(difference(measured, result.drift));
 

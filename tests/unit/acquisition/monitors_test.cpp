@@ -303,6 +303,67 @@ TEST_F(TemperatureMonitorTest, LimitsAreExactToTheLsb) {
   }
 }
 
+// As the board asks for it: half a second of readings of which each agrees with the one before it.
+class TemperatureConfirmationTest : public testing::Test {
+ protected:
+  using Use = fog::TemperatureUse;
+  Use send(double temperature, int samples = 1) {
+    for (int i = 0; i < samples; ++i) monitor_.judge(degc(temperature), true, 1);
+    return monitor_.use();
+  }
+  fog::TemperatureMonitor monitor_{kPeriodUs, 500'000};
+};
+
+TEST_F(TemperatureConfirmationTest, FirstReadingsAreConfirmedByHalfASecondThatAgrees) {
+  send(0, 99);
+  EXPECT_EQ(send(20), Use::good_anew);
+  EXPECT_EQ(send(20, 99), Use::good);
+  EXPECT_FALSE(monitor_.confirmed());
+  EXPECT_EQ(send(22), Use::good);
+  EXPECT_TRUE(monitor_.confirmed());
+}
+
+TEST_F(TemperatureConfirmationTest, NothingIsConfirmedByThePowerOnReadingOrByNone) {
+  EXPECT_EQ(send(85, 1000), Use::none);
+  EXPECT_FALSE(monitor_.confirmed());
+  send(20, 50);
+  for (int i = 0; i < 1000; ++i) monitor_.judge(degc(20), false, 1);
+  EXPECT_FALSE(monitor_.confirmed());
+  send(0.5);
+  fog::TemperatureMonitor slow(10'000'000, 500'000);
+  slow.judge(degc(1), true, 1);
+  EXPECT_FALSE(slow.confirmed()) << "by itself";
+  slow.judge(degc(1), true, 1);
+  EXPECT_TRUE(slow.confirmed());
+}
+
+TEST_F(TemperatureConfirmationTest, WhatIsAcceptedAfterAJumpIsGoodAnew) {
+  send(20, kSecond);
+  EXPECT_EQ(send(30, 8 * kSecond - 1), Use::none);
+  EXPECT_EQ(send(30), Use::good_anew);
+  EXPECT_EQ(send(30), Use::good);
+  EXPECT_EQ(send(60), Use::none);
+  EXPECT_EQ(send(30.5), Use::good) << "a spike leaves no trace";
+}
+
+// After samples were lost the temperature may have moved; nothing that was used was wrong.
+TEST_F(TemperatureConfirmationTest, WhatACoilCanHaveReachedIsGoodOnceItIsConfirmed) {
+  send(20, kSecond);
+  monitor_.judge(degc(23), true, 60 * kSecond);
+  EXPECT_EQ(monitor_.use(), Use::none);
+  EXPECT_EQ(send(23, 99), Use::none);
+  EXPECT_EQ(send(23), Use::good);
+}
+
+TEST_F(TemperatureConfirmationTest, WhatMovesAgainAfterItWasFrozenIsGoodAnew) {
+  double reading = 20;
+  for (int i = 0; i < 60; ++i) send(reading += 1.0 / 16, kSecond);
+  EXPECT_EQ(send(reading, 119 * kSecond), Use::good);
+  EXPECT_EQ(send(reading, 2 * kSecond), Use::none);
+  EXPECT_EQ(send(reading + 0.5), Use::good_anew);
+  EXPECT_EQ(send(reading + 0.5), Use::good);
+}
+
 // (a) of SPEC.md: noise is changes of eight resolutions, four more often than others.
 TEST_F(TemperatureMonitorTest, NoiseIsChangesOfEightResolutionsFourMoreThanOthers) {
   constexpr double kResolution = 1.0 / 1024;
