@@ -48,9 +48,13 @@ void test_on() {
   tested_ms = hal::milliseconds();
 }
 
+SampleTime sample_time() {
+  return {hal::clock_is_accurate(), hal::milliseconds()};
+}
+
 void send_compensated(Pipeline& pipeline, std::uint8_t byte) {
   std::array<std::uint8_t, kMostOutputBytes> frames;
-  const std::size_t size = pipeline.feed(byte, frames.data(), with_own_temperature);
+  const std::size_t size = pipeline.feed(byte, frames.data(), with_own_temperature, sample_time);
   if (size == 0) return;
   hal::write_output_stream(frames.data(), size);
   count_health(pipeline.last());

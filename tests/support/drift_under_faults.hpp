@@ -37,17 +37,17 @@ class DriftUnderFaults {
     Witness told(parameters_, seed, most_degc_per_min_);
     HostBoard board = make_board(parameters_);
     std::mt19937_64 random(seed + 2);
-    // The clock and the sequence are about to wrap.
+    // The clock is about to wrap, and says when a sample was read, not when it came.
     const std::uint32_t start_ms = 0U - 60'000U;
+    std::uint32_t since_ms = 0;
     DriftVerdict verdict;
     bool trusted_before = false;
     for (std::int64_t end_us = 0; end_us < static_cast<std::int64_t>(duration_s * 1e6);) {
       for (const FaultyLine::Arrival& arrival : line.next()) {
         end_us = arrival.time_us;
         const auto late_ms = static_cast<std::uint32_t>(random() % 3U);
-        const std::uint32_t now_ms =
-            start_ms + static_cast<std::uint32_t>(arrival.time_us / 1000) + late_ms;
-        const OutputSample out = process(*board, arrival.sample, now_ms);
+        since_ms = std::max(since_ms, static_cast<std::uint32_t>(arrival.time_us / 1000) + late_ms);
+        const OutputSample out = board->process(arrival.sample, {true, start_ms + since_ms});
         const bool believed = !any(out.status, Status::temperature_invalid);
         truth.advance_to(arrival.time_us, 0);
         told.advance_to(arrival.time_us,
@@ -84,10 +84,6 @@ class DriftUnderFaults {
   }
   static double dph(Rate rate) { return std::ldexp(rate.raw(), -Rate::fractional_bits); }
   static std::int32_t raw(double degc) { return static_cast<std::int32_t>(degc * 65536); }
-  static OutputSample process(fogcomp::HostCompensator& board, const SensorSample& sample,
-                              std::uint32_t /*now_ms*/) {
-    return board.process(sample);
-  }
 
   // A board on a line without faults.
   class Witness {

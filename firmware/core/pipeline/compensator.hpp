@@ -61,9 +61,10 @@ class Compensator {
                 [](const SensorSample& sample) -> const SensorSample& { return sample; });
   }
 
-  /// The same for a board that knows better than the stream: what is judged is `amend(sample)`.
-  template <class Amend>
-  std::size_t feed(std::uint8_t byte, std::uint8_t* out, Amend amend) {
+  /// The same for a board that knows better than the stream: what is judged is `amend(sample)`, at
+  /// the time `clock()` (SampleTime).
+  template <class Amend, class Clock = NoClock>
+  std::size_t feed(std::uint8_t byte, std::uint8_t* out, Amend amend, Clock clock = {}) {
     switch (parser_.feed(byte)) {
       case StreamParser::Found::nothing:
         return 0;
@@ -73,7 +74,7 @@ class Compensator {
       case StreamParser::Found::sample:
         break;
     }
-    last_ = process(amend(parser_.sample()));
+    last_ = process(amend(parser_.sample()), clock());
     return encode(last_, out);
   }
 
@@ -95,18 +96,20 @@ class Compensator {
   /// Bytes of the sensor stream that were part of no good frame, modulo 2^32.
   std::uint32_t discarded_bytes() const { return parser_.discarded_bytes(); }
 
-  /// One sample through all stages.
-  OutputSample process(const SensorSample& sample) {
+  /// One sample, which came `now`, through all stages.
+  OutputSample process(const SensorSample& sample, SampleTime now = {}) {
     proof_.take();
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
-    const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured);
+    const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = verdict.temperature != TemperatureUse::none;
-    if (verdict.temperature == TemperatureUse::good_anew) {
+    // Without time there is no temperature rate.
+    const bool timed = !any(verdict.status, Status::sample_rate);
+    if (verdict.temperature == TemperatureUse::good_anew || !timed) {
       drift_model_.stop();
       collector_.forget_temperature();
     }
-    if (temperature_good && !drift_model_.started() && pending_.has_all()) {
+    if (temperature_good && timed && !drift_model_.started() && pending_.has_all()) {
       start_with(temperature, measured);
     }
 
@@ -130,7 +133,7 @@ class Compensator {
     if (verdict.late) return result;
 
     finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are time that passes
-    if (temperature_good) collector_.add_temperature(temperature);
+    if (temperature_good && timed) collector_.add_temperature(temperature);
     if (result.compensated_valid()) collector_.add_rate(result.compensated);
     collector_.add_extension(pending_);
     pending_.clear();
