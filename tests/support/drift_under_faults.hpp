@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -36,44 +37,37 @@ class DriftUnderFaults {
     Witness truth(parameters_, seed, most_degc_per_min_);
     Witness told(parameters_, seed, most_degc_per_min_);
     HostBoard board = make_board(parameters_);
-    std::mt19937_64 random(seed + 2);
-    // The clock is about to wrap, and says when a sample was read, not when it came.
-    const std::uint32_t start_ms = 0U - 60'000U;
-    std::uint32_t since_ms = 0;
-    DriftVerdict verdict;
-    bool trusted_before = false;
-    for (std::int64_t end_us = 0; end_us < static_cast<std::int64_t>(duration_s * 1e6);) {
+    Clock clock(seed + 2);
+    Judge judge;
+    std::int64_t before_us = 0;
+    while (static_cast<double>(line.time_us()) < duration_s * 1e6) {
       for (const FaultyLine::Arrival& arrival : line.next()) {
-        end_us = arrival.time_us;
-        const auto late_ms = static_cast<std::uint32_t>(random() % 3U);
-        since_ms = std::max(since_ms, static_cast<std::uint32_t>(arrival.time_us / 1000) + late_ms);
-        const OutputSample out = board->process(arrival.sample, {true, start_ms + since_ms});
+        if (starts_anew(faults, before_us, arrival.time_us)) board = make_board(parameters_);
+        before_us = arrival.time_us;
+        const OutputSample out = board->process(arrival.sample, clock.at(arrival.time_us));
         const bool believed = !any(out.status, Status::temperature_invalid);
         truth.advance_to(arrival.time_us, 0);
         told.advance_to(arrival.time_us,
                         believed ? arrival.sample.temperature_q16 - raw(arrival.true_degc) : 0);
-        const bool trusted = out.compensated_valid() && out.status == Status::none;
-        ++verdict.samples;
-        verdict.valid += out.compensated_valid();
-        verdict.trusted += trusted;
-        const double time_s = static_cast<double>(arrival.time_us) * 1e-6;
-        if (trusted && !trusted_before) verdict.clean_since_s = time_s;
-        trusted_before = trusted;
-        if (!trusted) continue;
         const double explained = std::abs(told.drift_dph() - truth.drift_dph());
-        const double error = std::abs(dph(out.drift) - truth.drift_dph()) - explained;
-        if (error <= verdict.worst_dph) continue;
-        verdict.worst_dph = error;
-        verdict.worst_at_s = time_s;
+        judge.take(out, static_cast<double>(arrival.time_us) * 1e-6,
+                   std::abs(dph(out.drift) - truth.drift_dph()) - explained);
       }
-      end_us = std::max(end_us, line.time_us());
     }
-    return verdict;
+    return judge.verdict;
   }
 
  private:
   using HostBoard = std::unique_ptr<fogcomp::HostCompensator>;
 
+  // Whether the board's power came back between two times.
+  static bool starts_anew(const std::vector<Fault>& faults, std::int64_t from_us,
+                          std::int64_t to_us) {
+    return std::any_of(faults.begin(), faults.end(), [&](const Fault& fault) {
+      const auto back_us = static_cast<std::int64_t>(fault.to_s * 1e6);
+      return fault.kind == Fault::Kind::power_cycle && from_us < back_us && back_us <= to_us;
+    });
+  }
   // It has no part in the drift, and costs most of the time.
   static fogcomp::Model without_denoiser(fogcomp::Model model) {
     model.denoise.levels = 0;
@@ -84,6 +78,38 @@ class DriftUnderFaults {
   }
   static double dph(Rate rate) { return std::ldexp(rate.raw(), -Rate::fractional_bits); }
   static std::int32_t raw(double degc) { return static_cast<std::int32_t>(degc * 65536); }
+
+  // The board's: it is about to wrap, and says when a sample was read, not when it came.
+  class Clock {
+   public:
+    explicit Clock(std::uint64_t seed) : random_(seed) {}
+
+    SampleTime at(std::int64_t time_us) {
+      const auto late_ms = static_cast<std::uint32_t>(random_() % 3U);
+      since_ms_ = std::max(since_ms_, static_cast<std::uint32_t>(time_us / 1000) + late_ms);
+      return {true, since_ms_ - 60'000U};
+    }
+
+   private:
+    std::mt19937_64 random_;
+    std::uint32_t since_ms_ = 0;
+  };
+
+  struct Judge {
+    void take(const OutputSample& out, double time_s, double error_dph) {
+      const bool trusted = out.compensated_valid() && out.status == Status::none;
+      ++verdict.samples;
+      verdict.valid += out.compensated_valid();
+      verdict.trusted += trusted;
+      if (trusted && !trusted_before) verdict.clean_since_s = time_s;
+      trusted_before = trusted;
+      if (!trusted || error_dph <= verdict.worst_dph) return;
+      verdict.worst_dph = error_dph;
+      verdict.worst_at_s = time_s;
+    }
+    DriftVerdict verdict;
+    bool trusted_before = false;
+  };
 
   // A board on a line without faults.
   class Witness {

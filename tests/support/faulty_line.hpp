@@ -31,6 +31,7 @@ struct Fault {
     swapped,             ///< every fourth sample comes after its successor
     sparse,              ///< only every `value`th sample arrives
     gyro_invalid,
+    power_cycle,  ///< the board starts anew at the end
   };
   Kind kind;
   double from_s;
@@ -174,6 +175,9 @@ class FaultyLine {
           break;
         case Kind::gyro_invalid:
           now.sample.gyro_valid = false;
+          break;
+        case Kind::power_cycle:
+          arrives = false;
           break;
       }
     }

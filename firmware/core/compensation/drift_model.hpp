@@ -16,7 +16,7 @@ namespace fog {
 /// How long the model may go without what it needs, and how long it takes to settle.
 struct DriftPolicy {
   std::uint32_t hold_blocks = 0;    ///< last drift is used for at most this many
-  std::uint32_t settle_blocks = 0;  ///< after (re)start the temperature rate is not yet known
+  std::uint32_t settle_blocks = 0;  ///< after a (re)start the lags are not yet where they would be
 };
 
 /// For so many times as long as a hold lasted its drift is not sure. How far the temperature left
@@ -99,7 +99,7 @@ class DriftModel {
   Rate drift() const { return drift_; }
 
   Status status() const {
-    return clamped_ | status_if(held_blocks_ > 0, Status::drift_held) |
+    return flags_ | status_if(held_blocks_ > 0, Status::drift_held) |
            status_if(!started_ || held_blocks_ > policy_.hold_blocks, Status::drift_given_up) |
            status_if(settling_blocks_ > 0, Status::thermal_settling);
   }
@@ -122,10 +122,12 @@ class DriftModel {
 
   void evaluate(const Signals<BoardNumbers>& signals) {
     const Temperature temperature = signals.block.temperature;
-    clamped_ = status_if(temperature < limits_.least || temperature > limits_.most,
-                         Status::temperature_clamped);
     drift_ = saturate_to<Rate>(effects_.step(signals) + expressions_.step(signals) +
                                network_.step(signals));
+    flags_ = status_if(temperature < limits_.least || temperature > limits_.most,
+                       Status::temperature_clamped) |
+             status_if(!effects_.history_known() || !expressions_.history_known(),
+                       Status::history_unknown);
   }
 
   ThermalState<BoardNumbers> thermal_;
@@ -140,7 +142,7 @@ class DriftModel {
   std::uint32_t held_blocks_ = 0;  // since the drift was that of its block; to hold_blocks + 1
   std::uint32_t since_good_ = 0;   // of these, those after the last good block
   std::uint32_t settling_blocks_;  // until it has settled
-  Status clamped_ = Status::none;
+  Status flags_ = Status::none;    // of the last step
   Rate drift_{};
 };
 

@@ -26,7 +26,9 @@ enum class Status : std::uint32_t {
                                  ///< out of nowhere; comes with temperature_invalid
   temperature_frozen = 1U << 15U,  ///< the temperature stands still as no live one does; likewise
   self_test_failed = 1U << 16U,    ///< the image or the memory is damaged, or no longer checked
-  sample_rate = 1U << 17U,  ///< the samples come faster or slower than the model was made for
+  sample_rate = 1U << 17U,      ///< the samples come faster or slower than the model was made for
+  history_unknown = 1U << 18U,  ///< a hysteresis may be on another branch than the model's: nobody
+                                ///< knows how the coil came to its temperature
 };
 
 constexpr Status operator|(Status a, Status b) {

@@ -70,7 +70,7 @@ TEST_F(CompensatorTest, ATemperatureThatIsAcceptedAfterAJumpStartsTheModelAnew) 
     }
     return out;
   };
-  run_at(0, 200 * 200);
+  run_at(0, 200 * 220);
   EXPECT_EQ(run_at(25, 200 * 20).status,
             Status::temperature_invalid | Status::temperature_jump | Status::drift_held);
   const OutputSample out = run_at(25, 200 * 5);

@@ -169,6 +169,30 @@ TEST_F(DriftStatus, ATemperatureIsClampedBeyondTheTrainedRangeToTheLsb) {
   }
 }
 
+// Radius 3 degC: nobody knows the branch until the temperature has gone through 6.
+TEST_F(DriftStatus, TheHistoryOfALoopIsUnknownForTwiceItsRadius) {
+  policy_.settle_blocks = 0;
+  const std::int32_t coefficient = 1 << 20;
+  const std::int32_t constants[] = {3 << 22, (1 << 29) / 3, 0, 0};
+  effects_.by_id[8].constants = constants;
+  effects_.by_id[8].coefficients = {&coefficient, 1};
+  constexpr std::int32_t kOneDegree = 65536;
+  for (const std::int32_t sign : {1, -1}) {
+    Model model = make();
+    model.start(at(0));
+    EXPECT_EQ(model.status(), Status::history_unknown);
+    model.step(at(sign * 4 * kOneDegree));
+    model.step(at(-sign * 2 * kOneDegree + sign));
+    EXPECT_EQ(model.status(), Status::history_unknown);
+    model.step(at(-sign * 2 * kOneDegree));
+    EXPECT_EQ(model.status(), Status::none);
+    model.step(at(0));
+    EXPECT_EQ(model.status(), Status::none) << "for good";
+    model.start(at(0));
+    EXPECT_EQ(model.status(), Status::history_unknown);
+  }
+}
+
 TEST_F(DriftStatus, TheRateIsClampedTo32DegreesAMinute) {
   const std::int32_t coefficient = 1 << 20;
   effects_.by_id[2].coefficients = {&coefficient, 1};  // temperature_rate alone
