@@ -117,10 +117,11 @@ class DriftUnderFaults {
     Witness(const ModelParameters& parameters, std::uint64_t seed, double most_degc_per_min)
         : board_(make_board(parameters)), coil_(seed, most_degc_per_min) {}
 
-    /// Up to a time; the last sample's temperature is wrong by so much.
+    /// Up to a time; temperatures of the last block, if they come with this call, are wrong by so
+    /// much: a mean of few samples, and late, is of those.
     void advance_to(std::int64_t time_us, std::int32_t error_q16) {
       while (sample_ * kPeriodUs <= time_us) {
-        const bool last = (sample_ + 1) * kPeriodUs > time_us;
+        const bool last = sample_ * kPeriodUs > time_us - kSecondUs;
         const double degc = coil_.at(static_cast<double>(sample_ * kPeriodUs) * 1e-6);
         SensorSample sample{static_cast<std::uint16_t>(sample_),
                             static_cast<std::int32_t>(sample_ * 37 % 101), raw(degc), true, true};

@@ -102,16 +102,7 @@ class Compensator {
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
-    const bool temperature_good = verdict.temperature != TemperatureUse::none;
-    // Without time there is no temperature rate.
-    const bool timed = !any(verdict.status, Status::sample_rate);
-    if (verdict.temperature == TemperatureUse::good_anew || !timed) {
-      drift_model_.stop();
-      collector_.forget_temperature();
-    }
-    if (temperature_good && timed && !drift_model_.started() && pending_.has_all()) {
-      start_with(temperature, measured);
-    }
+    const bool temperature_good = prepare_drift_model(verdict, temperature, measured);
 
     OutputSample result;
     result.sequence = sample.sequence;
@@ -133,7 +124,7 @@ class Compensator {
     if (verdict.late) return result;
 
     finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are time that passes
-    if (temperature_good && timed) collector_.add_temperature(temperature);
+    if (temperature_good) collector_.add_temperature(temperature);
     if (result.compensated_valid()) collector_.add_rate(result.compensated);
     collector_.add_extension(pending_);
     pending_.clear();
@@ -159,9 +150,21 @@ class Compensator {
     return Wide::from_raw(a.raw()) - Wide::from_raw(b.raw());
   }
 
-  // Before the first block is full: the sample's own values stand for its means.
-  void start_with(Temperature temperature, Rate measured) {
-    drift_model_.start({temperature, measured, block_clock_.elapsed(), pending_.means()});
+  // Returns whether the sample's temperature may be used: without time there is no temperature
+  // rate. Starts the model if it has to be, before a block is full: the sample's own values stand
+  // for its means.
+  bool prepare_drift_model(const SampleMonitor::Verdict& verdict, Temperature temperature,
+                           Rate measured) {
+    const bool timed = !any(verdict.status, Status::sample_rate);
+    if (verdict.temperature == TemperatureUse::good_anew || !timed) {
+      drift_model_.stop();
+      collector_.forget_temperature();
+    }
+    const bool good = timed && verdict.temperature != TemperatureUse::none;
+    if (good && !drift_model_.started() && pending_.has_all()) {
+      drift_model_.start({temperature, measured, block_clock_.elapsed(), pending_.means()});
+    }
+    return good;
   }
 
   // What was collected belongs to the first of these blocks, at whose end the clock stood at
