@@ -48,12 +48,16 @@ void test_on() {
   tested_ms = hal::milliseconds();
 }
 
-void send_compensated(std::uint8_t byte) {
+SampleTime sample_time() {
+  return {hal::clock_is_accurate(), hal::milliseconds()};
+}
+
+void send_compensated(Pipeline& pipeline, std::uint8_t byte) {
   std::array<std::uint8_t, kMostOutputBytes> frames;
-  const std::size_t size = pipeline().feed(byte, frames.data(), with_own_temperature);
+  const std::size_t size = pipeline.feed(byte, frames.data(), with_own_temperature, sample_time);
   if (size == 0) return;
   hal::write_output_stream(frames.data(), size);
-  count_health(pipeline().last());
+  count_health(pipeline.last());
   test_on();
 }
 
@@ -66,10 +70,11 @@ void run() {
   start_own_thermometer();
   hal::start_watchdog();
   std::array<std::uint8_t, 64> chunk;
+  Pipeline& product = pipeline();
   for (;;) {
     const std::size_t size = hal::read_sensor_stream(chunk.data(), chunk.size());
     if (size == 0) hal::wait_for_event();
-    for (std::size_t i = 0; i < size; ++i) send_compensated(chunk[i]);
+    for (std::size_t i = 0; i < size; ++i) send_compensated(product, chunk[i]);
     answer_requests();
     if (hal::milliseconds() - tested_ms >= kIdleMs) test_on();
     advance_own_thermometer();

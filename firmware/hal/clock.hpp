@@ -7,6 +7,11 @@ namespace fog::hal {
 /// Milliseconds since start-up; wraps after 49.7 days, so only differences mean anything.
 std::uint32_t milliseconds();
 
+/// Whether milliseconds() is good to 1 %, as a crystal's is, so that samples can be timed by it;
+/// not an internal oscillator's over temperature, nor that of an emulator, whose lines keep no
+/// time.
+bool clock_is_accurate();
+
 /// Waits for the next interrupt (a received byte, the millisecond tick) where the processor can.
 void wait_for_event();
 

@@ -39,8 +39,8 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   -2582528, 4102963,
   /* blocks for which a drift is held without a temperature (60 s) */
   60,
-  /* blocks until the temperature rate has settled */
-  150,
+  /* blocks until all lags have settled (210 s) */
+  210,
   /* fractional bits of all coefficients */
   31,
   /* number of effects */
@@ -96,7 +96,7 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* output: 0 KVH format A, 1 compact, 2 both */
   0,
   /* CRC-32 of the words above */
-  151469806,
+  126601634,
 };
 
 #endif

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "board/expression_code.hpp"
+#include "board/settling_time.hpp"
 #include "board/table_parts.hpp"
 #include "core/bytes/crc.hpp"
 #include "model/catalogue.hpp"
@@ -20,7 +21,6 @@ namespace {
 
 constexpr double kStuckSeconds = 0.5;       // equal counts for longer than this ...
 constexpr double kLeastStuckSamples = 100;  // ... and for at least this many samples
-constexpr double kSettleTimeConstants = 5;
 
 struct Timing {
   std::int64_t period_us = 0;
@@ -73,9 +73,9 @@ void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
   out.real<fog::Temperature>(most, "the warmest trained temperature");
   out.note(format("blocks for which a drift is held without a temperature (%g s)", kHoldSeconds));
   out.integer(hold_blocks(timing.block_s), "hold blocks");
-  const double settle = kSettleTimeConstants * model.derivative_tau_s / timing.block_s;
-  out.note("blocks until the temperature rate has settled");
-  out.integer(std::llround(std::ceil(settle)), "settle blocks");
+  const double settle_s = settling_time_s(model);
+  out.note(format("blocks until all lags have settled (%.6g s)", settle_s));
+  out.integer(std::llround(std::ceil(settle_s / timing.block_s)), "settle blocks");
 }
 
 double largest_coefficient(const Model& model) {

@@ -7,11 +7,13 @@ namespace fogcomp {
 Replay::Replay(const fog::ModelParameters& parameters)
     : compensator_(std::make_unique<HostCompensator>(parameters, fog::ImageProof::not_needed())) {}
 
-fog::Span<const std::uint8_t> Replay::feed(fog::Span<const std::uint8_t> bytes) {
+fog::Span<const std::uint8_t> Replay::feed(fog::Span<const std::uint8_t> bytes,
+                                           fog::SampleTime time) {
   output_.clear();
   std::array<std::uint8_t, fog::kMostOutputBytes> frames;
+  const auto as_sent = [](const fog::SensorSample& sample) { return sample; };
   for (const std::uint8_t byte : bytes) {
-    const std::size_t size = compensator_->feed(byte, frames.data());
+    const std::size_t size = compensator_->feed(byte, frames.data(), as_sent, [&] { return time; });
     if (size == 0) continue;
     output_.insert(output_.end(), frames.data(), frames.data() + size);
     const fog::OutputSample& sample = compensator_->last();

@@ -29,9 +29,11 @@ class Replay {
   /// `parameters` and the table behind them must outlive this.
   explicit Replay(const fog::ModelParameters& parameters);
 
-  /// Feeds a piece of the stream; returns the bytes that it causes to be sent, valid until the next
-  /// call.
-  fog::Span<const std::uint8_t> feed(fog::Span<const std::uint8_t> bytes);
+  /// Feeds a piece of the stream, whose samples came at `time`; returns the bytes that it causes to
+  /// be sent, valid until the next call. Without a time an outage has no more samples than sequence
+  /// numbers can say, and nobody measures the sample rate.
+  fog::Span<const std::uint8_t> feed(fog::Span<const std::uint8_t> bytes,
+                                     fog::SampleTime time = {});
 
   const ReplaySummary& summary() const { return summary_; }
 

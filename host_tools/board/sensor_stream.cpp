@@ -12,7 +12,7 @@
 namespace fogcomp {
 namespace {
 
-constexpr std::size_t kPieceBytes = 1U << 16U;
+constexpr std::size_t kRowsBetweenProgress = 4096;
 
 std::int32_t rounded_to_int32(double value) {
   return static_cast<std::int32_t>(
@@ -26,6 +26,7 @@ void make_sensor_stream(const Recording& recording, double scale_factor, fog::In
   Progress progress("sending " + recording.file);
   std::vector<std::uint8_t> piece;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
+    piece.clear();
     for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
       const fog::Input input = fog::extension_input(i);
       if (!has(extension, input)) continue;
@@ -33,20 +34,20 @@ void make_sensor_stream(const Recording& recording, double scale_factor, fog::In
       if (frame) piece.insert(piece.end(), frame->begin(), frame->end());
     }
     fog::SensorSample sample;
-    sample.sequence = static_cast<std::uint16_t>(sample_number(recording, row));
+    const std::int64_t number = sample_number(recording, row);
+    sample.sequence = static_cast<std::uint16_t>(number);
     sample.rate_counts = rounded_to_int32(recording.rate_dph[row] * scale_factor / 3600);
     sample.temperature_q16 = rounded_to_int32(recording.temperature_degc[row] * 65536);
     sample.gyro_valid = true;
     sample.temperature_valid = true;
     const fog::SensorFrame frame = fog::encode_sensor_frame(sample);
     piece.insert(piece.end(), frame.begin(), frame.end());
-    if (piece.size() >= kPieceBytes) {
-      sink({piece.data(), piece.size()});
-      piece.clear();
+    const double time_ms = 1000 * recording.period_s * static_cast<double>(number);
+    sink({piece.data(), piece.size()}, {true, static_cast<std::uint32_t>(std::llround(time_ms))});
+    if (row % kRowsBetweenProgress == 0) {
       progress.update(static_cast<double>(row) / static_cast<double>(recording.rows()));
     }
   }
-  if (!piece.empty()) sink({piece.data(), piece.size()});
 }
 
 }  // namespace fogcomp

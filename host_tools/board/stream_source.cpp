@@ -47,7 +47,7 @@ void StreamSource::send(const ByteSink& sink) const {
   for (;;) {
     const std::string_view block = file.next_block();
     if (block.empty()) return;
-    sink({reinterpret_cast<const std::uint8_t*>(block.data()), block.size()});
+    sink({reinterpret_cast<const std::uint8_t*>(block.data()), block.size()}, {});
   }
 }
 

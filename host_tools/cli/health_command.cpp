@@ -19,7 +19,7 @@ constexpr const char* kFlagNames[] = {
     "temperature_invalid", "temperature_clamped", "drift_held",       "drift_given_up",
     "thermal_settling",    "denoiser_filling",    "model_refused",    "denoised_invalid",
     "input_missing",       "rate_jump",           "temperature_jump", "temperature_frozen",
-    "self_test_failed"};
+    "self_test_failed",    "sample_rate",         "history_unknown"};
 
 std::vector<std::string> flag_names(fog::Status status) {
   std::vector<std::string> names;

@@ -63,8 +63,8 @@ int run_replay(const Arguments& arguments) {
 
   OutputFile output(output_path);
   Replay replay(parameters);
-  source.send([&](fog::Span<const std::uint8_t> bytes) {
-    const fog::Span<const std::uint8_t> frames = replay.feed(bytes);
+  source.send([&](fog::Span<const std::uint8_t> bytes, fog::SampleTime time) {
+    const fog::Span<const std::uint8_t> frames = replay.feed(bytes, time);
     output.write(frames.data, frames.size);
   });
   const ReplaySummary& summary = replay.summary();
@@ -93,8 +93,9 @@ int run_stream(const Arguments& arguments) {
   const std::string output_path = arguments.required("o");
   const Session session(arguments);
   OutputFile output(output_path);
-  session.source->send(
-      [&](fog::Span<const std::uint8_t> bytes) { output.write(bytes.data, bytes.size); });
+  session.source->send([&](fog::Span<const std::uint8_t> bytes, fog::SampleTime) {
+    output.write(bytes.data, bytes.size);
+  });
   output.commit();
   if (!session.source->is_capture()) {
     std::printf("%s: %s\n", output_path.c_str(), counted(session.source->rows(), "sample").c_str());

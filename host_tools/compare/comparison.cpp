@@ -83,7 +83,8 @@ Comparison::SegmentError error_in(const Comparison& comparison, const Segment& s
   }
   const Eigen::VectorXd measured = part(comparison.rows.drift_dph);
   const WeightedMoments raw = weighted_moments(measured, weights);
-  const WeightedMoments residual = weighted_moments(measured - part(comparison.modelled_dph), weights);
+  const WeightedMoments residual =
+      weighted_moments(measured - part(comparison.modelled_dph), weights);
   Comparison::SegmentError error;
   static_cast<Segment&>(error) = segment;
   error.raw_mean_dph = raw.mean;

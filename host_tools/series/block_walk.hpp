@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/thermal/block_bridge.hpp"
 #include "recording/board_limits.hpp"
 #include "series/block_series.hpp"
 
@@ -14,22 +15,26 @@ inline std::uint32_t hold_blocks(double block_s) {
 }
 
 /// Leads a model (start(means), step(means)) through a recording as the board leads its own:
-/// started by the first sample; a block's means count from the next block on; after a gap longer
-/// than the board holds its drift, started anew. Calls visit(block) for every block in which the
-/// drift is valid, before the block's own means have moved the model.
+/// started by the first sample; a block's means count from the next block on; a gap is bridged by
+/// the board's own rule, or, longer than the board holds its drift, starts the model anew. Calls
+/// visit(block) for every block in which the drift is valid, before the block's own means have
+/// moved the model.
 template <class DriftModel, class Visit>
 void walk_blocks(const BlockSeries& series, DriftModel& model, Visit visit) {
-  const auto most_held = static_cast<std::int64_t>(hold_blocks(series.block_s));
+  const std::int64_t too_many = std::int64_t{hold_blocks(series.block_s)} + 1;
+  fog::BlockBridge<RealNumbers> bridge(hold_blocks(series.block_s));
   model.start(series.first);
-  bool given_up = false;
-  for (std::size_t i = 0; i < series.blocks.size(); ++i) {
-    const BlockSeries::Block& block = series.blocks[i];
-    if (i > 0) given_up = block.number - series.blocks[i - 1].number - 1 > most_held;
-    if (!given_up) visit(block);
-    if (given_up) {
-      model.start(block.means);
+  bridge.start(series.first);
+  std::int64_t before = -1;
+  for (const BlockSeries::Block& block : series.blocks) {
+    const auto missing = static_cast<std::uint32_t>(std::min(block.number - before - 1, too_many));
+    before = block.number;
+    if (bridge.aim(block.means, missing)) {
+      visit(block);
+      while (bridge.left() > 0) model.step(bridge.next());
     } else {
-      model.step(block.means);
+      model.start(block.means);
+      bridge.start(block.means);
     }
   }
 }

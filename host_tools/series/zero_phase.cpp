@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/thermal/block_bridge.hpp"
 #include "core/thermal/filtered_derivative.hpp"
 #include "series/block_walk.hpp"
 
@@ -14,18 +15,13 @@ constexpr double kRunInTaus = 10;
 
 // Temperatures of a stretch, one per block number, gaps bridged.
 std::vector<double> bridged(const BlockSeries& series, std::size_t first, std::size_t end) {
-  std::vector<double> values;
-  for (std::size_t i = first; i < end; ++i) {
-    const double here = series.blocks[i].means.temperature;
-    if (i > first) {
-      const std::int64_t steps = series.blocks[i].number - series.blocks[i - 1].number;
-      const double before = values.back();
-      for (std::int64_t step = 1; step < steps; ++step) {
-        values.push_back(before +
-                         (here - before) * static_cast<double>(step) / static_cast<double>(steps));
-      }
-    }
-    values.push_back(here);
+  fog::BlockBridge<RealNumbers> bridge(UINT32_MAX);
+  bridge.start(series.blocks[first].means);
+  std::vector<double> values{series.blocks[first].means.temperature};
+  for (std::size_t i = first + 1; i < end; ++i) {
+    const std::int64_t missing = series.blocks[i].number - series.blocks[i - 1].number - 1;
+    bridge.aim(series.blocks[i].means, static_cast<std::uint32_t>(missing));
+    while (bridge.left() > 0) values.push_back(bridge.next().temperature);
   }
   return values;
 }

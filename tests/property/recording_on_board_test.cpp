@@ -55,14 +55,15 @@ std::map<std::int64_t, double> board_drift(const fogcomp::Model& model,
   std::array<std::uint8_t, fog::kMostOutputBytes> frames;
   std::map<std::int64_t, double> drift;
   std::size_t row = 0;
-  fogcomp::make_sensor_stream(recording, model.scale_factor, needs_of(model), [&](auto bytes) {
-    for (const std::uint8_t byte : bytes) {
-      if (board.feed(byte, frames.data()) == 0) continue;
-      const std::int64_t block = fogcomp::sample_number(recording, row++) / kSamplesPerBlock;
-      if (!board.last().compensated_valid()) continue;
-      drift.emplace(block, std::ldexp(board.last().drift.raw(), -10));
-    }
-  });
+  fogcomp::make_sensor_stream(
+      recording, model.scale_factor, needs_of(model), [&](auto bytes, fog::SampleTime) {
+        for (const std::uint8_t byte : bytes) {
+          if (board.feed(byte, frames.data()) == 0) continue;
+          const std::int64_t block = fogcomp::sample_number(recording, row++) / kSamplesPerBlock;
+          if (!board.last().compensated_valid()) continue;
+          drift.emplace(block, std::ldexp(board.last().drift.raw(), -10));
+        }
+      });
   return drift;
 }
 

@@ -29,7 +29,7 @@ mapfile -t planned < <(
   [[ $mode == boot ]] || areas "constants in RAM" "$model" 'fog::app::model\(\)::instance'
 )
 case $mode in
-  boot) "$programs/boot_flips" "$machine" "$elf" "$seed" 6 "${planned[@]}" ;;
+  boot) "$programs/boot_flips" "$machine" "$elf" "$seed" 120 "${planned[@]}" ;;
   running) "$programs/running_flips" "$machine" "$elf" "$seed" 2000 "${planned[@]}" ;;
   *) echo "neither boot nor running: $mode" >&2 && exit 2 ;;
 esac

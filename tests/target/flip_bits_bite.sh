@@ -9,5 +9,5 @@ expect_refusal() {
   "$@" || status=$?
   ((status == 1)) || { echo "exit code $status, not 1: $*" >&2; exit 1; }
 }
-expect_refusal "$programs/boot_flips" "$machine" "$elf" 1 6 "behind:$end:4:2"
+expect_refusal "$programs/boot_flips" "$machine" "$elf" 1 120 "behind:$end:4:2"
 expect_refusal "$programs/running_flips" "$machine" "$elf" 1 2000 "behind:$end:4:1"

@@ -24,6 +24,8 @@ constexpr std::int32_t kMoving = 4;  // resolutions
 constexpr std::int32_t kMovingAtLeast = kOneDegree / 4;
 constexpr std::uint32_t kMovingStandsUs = 2 * kMinuteUs;
 
+constexpr Status kJump = Status::temperature_invalid | Status::temperature_jump;
+
 std::uint32_t saturating_sum(std::uint32_t a, std::uint32_t b) {
   return b < kLongestUs - a ? a + b : kLongestUs;
 }
@@ -40,32 +42,55 @@ Status TemperatureMonitor::judge(Temperature reading, bool sensor_valid, std::ui
   const auto elapsed_us =
       static_cast<std::uint32_t>(passed_us < kLongestUs ? passed_us : kLongestUs);
   since_last_us_ = saturating_sum(since_last_us_, elapsed_us);
+  use_ = TemperatureUse::none;
   if (!sensor_valid || !is_possible(reading)) return Status::temperature_invalid;
-  const bool jump = jumped(reading);
+  const bool agrees = distance(reading, before_) <= kStepAtOnce;
+  agreed_us_ = agrees ? saturating_sum(agreed_us_, elapsed_us) : 0;
   before_ = reading;
-  if (jump) return Status::temperature_invalid | Status::temperature_jump;
+  if (!started_) return judge_first(reading, elapsed_us);
+  if (jumped(reading, agrees && agreed_us_ >= confirm_us_)) {
+    refused_ = refused_ || !can_be_reached(reading);
+    return kJump;
+  }
+  const bool anew = frozen_ || (refused_ && is_far(reading));
   follow(reading, elapsed_us);
-  return frozen() ? Status::temperature_invalid | Status::temperature_frozen : Status::none;
+  frozen_ = is_frozen();
+  if (frozen_) return Status::temperature_invalid | Status::temperature_frozen;
+  refused_ = false;
+  use_ = anew ? TemperatureUse::good_anew : TemperatureUse::good;
+  return Status::none;
 }
 
-// A new temperature is believed once a coil can have reached it, and only if the reading before it
-// agrees: one that leaps to and fro never is. The power-on reading counts as a jump unless the
-// temperature was seen coming near it.
-bool TemperatureMonitor::jumped(Temperature reading) const {
-  const bool near = started_ && distance(reading, last_) <= kOneDegree;
-  if (reading == kPowerOnReading) return !near;
-  if (!started_) return false;
+// A sensor before its first conversion says something, once or for as long as that takes.
+Status TemperatureMonitor::judge_first(Temperature reading, std::uint32_t elapsed_us) {
+  if (reading == kPowerOnReading) return kJump;
+  use_ = agreed_us_ > 0 ? TemperatureUse::good : TemperatureUse::good_anew;
+  if (agreed_us_ >= confirm_us_) follow(reading, elapsed_us);
+  return Status::none;
+}
+
+bool TemperatureMonitor::is_far(Temperature reading) const {
+  return distance(reading, last_) > kStepAtOnce;
+}
+
+bool TemperatureMonitor::can_be_reached(Temperature reading) const {
   const std::int64_t beyond = distance(reading, last_) - kStepAtOnce;
-  if (beyond <= 0) return false;
-  return beyond * kSecondUs > std::int64_t{kOneDegree} * since_last_us_ ||
-         distance(reading, before_) > kStepAtOnce;
+  return beyond * kSecondUs <= std::int64_t{kOneDegree} * since_last_us_;
 }
 
-bool TemperatureMonitor::frozen() const {
+// A new temperature is believed once a coil can have reached it, and only if the readings before it
+// agree: one that leaps to and fro never is. The power-on reading counts as a jump unless the
+// temperature was seen coming near it.
+bool TemperatureMonitor::jumped(Temperature reading, bool confirmed) const {
+  if (reading == kPowerOnReading) return distance(reading, last_) > kOneDegree;
+  return is_far(reading) && !(confirmed && can_be_reached(reading));
+}
+
+bool TemperatureMonitor::is_frozen() const {
+  if (unchanged_us_ < kNoiseStandsUs) return false;
   const bool shows_noise = large_steps_ >= kLargeStepsOfNoise;
   const bool was_moving = moved_ >= kMovingAtLeast && moved_ / kMoving >= resolution_;
-  return (shows_noise && unchanged_us_ >= kNoiseStandsUs) ||
-         (was_moving && unchanged_us_ >= kMovingStandsUs);
+  return shows_noise || (was_moving && unchanged_us_ >= kMovingStandsUs);
 }
 
 void TemperatureMonitor::follow(Temperature reading, std::uint32_t elapsed_us) {

@@ -8,6 +8,7 @@
 #include "core/network/drift_network.hpp"
 #include "core/signal/quantities.hpp"
 #include "core/signal/status.hpp"
+#include "core/thermal/block_bridge.hpp"
 #include "core/thermal/thermal_state.hpp"
 
 namespace fog {
@@ -15,8 +16,14 @@ namespace fog {
 /// How long the model may go without what it needs, and how long it takes to settle.
 struct DriftPolicy {
   std::uint32_t hold_blocks = 0;    ///< last drift is used for at most this many
-  std::uint32_t settle_blocks = 0;  ///< after (re)start the temperature rate is not yet known
+  std::uint32_t settle_blocks = 0;  ///< after a (re)start the lags are not yet where they would be
 };
+
+/// For so many times as long as a hold lasted its drift is not sure. How far the temperature left
+/// the straight line meanwhile is not known: heat that came at half time is off by rate * hold / 4.
+/// Whatever the time constant, a lag's share of that in a temperature rate is at most 0.12 * (hold
+/// / time since)^2 of it, 1.3 % after three times the hold.
+constexpr std::uint32_t kUnsureHolds = 3;
 
 /// The frozen drift model: thermal state, effects, expressions and network, once per block. Its
 /// parameters must outlive it.
@@ -31,7 +38,13 @@ class DriftModel {
         effects_(effects),
         expressions_(expressions, effects.coefficient_fraction),
         network_(network),
-        policy_(policy) {}
+        policy_(policy),
+        bridge_(policy.hold_blocks),
+        settling_blocks_(policy.settle_blocks) {}
+
+  /// What it can see beside the temperature.
+  static constexpr InputMask inputs =
+      needs_of(kEffects) | inputs_of_expressions(kExpressions) | inputs_of_network(kNetworkInputs);
 
   /// Starts from the values of one sample, so that there is a drift before the first block is full.
   void start(const BlockMeans<BoardNumbers>& block) {
@@ -39,43 +52,82 @@ class DriftModel {
     effects_.reset(signals);
     expressions_.reset(signals);
     network_.reset(signals);
+    bridge_.start(block);
     started_ = true;
-    settled_blocks_ = 0;
+    settling_blocks_ = policy_.settle_blocks;
+    held_blocks_ = since_good_ = 0;
     evaluate(signals);
   }
 
-  /// The means of one more block.
+  /// What the model was told was wrong: there is no drift until it is started anew.
+  void stop() { started_ = false; }
+
+  /// The means of one more block. The model is stepped by catch_up(): once, and once more for each
+  /// block before it that was held.
+  void take(const BlockMeans<BoardNumbers>& block) {
+    if (!started_ || !bridge_.aim(block, since_good_)) return start(block);
+    since_good_ = 0;
+  }
+
+  /// One step, if one is due; a drift that was held is held until the last.
+  void catch_up() {
+    if (!started_ || bridge_.left() == 0) return;
+    if (settling_blocks_ > 0) --settling_blocks_;
+    const Rate held = drift_;
+    evaluate(thermal_.step(bridge_.next()));
+    if (bridge_.left() > 0) {
+      drift_ = held;
+    } else {
+      settle_after(held_blocks_ - since_good_);
+      held_blocks_ = since_good_;
+    }
+  }
+
+  /// take(), and all steps that are due.
   void step(const BlockMeans<BoardNumbers>& block) {
-    if (!started_ || held_blocks_ > policy_.hold_blocks) return start(block);
-    if (settled_blocks_ < policy_.settle_blocks) ++settled_blocks_;
-    evaluate(thermal_.step(block));
+    take(block);
+    while (bridge_.left() > 0) catch_up();  // it has been started
   }
 
   /// So many blocks without a trustworthy temperature or input: the drift stays.
   void hold(std::uint32_t blocks) {
-    const std::uint32_t given_up = policy_.hold_blocks + 1;
-    held_blocks_ = blocks < given_up - held_blocks_ ? held_blocks_ + blocks : given_up;
+    held_blocks_ = held_after(held_blocks_, blocks);
+    since_good_ = held_after(since_good_, blocks);
   }
 
   /// What is to be subtracted now.
   Rate drift() const { return drift_; }
 
   Status status() const {
-    return clamped_ | status_if(held_blocks_ > 0, Status::drift_held) |
+    return flags_ | status_if(held_blocks_ > 0, Status::drift_held) |
            status_if(!started_ || held_blocks_ > policy_.hold_blocks, Status::drift_given_up) |
-           status_if(settled_blocks_ < policy_.settle_blocks, Status::thermal_settling);
+           status_if(settling_blocks_ > 0, Status::thermal_settling);
   }
 
   bool started() const { return started_; }
 
  private:
+  // Up to one more than may be held.
+  std::uint32_t held_after(std::uint32_t held, std::uint32_t blocks) const {
+    const std::uint32_t given_up = policy_.hold_blocks + 1;
+    return blocks < given_up - held ? held + blocks : given_up;
+  }
+
+  void settle_after(std::uint32_t bridged_blocks) {
+    const std::uint32_t all = policy_.settle_blocks;
+    const std::uint32_t unsure =
+        bridged_blocks < all / kUnsureHolds ? kUnsureHolds * bridged_blocks : all;
+    if (bridged_blocks > 0 && settling_blocks_ < unsure) settling_blocks_ = unsure;
+  }
+
   void evaluate(const Signals<BoardNumbers>& signals) {
     const Temperature temperature = signals.block.temperature;
-    held_blocks_ = 0;
-    clamped_ = status_if(temperature < limits_.least || temperature > limits_.most,
-                         Status::temperature_clamped);
     drift_ = saturate_to<Rate>(effects_.step(signals) + expressions_.step(signals) +
                                network_.step(signals));
+    flags_ = status_if(temperature < limits_.least || temperature > limits_.most,
+                       Status::temperature_clamped) |
+             status_if(!effects_.history_known() || !expressions_.history_known(),
+                       Status::history_unknown);
   }
 
   ThermalState<BoardNumbers> thermal_;
@@ -84,11 +136,13 @@ class DriftModel {
   ExpressionBank<kExpressions> expressions_;
   DriftNetwork<kNetworkInputs> network_;
   const DriftPolicy& policy_;
+  BlockBridge<BoardNumbers, inputs> bridge_;
 
   bool started_ = false;
-  std::uint32_t held_blocks_ = 0;     // counts up to hold_blocks + 1
-  std::uint32_t settled_blocks_ = 0;  // counts up to settle_blocks
-  Status clamped_ = Status::none;
+  std::uint32_t held_blocks_ = 0;  // since the drift was that of its block; to hold_blocks + 1
+  std::uint32_t since_good_ = 0;   // of these, those after the last good block
+  std::uint32_t settling_blocks_;  // until it has settled
+  Status flags_ = Status::none;    // of the last step
   Rate drift_{};
 };
 

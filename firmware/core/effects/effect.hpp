@@ -22,7 +22,11 @@
      void reset(const Signals<N>&);                                 state at power-on
      void step(const Signals<N>&, typename N::Regressor*);          once per block
 
-   (an effect without shape parameters inherits the middle four from NoParameters).
+   (an effect without shape parameters inherits the middle four from NoParameters), and, where a
+   state does not forget what was before power-on by itself,
+
+     bool history_known() const;                                    since then it has been put right
+
    board_constants runs on the host only and may use N's mathematics there (RealNumbers::decay).
    Drift = sum of coefficient * regressor over all effects, plus the network. Regressors are
    dimensionless and within +-8; the coefficients are identified on the host. */

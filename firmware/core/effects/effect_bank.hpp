@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "core/effects/effect.hpp"
 #include "core/effects/registry.hpp"
@@ -14,6 +15,16 @@
 #include "core/signal/weighted_sum.hpp"
 
 namespace fog {
+
+namespace detail {
+
+template <class Effect, class = void>
+struct HasHistory : std::false_type {};
+template <class Effect>
+struct HasHistory<Effect, std::void_t<decltype(std::declval<const Effect&>().history_known())>>
+    : std::true_type {};
+
+}  // namespace detail
 
 /// What an effect that the model leaves out is built from: every constructor accepts zeros.
 inline constexpr std::array<std::int32_t, 16> kZeroConstants{};
@@ -67,6 +78,17 @@ class EffectBank {
       drift += weighted_sum(slot.coefficients, regressors.data(), coefficient_fraction_);
     });
     return drift;
+  }
+
+  /// Whether no state depends on what was before the start any more.
+  bool history_known() {
+    bool known = true;
+    for_each([&](auto& slot) {
+      if constexpr (detail::HasHistory<std::decay_t<decltype(slot.effect)>>::value) {
+        known = known && slot.effect.history_known();
+      }
+    });
+    return known;
   }
 
  private:

@@ -13,7 +13,8 @@ namespace fog::effects {
 /// bias_temperature.
 ///
 /// After power-on nobody knows on which branch the coil is: the operators start centred, and the
-/// first excursion of twice the radius puts that right. Until then the error is up to |h|.
+/// first excursion of twice the radius puts that right. Until then the error is up to |h|, and the
+/// board says history_unknown.
 template <class N>
 class ThermalHysteresis {
  public:
@@ -65,6 +66,7 @@ class ThermalHysteresis {
     first_.centre(operand(signals));
     second_.centre(operand(signals));
   }
+  bool history_known() const { return first_.history_known() && second_.history_known(); }
   void step(const Signals<N>& signals, typename N::Regressor* regressors) {
     using Regressor = typename N::Regressor;
     const auto x = operand(signals);

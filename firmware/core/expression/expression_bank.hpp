@@ -36,6 +36,9 @@ class ExpressionBank {
     return weighted_sum(parameters_.coefficients, regressors_.data(), coefficient_fraction_);
   }
 
+  /// Whether no play depends on what was before the start any more.
+  bool history_known() const { return history_known_; }
+
   /// What the last run gave, for the host's check of the export.
   const std::array<Regressor, kMostExpressions>& regressors() const { return regressors_; }
 
@@ -84,14 +87,16 @@ class ExpressionBank {
     return narrow(round_to<Fixed<std::int64_t, 22>>(state.lag.step(input)).raw());
   }
 
-  static std::int32_t played(State& state, std::int32_t x, std::int32_t radius, bool restart) {
+  std::int32_t played(State& state, std::int32_t x, std::int32_t radius, bool restart) {
     constexpr auto kMost = Play::Value::from_raw(1 << 30);
     const auto input = clamp(Play::Value::from_raw(x), -kMost, kMost);
     if (restart) {
       state.play = Play(Play::Value::from_raw(radius));
       state.play.centre(input);
     }
-    return (input - state.play.step(input)).raw();
+    const std::int32_t y = (input - state.play.step(input)).raw();
+    history_known_ = history_known_ && state.play.history_known();
+    return y;
   }
 
   // expressions_fit() has seen to it that neither words nor stack nor states run out.
@@ -103,6 +108,7 @@ class ExpressionBank {
     Regressor* regressor = regressors_.data();
     const std::int32_t* word = parameters_.program.data;
     const std::int32_t* const end = word + parameters_.program.size;
+    history_known_ = true;
     const auto push = [&](std::int32_t value) {
       *below++ = x;
       x = value;
@@ -185,6 +191,7 @@ class ExpressionBank {
 
   const ExpressionParameters& parameters_;
   int coefficient_fraction_;
+  bool history_known_ = true;
   std::array<Regressor, kMostExpressions> regressors_{};
   std::array<State, has(Op::lag) || has(Op::play) ? kMostExpressionStates : 1> states_{};
 };
@@ -196,6 +203,7 @@ class ExpressionBank<0> {
   ExpressionBank(const ExpressionParameters& /*parameters*/, int /*coefficient_fraction*/) {}
   void reset(const Signals<BoardNumbers>& /*signals*/) {}
   DriftSum step(const Signals<BoardNumbers>& /*signals*/) { return {}; }
+  bool history_known() const { return true; }
 };
 
 }  // namespace fog

@@ -9,6 +9,7 @@ static_assert(2 * kExtensionFrameBytes > kSensorFrameBytes);
 // completes at most one frame.
 StreamParser::Found StreamParser::feed(std::uint8_t byte) {
   window_[filled_++] = byte;
+  if (filled_ > 2 && filled_ < candidate_bytes()) return Found::nothing;  // the same candidate
   for (;;) {
     while (filled_ > 0 && !starts_like_a_frame()) {
       drop(1);

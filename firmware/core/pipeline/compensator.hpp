@@ -51,6 +51,7 @@ class Compensator {
         pending_(parameters.needs()),
         drift_model_(parameters.thermal, parameters.effects, parameters.expressions,
                      parameters.network, parameters.policy),
+        catch_up_steps_(steps_per_sample(parameters)),
         denoiser_(parameters.denoise) {}
 
   /// Takes one byte of the sensor stream. Where it completes a sample, writes the frames that
@@ -60,9 +61,10 @@ class Compensator {
                 [](const SensorSample& sample) -> const SensorSample& { return sample; });
   }
 
-  /// The same for a board that knows better than the stream: what is judged is `amend(sample)`.
-  template <class Amend>
-  std::size_t feed(std::uint8_t byte, std::uint8_t* out, Amend amend) {
+  /// The same for a board that knows better than the stream: what is judged is `amend(sample)`, at
+  /// the time `clock()` (SampleTime).
+  template <class Amend, class Clock = NoClock>
+  std::size_t feed(std::uint8_t byte, std::uint8_t* out, Amend amend, Clock clock = {}) {
     switch (parser_.feed(byte)) {
       case StreamParser::Found::nothing:
         return 0;
@@ -72,7 +74,7 @@ class Compensator {
       case StreamParser::Found::sample:
         break;
     }
-    last_ = process(amend(parser_.sample()));
+    last_ = process(amend(parser_.sample()), clock());
     return encode(last_, out);
   }
 
@@ -94,21 +96,19 @@ class Compensator {
   /// Bytes of the sensor stream that were part of no good frame, modulo 2^32.
   std::uint32_t discarded_bytes() const { return parser_.discarded_bytes(); }
 
-  /// One sample through all stages.
-  OutputSample process(const SensorSample& sample) {
+  /// One sample, which came `now`, through all stages.
+  OutputSample process(const SensorSample& sample, SampleTime now = {}) {
     proof_.take();
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
-    const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured);
+    const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
-    const bool temperature_good = !any(verdict.status, Status::temperature_invalid);
-    if (temperature_good && !drift_model_.started() && pending_.has_all()) {
-      start_with(temperature, measured);
-    }
+    const bool temperature_good = prepare_drift_model(verdict, temperature, measured);
 
     OutputSample result;
     result.sequence = sample.sequence;
     result.drift = drift_model_.drift();
     result.status = fault_ | verdict.status | drift_model_.status() | input_missing_ |
+                    status_if(!verdict.temperature_confirmed, Status::drift_given_up) |
                     status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
     result.compensated = saturate_to<Rate>(difference(measured, result.drift));
 
@@ -129,21 +129,42 @@ class Compensator {
     collector_.add_extension(pending_);
     pending_.clear();
     finish_blocks(block_clock_.advance(1));
+    for (std::uint32_t i = 0; i < catch_up_steps_; ++i) drift_model_.catch_up();
     return result;
   }
 
  private:
-  using Collector = BlockCollector<needs_of(kEffects) | inputs_of_expressions(kExpressions) |
-                                   inputs_of_network(kNetworkInputs)>;
+  using Drift = DriftModel<kEffects, kExpressions, kNetworkInputs>;
+  using Collector = BlockCollector<Drift::inputs>;
+
+  // Steps of the drift model for each sample, so that it has caught up with any hold before the
+  // next block ends: one where a block has more samples than there are blocks in a hold.
+  static std::uint32_t steps_per_sample(const ModelParameters& parameters) {
+    constexpr std::uint32_t kMost = 64;
+    const std::uint32_t steps = parameters.policy.hold_blocks / parameters.samples_per_block;
+    return steps < kMost ? steps + 1 : kMost;
+  }
 
   static Fixed<std::int64_t, Rate::fractional_bits> difference(Rate a, Rate b) {
     using Wide = Fixed<std::int64_t, Rate::fractional_bits>;
     return Wide::from_raw(a.raw()) - Wide::from_raw(b.raw());
   }
 
-  // Before the first block is full: the sample's own values stand for its means.
-  void start_with(Temperature temperature, Rate measured) {
-    drift_model_.start({temperature, measured, block_clock_.elapsed(), pending_.means()});
+  // Returns whether the sample's temperature may be used: without time there is no temperature
+  // rate. Starts the model if it has to be, before a block is full: the sample's own values stand
+  // for its means.
+  bool prepare_drift_model(const SampleMonitor::Verdict& verdict, Temperature temperature,
+                           Rate measured) {
+    const bool timed = !any(verdict.status, Status::sample_rate);
+    if (verdict.temperature == TemperatureUse::good_anew || !timed) {
+      drift_model_.stop();
+      collector_.forget_temperature();
+    }
+    const bool good = timed && verdict.temperature != TemperatureUse::none;
+    if (good && !drift_model_.started() && pending_.has_all()) {
+      drift_model_.start({temperature, measured, block_clock_.elapsed(), pending_.means()});
+    }
+    return good;
   }
 
   // What was collected belongs to the first of these blocks, at whose end the clock stood at
@@ -153,7 +174,7 @@ class Compensator {
     input_missing_ = status_if(!collector_.has_inputs(), Status::input_missing);
     if (collector_.has_temperature() && collector_.has_inputs()) {
       const auto later = Elapsed::from_raw(static_cast<std::int32_t>(blocks - 1));
-      drift_model_.step(collector_.means(block_clock_.elapsed() - later));
+      drift_model_.take(collector_.means(block_clock_.elapsed() - later));
       --blocks;
     }
     collector_.clear();
@@ -185,7 +206,8 @@ class Compensator {
   Collector collector_;
   typename Collector::Extension pending_;  // what came since the last sample
   Status input_missing_ = Status::none;
-  DriftModel<kEffects, kExpressions, kNetworkInputs> drift_model_;
+  Drift drift_model_;
+  std::uint32_t catch_up_steps_;
   Denoiser<kTaps, kLevels> denoiser_;
   DenoiserOutput denoised_;
   Temperature last_temperature_{};

@@ -26,6 +26,9 @@ enum class Status : std::uint32_t {
                                  ///< out of nowhere; comes with temperature_invalid
   temperature_frozen = 1U << 15U,  ///< the temperature stands still as no live one does; likewise
   self_test_failed = 1U << 16U,    ///< the image or the memory is damaged, or no longer checked
+  sample_rate = 1U << 17U,      ///< the samples come faster or slower than the model was made for
+  history_unknown = 1U << 18U,  ///< a hysteresis may be on another branch than the model's: nobody
+                                ///< knows how the coil came to its temperature
 };
 
 constexpr Status operator|(Status a, Status b) {
@@ -47,7 +50,7 @@ constexpr Status status_if(bool condition, Status flag) {
 /// Any of these, and the undelayed rate must not be used.
 constexpr Status kRateInvalid =
     Status::gyro_invalid | Status::rate_out_of_range | Status::gyro_stuck | Status::drift_given_up |
-    Status::model_refused | Status::rate_jump | Status::self_test_failed;
+    Status::model_refused | Status::rate_jump | Status::self_test_failed | Status::sample_rate;
 
 /// Any of these, and the denoised rate must not be used.
 constexpr Status kDenoisedInvalid = kRateInvalid | Status::denoised_invalid;

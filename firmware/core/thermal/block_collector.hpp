@@ -37,6 +37,9 @@ class BlockCollector {
     return {temperature_.mean(), last_rate_, elapsed, extension_.means()};
   }
 
+  /// What was gathered of it so far in this block was wrong.
+  void forget_temperature() { temperature_.clear(); }
+
   void clear() {
     temperature_.clear();
     rate_.clear();

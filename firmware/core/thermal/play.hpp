@@ -13,16 +13,30 @@ class Play {
 
   explicit Play(Value radius) : radius_(radius) {}
 
-  void centre(Value x) { y_ = x; }
+  void centre(Value x) {
+    y_ = x;
+    lowest_ = x - radius_;
+    highest_ = x + radius_;
+  }
   /// x - y after x: between - and + radius, the whole radius on the branches of a loop.
   Value step(Value x) {
-    y_ = clamp(y_, x - radius_, x + radius_);
+    const Value low = x - radius_;
+    const Value high = x + radius_;
+    y_ = clamp(y_, low, high);
+    lowest_ = clamp(lowest_, low, high);
+    highest_ = clamp(highest_, low, high);
     return x - y_;
   }
+
+  /// Whether y is what it would be wherever it had been when it was centred: x has gone through
+  /// twice the radius since.
+  bool history_known() const { return lowest_ == highest_; }
 
  private:
   Value radius_;
   Value y_{};
+  Value lowest_{};  // what y can be
+  Value highest_{};
 };
 
 }  // namespace fog

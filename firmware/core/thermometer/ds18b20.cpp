@@ -56,6 +56,7 @@ OneWireSlot Ds18b20::next_slot() const {
 }
 
 void Ds18b20::slot_made(bool line, std::uint32_t now_ms) {
+  latest_.age(now_ms);
   if (!present_) {
     if (line) present_ = true;
     return;  // no sensor: the next reset asks again
@@ -71,12 +72,9 @@ void Ds18b20::slot_made(bool line, std::uint32_t now_ms) {
   command_sent(now_ms);
 }
 
-void Ds18b20::line_failed() {
+void Ds18b20::line_failed(std::uint32_t now_ms) {
+  latest_.age(now_ms);
   start(Phase::configure);
-}
-
-TemperatureReading Ds18b20::reading(std::uint32_t now_ms) const {
-  return {temperature_, measured_ && now_ms - measured_at_ms_ <= kOldestReadingMs};
 }
 
 void Ds18b20::start(Phase phase) {
@@ -113,9 +111,10 @@ void Ds18b20::waited(bool ready, std::uint32_t now_ms) {
 }
 
 void Ds18b20::scratchpad_read(std::uint32_t now_ms) {
-  if (!decode_scratchpad(scratchpad_, temperature_)) return start(Phase::configure);
-  measured_ = true;
-  measured_at_ms_ = now_ms;
+  TemperatureReading reading;
+  reading.valid = decode_scratchpad(scratchpad_, reading.temperature);
+  if (!reading.valid) return start(Phase::configure);
+  latest_.take(reading, now_ms);
   start(Phase::convert);
 }
 

@@ -31,9 +31,9 @@ class Ds18b20 {
   void slot_made(bool line, std::uint32_t now_ms);
 
   /// The line did not work: begins anew.
-  void line_failed();
+  void line_failed(std::uint32_t now_ms);
 
-  TemperatureReading reading(std::uint32_t now_ms) const;
+  TemperatureReading reading(std::uint32_t now_ms) const { return latest_.at(now_ms); }
 
  private:
   enum class Phase : std::uint8_t { configure, convert, wait, read };
@@ -50,9 +50,7 @@ class Ds18b20 {
   Scratchpad scratchpad_{};
   std::uint32_t converting_since_ms_ = 0;
 
-  Temperature temperature_{};
-  std::uint32_t measured_at_ms_ = 0;
-  bool measured_ = false;
+  LatestReading latest_;
 };
 
 /// Whether the scratchpad is one that was read without error from a sensor that this class has

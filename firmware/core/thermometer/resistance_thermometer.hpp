@@ -24,16 +24,16 @@ class ResistanceThermometer {
     if (++count_ < kCodes) return;
     const ResistanceRatio ratio = divider_ratio(sum_, full_scale_, reference_);
     // Beyond what the standard is used for here, the sensor is broken or short: no temperature.
-    valid_ = ratio > kShort && ratio < kBroken;
-    temperature_ = platinum_temperature(ratio);
-    measured_at_ms_ = now_ms;
+    const bool valid = ratio > kShort && ratio < kBroken;
+    latest_.take({platinum_temperature(ratio), valid}, now_ms);
     sum_ = 0;
     count_ = 0;
   }
 
-  TemperatureReading reading(std::uint32_t now_ms) const {
-    return {temperature_, valid_ && now_ms - measured_at_ms_ <= kOldestReadingMs};
-  }
+  /// There was no code. This or add() must be called as long as readings are asked for.
+  void wait(std::uint32_t now_ms) { latest_.age(now_ms); }
+
+  TemperatureReading reading(std::uint32_t now_ms) const { return latest_.at(now_ms); }
 
  private:
   // 0.65 and 1.65: -88 degC and 171 degC.
@@ -44,9 +44,7 @@ class ResistanceThermometer {
   ResistanceRatio reference_;
   std::uint32_t sum_ = 0;
   std::uint32_t count_ = 0;
-  Temperature temperature_{};
-  std::uint32_t measured_at_ms_ = 0;
-  bool valid_ = false;
+  LatestReading latest_;
 };
 
 }  // namespace fog

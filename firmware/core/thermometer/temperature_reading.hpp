@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/signal/quantities.hpp"
 
 namespace fog {
@@ -12,5 +14,26 @@ struct TemperatureReading {
 
 /// A reading that is older is not valid: three conversions of the slowest sensor may fail before.
 constexpr std::uint32_t kOldestReadingMs = 3000;
+
+/// The last reading of a thermometer, while it is young.
+class LatestReading {
+ public:
+  void take(TemperatureReading reading, std::uint32_t now_ms) {
+    reading_ = reading;
+    taken_at_ms_ = now_ms;
+  }
+
+  /// Forgets a reading that has become too old. To be called now and then: the clock wraps after
+  /// 49.7 days, and what is not forgotten would be young again.
+  void age(std::uint32_t now_ms) { reading_ = at(now_ms); }
+
+  TemperatureReading at(std::uint32_t now_ms) const {
+    return {reading_.temperature, reading_.valid && now_ms - taken_at_ms_ <= kOldestReadingMs};
+  }
+
+ private:
+  TemperatureReading reading_;
+  std::uint32_t taken_at_ms_ = 0;
+};
 
 }  // namespace fog

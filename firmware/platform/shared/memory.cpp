@@ -41,15 +41,16 @@ void* memmove(void* destination, const void* source, std::size_t size) {
 }
 
 void* memset(void* destination, int value, std::size_t size) {
-  void* to = destination;
   const auto byte = static_cast<std::uint8_t>(value);
-  if (word_aligned(to)) {
-    auto* to_word = static_cast<Word*>(to);
-    const Word word = byte * 0x01010101U;
-    for (; size >= sizeof(Word); size -= sizeof(Word)) *to_word++ = word;
-    to = to_word;
-  }
-  auto* to_byte = static_cast<std::uint8_t*>(to);
+  auto* to_byte = static_cast<std::uint8_t*>(destination);
+  // Up to a word's address: frames are bytes, and may lie anywhere.
+  for (; size > 0 && !word_aligned(to_byte); --size) *to_byte++ = byte;
+  void* to = to_byte;
+  auto* to_word = static_cast<Word*>(to);
+  const Word word = byte * 0x01010101U;
+  for (; size >= sizeof(Word); size -= sizeof(Word)) *to_word++ = word;
+  to = to_word;
+  to_byte = static_cast<std::uint8_t*>(to);
   for (; size > 0; --size) *to_byte++ = byte;
   return destination;
 }

@@ -1,11 +1,16 @@
 #include "platform/board.hpp"
 
+#include "hal/clock.hpp"
 #include "platform/cortex_m/restart.hpp"
 #include "platform/cortex_m/tick.hpp"
 #include "platform/ports.hpp"
 #include "platform/stm32f405/clock_tree.hpp"
 #include "platform/stm32f405/peripherals.hpp"
 #include "platform/stm32f405/reset_cause.hpp"
+
+bool fog::hal::clock_is_accurate() {
+  return !platform::clock_tree().is_fallback;
+}
 
 namespace fog::platform {
 

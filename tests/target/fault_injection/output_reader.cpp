@@ -35,7 +35,7 @@ void OutputReader::read(const Bytes& output) {
       size = fog::kCompactFrameBytes;
       valid = sample.compensated_valid() || sample.denoised_valid();
     }
-    if (!valid && !saw_fault_) {
+    if (!valid && !saw_fault_ && (size == 0 || accepted_ >= kStarting)) {
       saw_fault_ = true;
       valid_before_fault_ = valid_;
     }

@@ -15,6 +15,8 @@ class OutputReader {
 
   std::size_t accepted() const { return accepted_; }
   std::size_t valid() const { return valid_; }
+  /// So many of the first frames may say that their rate is not valid: a board starts so.
+  static constexpr std::size_t kStarting = 600;
   /// Whether something came that was no frame with a valid rate, and after how many that were.
   bool saw_fault() const { return saw_fault_; }
   std::size_t valid_before_fault() const { return valid_before_fault_; }

@@ -56,7 +56,7 @@ class Session {
   /// Feeds and reads until `valid` samples were answered well or anything else happened.
   const std::string& feed_until(std::size_t valid) {
     for (;;) {
-      if (sent_ < reader_.valid() + kAhead && board_.unsent() == 0) {
+      if (sent_ < reader_.accepted() + kAhead && board_.unsent() == 0) {
         board_.send_to_sensor_port(stream_.next(kAhead / 2));
         sent_ += kAhead / 2;
       }
@@ -104,7 +104,8 @@ int run(const std::vector<std::string>& words) {
   std::size_t worst = 0;
   int unseen = 0;
   for (const Flip& flip : flips) {
-    const std::size_t healthy = 10 + random() % 600U;  // so that it meets the scan anywhere
+    // So that it meets the scan anywhere, after the start.
+    const std::size_t healthy = OutputReader::kStarting + random() % 600U;
     EmulatedBoard board(words[0], words[1]);
     const Outcome outcome = run_with(board, flip, healthy, limit);
     ++outcomes[flip.area][outcome.what];

@@ -12,6 +12,7 @@
 namespace fog::test {
 
 constexpr std::int32_t kDegree = 65536;
+constexpr int kConfirmed = 100;  // samples after the first until its temperature is confirmed
 
 // The whole pipeline with the sample model at 200 Hz.
 class CompensatorTest : public testing::Test {

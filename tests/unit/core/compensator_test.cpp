@@ -18,6 +18,7 @@ using fog::OutputSample;
 using fog::SensorSample;
 using fog::Status;
 using fog::test::CompensatorTest;
+using fog::test::kConfirmed;
 using fog::test::kDegree;
 
 TEST_F(CompensatorTest, SubtractsTheModelledDriftFromTheFirstSampleOn) {
@@ -28,8 +29,55 @@ TEST_F(CompensatorTest, SubtractsTheModelledDriftFromTheFirstSampleOn) {
     const OutputSample out = send(in);
     ASSERT_NEAR(std::ldexp(out.drift.raw(), -10), real.drift_dph(), 2.0 / 1024);
     ASSERT_EQ(out.compensated.raw(), in.rate_counts - out.drift.raw());
-    ASSERT_TRUE(out.compensated_valid());
+    ASSERT_EQ(out.compensated_valid(), i >= kConfirmed);
   }
+}
+
+// A sensor before its first conversion says 0 degC, or whatever is in its register.
+TEST_F(CompensatorTest, ABadFirstTemperatureLeavesNoTrace) {
+  fogcomp::RealDriftModel real(model_, 1);
+  real.start({25});
+  for (const int bad : {1, 7, 99}) {
+    restart();
+    for (int i = 0; i < 1000; ++i) {
+      SensorSample in = sample();
+      if (i < bad) in.temperature_q16 = 0;
+      const OutputSample out = send(in);
+      ASSERT_EQ(out.compensated_valid(), i >= bad + kConfirmed) << i;
+      if (i < bad) continue;
+      ASSERT_NEAR(std::ldexp(out.drift.raw(), -10), real.drift_dph(), 2.0 / 1024)
+          << bad << " " << i;
+    }
+  }
+}
+
+TEST_F(CompensatorTest, NoRateIsValidWhileTheFirstTemperaturesDisagree) {
+  for (int i = 0; i < 1000; ++i) {
+    SensorSample in = sample();
+    if (i % kConfirmed == 0) in.temperature_q16 = i * kDegree / 100;
+    EXPECT_FALSE(send(in).compensated_valid()) << i;
+  }
+}
+
+// A sensor that was wrong for long enough to be believed, and then no more.
+TEST_F(CompensatorTest, ATemperatureThatIsAcceptedAfterAJumpStartsTheModelAnew) {
+  const auto run_at = [&](double degc, int samples) {
+    OutputSample out;
+    for (int i = 0; i < samples; ++i) {
+      SensorSample in = sample();
+      in.temperature_q16 = static_cast<std::int32_t>(degc * kDegree);
+      out = send(in);
+    }
+    return out;
+  };
+  run_at(0, 200 * 220);
+  EXPECT_EQ(run_at(25, 200 * 20).status,
+            Status::temperature_invalid | Status::temperature_jump | Status::drift_held);
+  const OutputSample out = run_at(25, 200 * 5);
+  EXPECT_EQ(out.status, Status::thermal_settling);
+  fogcomp::RealDriftModel real(model_, 1);
+  real.start({25});
+  EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), real.drift_dph(), 2.0 / 1024);
 }
 
 TEST_F(CompensatorTest, DriftOfABlockCountsFromTheNextBlockOn) {

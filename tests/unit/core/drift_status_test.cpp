@@ -65,6 +65,8 @@ TEST_F(DriftStatus, IsHeldForAsManyBlocksAsThePolicySaysThenGivenUpThenStartedAn
   model.hold(3);
   EXPECT_EQ(model.status(), Status::drift_held);
   model.step(at(0));  // in time: it goes on
+  EXPECT_EQ(model.status(), Status::thermal_settling);
+  for (int i = 0; i < 3; ++i) model.step(at(0));
   EXPECT_EQ(model.status(), Status::none);
   model.hold(5);
   EXPECT_EQ(model.status(), Status::drift_held);
@@ -74,6 +76,70 @@ TEST_F(DriftStatus, IsHeldForAsManyBlocksAsThePolicySaysThenGivenUpThenStartedAn
   EXPECT_EQ(model.status(), Status::thermal_settling);
   model.hold(6);
   EXPECT_EQ(model.status(), Status::drift_held | Status::drift_given_up | Status::thermal_settling);
+}
+
+// Three times the hold, and no longer than after a start.
+TEST_F(DriftStatus, SettlesAfterAHoldForThreeTimesAsLong) {
+  policy_.settle_blocks = 12;
+  for (const auto& [held, unsure] : {std::pair{1U, 3}, {2U, 6}, {3U, 9}, {4U, 12}, {5U, 12}}) {
+    Model model = make();
+    model.start(at(0));
+    for (int i = 0; i < 12; ++i) model.step(at(0));
+    model.hold(held);
+    model.step(at(0));
+    for (int i = 0; i < unsure; ++i) {
+      EXPECT_EQ(model.status(), Status::thermal_settling) << held << " " << i;
+      model.step(at(0));
+    }
+    EXPECT_EQ(model.status(), Status::none) << held;
+  }
+}
+
+TEST_F(DriftStatus, IsHeldUntilTheModelHasCaughtUpStepByStep) {
+  const std::int32_t coefficient = 1 << 20;
+  effects_.by_id[2].coefficients = {&coefficient, 1};  // temperature_rate
+  constexpr std::int32_t kPerBlock = 3000;
+  Model whole = make();
+  Model model = make();
+  whole.start(at(0));
+  model.start(at(0));
+  std::int32_t raw = 0;
+  const auto step_whole = [&] { whole.step(at(raw += kPerBlock)); };
+  step_whole();
+  model.step(at(raw));
+  const fog::Rate held = model.drift();
+  for (int i = 0; i < 5; ++i) step_whole();
+  model.hold(4);
+  model.take(at(raw));
+  for (int i = 0; i < 4; ++i) {
+    model.catch_up();
+    EXPECT_EQ(model.drift(), held);
+    EXPECT_TRUE(any(model.status(), Status::drift_held));
+  }
+  model.catch_up();
+  EXPECT_EQ(model.drift(), whole.drift());
+  EXPECT_EQ(model.status(), Status::thermal_settling);
+  model.catch_up();
+  EXPECT_EQ(model.drift(), whole.drift()) << "nothing is due";
+}
+
+// What is lost while the model catches up is part of the next bridge.
+TEST_F(DriftStatus, AHoldDuringTheCatchingUpIsHeldAsWell) {
+  Model model = make();
+  model.start(at(0));
+  for (int i = 0; i < 3; ++i) model.step(at(0));
+  model.hold(3);
+  model.take(at(4000));
+  model.catch_up();
+  model.hold(1);
+  for (int i = 0; i < 3; ++i) model.catch_up();
+  EXPECT_TRUE(any(model.status(), Status::drift_held)) << "the block that was lost meanwhile";
+  model.hold(4);
+  EXPECT_FALSE(any(model.status(), Status::drift_given_up));
+  model.hold(1);
+  EXPECT_TRUE(any(model.status(), Status::drift_given_up));
+  model.step(at(4000));
+  EXPECT_EQ(model.status(), Status::thermal_settling);
 }
 
 TEST_F(DriftStatus, StaysGivenUpHoweverLongNothingComes) {
@@ -100,6 +166,30 @@ TEST_F(DriftStatus, ATemperatureIsClampedBeyondTheTrainedRangeToTheLsb) {
     EXPECT_EQ(model.status(), Status::temperature_clamped);
     model.step(at(end));
     EXPECT_EQ(model.status(), Status::none);
+  }
+}
+
+// Radius 3 degC: nobody knows the branch until the temperature has gone through 6.
+TEST_F(DriftStatus, TheHistoryOfALoopIsUnknownForTwiceItsRadius) {
+  policy_.settle_blocks = 0;
+  const std::int32_t coefficient = 1 << 20;
+  const std::int32_t constants[] = {3 << 22, (1 << 29) / 3, 0, 0};
+  effects_.by_id[8].constants = constants;
+  effects_.by_id[8].coefficients = {&coefficient, 1};
+  constexpr std::int32_t kOneDegree = 65536;
+  for (const std::int32_t sign : {1, -1}) {
+    Model model = make();
+    model.start(at(0));
+    EXPECT_EQ(model.status(), Status::history_unknown);
+    model.step(at(sign * 4 * kOneDegree));
+    model.step(at(-sign * 2 * kOneDegree + sign));
+    EXPECT_EQ(model.status(), Status::history_unknown);
+    model.step(at(-sign * 2 * kOneDegree));
+    EXPECT_EQ(model.status(), Status::none);
+    model.step(at(0));
+    EXPECT_EQ(model.status(), Status::none) << "for good";
+    model.start(at(0));
+    EXPECT_EQ(model.status(), Status::history_unknown);
   }
 }
 

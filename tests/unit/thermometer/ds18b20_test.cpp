@@ -18,8 +18,9 @@ struct Line {
   Ds18b20 driver;
   Ds18b20Model sensor;
   std::uint32_t slots = 0;
+  std::uint32_t start_ms = 0;
 
-  std::uint32_t now_ms() const { return slots / 10; }
+  std::uint32_t now_ms() const { return start_ms + slots / 10; }
   fog::TemperatureReading reading() const { return driver.reading(now_ms()); }
 
   void make_slot() {
@@ -119,6 +120,27 @@ TEST(Ds18b20, GivesUpAReadingThatIsOldAndComesBack) {
   EXPECT_TRUE(line.reading().valid);
 }
 
+// The clock wraps after 49.7 days: a sensor that died is not back to life for 3 s then.
+TEST(Ds18b20, ADeadSensorStaysDeadWhenTheClockComesRound) {
+  for (const bool line_works : {true, false}) {
+    Line line;
+    line.start_ms = 0U - 30U;  // the reading is taken just behind the wrap
+    line.run(kOneReading);
+    const std::uint32_t alive_ms = line.now_ms();
+    ASSERT_TRUE(line.driver.reading(alive_ms).valid);
+    for (std::uint32_t later_ms = 0; later_ms < 10'000; ++later_ms) {
+      if (line_works) {
+        line.driver.slot_made(false, alive_ms + later_ms);
+      } else {
+        line.driver.line_failed(alive_ms + later_ms);
+      }
+    }
+    for (std::uint32_t round_ms = 0; round_ms < 4000; ++round_ms) {
+      ASSERT_FALSE(line.driver.reading(alive_ms - 500 + round_ms).valid) << round_ms;
+    }
+  }
+}
+
 TEST(Ds18b20, AReadingIsGoodForThreeSecondsToTheMillisecond) {
   Line line;
   EXPECT_FALSE(line.driver.reading(0).valid) << "none yet";
@@ -173,7 +195,7 @@ TEST(Ds18b20, BeginsAnewWhereverTheLineFails) {
   for (std::uint32_t slots = 0; slots < kOneReading; ++slots) {
     Line line;
     line.run(slots);
-    line.driver.line_failed();
+    line.driver.line_failed(line.now_ms());
     ASSERT_EQ(line.driver.next_slot(), OneWireSlot::reset) << slots;
     line.sensor.sixteenths = 23 * 16;
     line.run(2 * kOneReading);

@@ -107,6 +107,10 @@ TEST(ResistanceThermometer, RefusesABrokenSensorAShortAndAConverterThatStops) {
   EXPECT_EQ(thermometer.reading(50).temperature.raw(), 0);
   EXPECT_TRUE(thermometer.reading(50 + fog::kOldestReadingMs).valid);
   EXPECT_FALSE(thermometer.reading(51 + fog::kOldestReadingMs).valid);
+  thermometer.wait(50 + fog::kOldestReadingMs);
+  EXPECT_TRUE(thermometer.reading(50).valid);
+  thermometer.wait(51 + fog::kOldestReadingMs);
+  EXPECT_FALSE(thermometer.reading(50).valid) << "when the clock has come round";
   for (const std::uint32_t code : {0U, 1U, 1000U, 3000U, 4095U}) {
     feed(code);
     EXPECT_FALSE(thermometer.reading(50).valid) << code;

@@ -70,7 +70,7 @@ void advance_thermometer() {
       sensor.slot_made(shown(static_cast<std::uint8_t>(registers(kOneWireUsart).data.read())),
                        now_ms);
     } else if (now_ms - sent_at_ms > kLostAfterMs) {
-      sensor.line_failed();
+      sensor.line_failed(now_ms);
     } else {
       return;
     }

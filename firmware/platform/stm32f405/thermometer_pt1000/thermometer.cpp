@@ -53,6 +53,7 @@ void advance_thermometer() {
     thermometer.add(adc1().data.read() % kCodeRange, now_ms);
     start_conversion(now_ms);
   } else if (now_ms - started_at_ms > kLostAfterMs) {
+    thermometer.wait(now_ms);
     start_conversion(now_ms);
   }
 }

@@ -66,6 +66,9 @@ TEST(Pt1000, BeginsAgainWhereAConversionWasLost) {
   board.model.faults.converter_dead = true;
   board.run_ms(4000);
   EXPECT_FALSE(fog::hal::own_temperature().valid);
+  now_ms() -= 4000;
+  EXPECT_FALSE(fog::hal::own_temperature().valid) << "when the clock has come round";
+  now_ms() += 4000;
   const std::uint64_t before = board.model.accesses();
   board.run_ms(1000);
   EXPECT_LT(board.model.accesses() - before, 10'000U) << "never waits";

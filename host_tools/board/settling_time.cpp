@@ -1,0 +1,40 @@
+#include "board/settling_time.hpp"
+
+#include <algorithm>
+
+#include "model/catalogue.hpp"
+
+namespace fogcomp {
+namespace {
+
+// A shape parameter in seconds is a lag, unless the effect is one of time since power-on, which has
+// no state.
+double slowest_lag_s(const EffectTerm& term) {
+  double slowest = 0;
+  if (term.expression) {
+    const Expression& expression = term.expression->expression;
+    const std::vector<double> constants = expression.constants(term.parameters);
+    for (const ExpressionNode& node : expression.nodes) {
+      if (node.kind == ExpressionNode::Kind::lag)
+        slowest = std::max(slowest, constants[node.right]);
+    }
+    return slowest;
+  }
+  const TermInfo info = info_of(term);
+  if (has(info.needs, fog::Input::elapsed)) return 0;
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    if (info.parameters[i].unit == "s") slowest = std::max(slowest, term.parameters[i]);
+  }
+  return slowest;
+}
+
+}  // namespace
+
+double settling_time_s(const Model& model) {
+  double slowest = 0;
+  for (const EffectTerm& term : model.terms) slowest = std::max(slowest, slowest_lag_s(term));
+  for (const RealInput& input : model.network.inputs) slowest = std::max(slowest, input.tau_s);
+  return 7 * model.derivative_tau_s + 5 * slowest;
+}
+
+}  // namespace fogcomp

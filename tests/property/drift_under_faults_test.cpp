@@ -1,0 +1,134 @@
+// The contract with a user of the rate: whatever happens to the sensors, the line or the
+// demodulator, a rate that is valid and carries no flag has a drift within 0.05 deg/h of what an
+// uninterrupted run subtracts, but for what the error of the temperature itself explains.
+#include "support/drift_under_faults.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "support/typical_effects.hpp"
+
+namespace {
+
+using fog::test::DriftUnderFaults;
+using fog::test::DriftVerdict;
+using fog::test::Fault;
+using Kind = Fault::Kind;
+
+constexpr double kDriftBoundDph = 0.05;
+constexpr double kFirstFaultS = 700;  // of the first fault: the model has settled
+constexpr double kRunS = 2000;
+
+struct FaultCase {
+  const char* name;
+  std::vector<Fault> faults;
+  double clean_within_s;  ///< after the last fault's end the rate is trusted again
+};
+
+void PrintTo(const FaultCase& c, std::ostream* out) {
+  *out << c.name;
+}
+
+Fault at(Kind kind, double from_s, double lasts_s, double value = 0) {
+  return {kind, kFirstFaultS + from_s, kFirstFaultS + from_s + lasts_s, value};
+}
+
+const std::vector<FaultCase>& fault_cases() {
+  static const std::vector<FaultCase> all{
+      {"temperature missing for 2 s", {at(Kind::no_temperature, 0, 2)}, 20},
+      {"temperature missing for 55 s", {at(Kind::no_temperature, 0, 55)}, 220},
+      {"temperature missing for 300 s", {at(Kind::no_temperature, 0, 300)}, 220},
+      {"samples lost for 0.1 s", {at(Kind::no_samples, 0, 0.1)}, 1},
+      {"samples lost for 10 s", {at(Kind::no_samples, 0, 10)}, 50},
+      {"samples lost for 59 s", {at(Kind::no_samples, 0, 59)}, 220},
+      {"every 3rd sample arrives", {at(Kind::sparse, 0, 300, 3)}, 1},
+      {"every 500th sample arrives", {at(Kind::sparse, 0, 300, 500)}, 215},
+      {"one bad first temperature", {{Kind::wrong_temperature, 0, 0.005, 0}}, 700},
+      {"a bad first half second", {{Kind::wrong_temperature, 0, 0.4, 0}}, 700},
+      {"a bad first 5 s", {{Kind::wrong_temperature, 0, 5, 0}}, 700},
+      {"a cold first minute", {{Kind::wrong_temperature, 0, 60, -40}}, 700},
+      {"a spike of temperature", {at(Kind::wrong_temperature, 0, 0.005, -60)}, 20},
+      {"10 degC off for 20 s", {at(Kind::temperature_offset, 0, 20, 10)}, 300},
+      {"10 degC off for 300 s", {at(Kind::temperature_offset, 0, 300, 10)}, 300},
+      {"1.5 degC off for 20 s", {at(Kind::temperature_offset, 0, 20, 1.5)}, 20},
+      {"85 degC for 20 s", {at(Kind::wrong_temperature, 0, 20, 85)}, 100},
+      {"temperature frozen for 200 s", {at(Kind::frozen_temperature, 0, 200)}, 300},
+      {"samples lost for 165 s", {at(Kind::no_samples, 0, 165)}, 220},
+      {"samples lost for 200 s", {at(Kind::no_samples, 0, 200)}, 220},
+      {"samples lost for 330 s", {at(Kind::no_samples, 0, 330)}, 220},
+      {"samples lost for 655.36 s", {at(Kind::no_samples, 0, 655.36)}, 220},
+      {"a demodulator that starts anew from 20000", {at(Kind::restart, 0, 0.05, 20000)}, 20},
+      {"a demodulator that starts anew from 40000", {at(Kind::restart, 0, 0.05, 40000)}, 20},
+      {"a demodulator that starts anew from 0", {at(Kind::restart, 0, 0.05, 0)}, 20},
+      {"a demodulator that takes 40 s to start", {at(Kind::restart, 0, 40, 12345)}, 180},
+      {"repeated samples", {at(Kind::repeated, 0, 60)}, 1},
+      {"swapped samples", {at(Kind::swapped, 0, 60)}, 1},
+      {"400 Hz from the start", {{Kind::sample_period, 0, kRunS, 2500}}, 0},
+      {"400 Hz for 300 s", {at(Kind::sample_period, 0, 300, 2500)}, 250},
+      {"100 Hz for 300 s", {at(Kind::sample_period, 0, 300, 10000)}, 250},
+      {"206 Hz for 300 s", {at(Kind::sample_period, 0, 300, 4854)}, 250},
+      {"gyro invalid for 60 s", {at(Kind::gyro_invalid, 0, 60)}, 1},
+  };
+  return all;
+}
+
+DriftVerdict print(const char* name, const DriftVerdict& verdict) {
+  std::printf("%-44s %5.1f %% trusted, off by %.3f deg/h at %7.1f s, trusted again from %.1f s\n",
+              name,
+              100.0 * static_cast<double>(verdict.trusted) / static_cast<double>(verdict.samples),
+              verdict.worst_dph, verdict.worst_at_s, verdict.clean_since_s);
+  return verdict;
+}
+
+class DriftUnderAFault : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(DriftUnderAFault, IsRightWhereverTheRateIsTrusted) {
+  const FaultCase& c = GetParam();
+  const DriftUnderFaults board(fog::test::paper_like_model());
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const DriftVerdict verdict = print(c.name, board.run(c.faults, kRunS, seed));
+    EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
+    EXPECT_LE(verdict.clean_since_s, c.faults.back().to_s + c.clean_within_s) << "seed " << seed;
+  }
+}
+
+fogcomp::Model model_with(const std::vector<fogcomp::EffectTerm>& terms) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  model.network = {};
+  model.terms.insert(model.terms.end(), terms.begin(), terms.end());
+  return model;
+}
+
+// A board that starts in the middle of a ramp believes that its lags have settled.
+TEST(DriftAfterAStart, IsRightOnceTheSlowestLagHasSettled) {
+  const DriftUnderFaults board(model_with({fog::test::natural_term("thermal_lag", {300}, {0.3}),
+                                           fog::test::written_term("late = lag(T,200)-T")}));
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const Fault off{Kind::power_cycle, 3000, 3001};
+    const DriftVerdict verdict = print("off for a second, slow lags", board.run({off}, 6000, seed));
+    EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
+    EXPECT_NEAR(verdict.clean_since_s, off.to_s + 7 * 30 + 5 * 300, 5) << "seed " << seed;
+  }
+}
+
+// ... and its play operators centred, in the middle of a loop.
+TEST(DriftAfterAStart, IsRightOnceTheHistoryIsKnown) {
+  const DriftUnderFaults board(
+      model_with({fog::test::natural_term("thermal_hysteresis", {3, 10}, {0.3, 0.2}),
+                  fog::test::written_term("loop = play(T,5)")}),
+      1);
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const Fault off{Kind::power_cycle, 9000, 9001};
+    const DriftVerdict verdict = print("off for a second, loops", board.run({off}, 15'000, seed));
+    EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
+    EXPECT_GT(verdict.clean_since_s, off.to_s + 7 * 30) << "seed " << seed;
+    EXPECT_LT(verdict.clean_since_s, 15'000) << "seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, DriftUnderAFault, testing::ValuesIn(fault_cases()));
+
+}  // namespace

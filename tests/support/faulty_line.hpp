@@ -1,0 +1,198 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "board/replay.hpp"
+#include "support/sample_models.hpp"
+
+// A demodulator with faults, and the question that they raise: is the drift still right?
+namespace fog::test {
+
+constexpr std::int64_t kPeriodUs = 5000;
+constexpr std::int64_t kSecondUs = 1'000'000;
+
+/// What goes wrong between two times.
+struct Fault {
+  enum class Kind : std::uint8_t {
+    no_temperature,      ///< the sensor says so
+    no_samples,          ///< the line is dead; the demodulator goes on counting
+    restart,             ///< the demodulator starts anew and counts from `value`
+    wrong_temperature,   ///< `value` degC, said to be valid
+    temperature_offset,  ///< `value` degC too warm
+    frozen_temperature,  ///< the reading at the start of the fault, again and again
+    sample_period,       ///< `value` us instead of kPeriodUs
+    repeated,            ///< every fourth sample comes twice
+    swapped,             ///< every fourth sample comes after its successor
+    sparse,              ///< only every `value`th sample arrives
+    gyro_invalid,
+    power_cycle,  ///< the board starts anew at the end
+  };
+  Kind kind;
+  double from_s;
+  double to_s;
+  double value = 0;
+};
+
+/// What a sensor of 1/16 degC says of a coil whose chamber goes through ramps and soaks, drawn at
+/// random. The coil follows as late as a bare one does; the sensor's noise is a step.
+class CoilTemperature {
+ public:
+  CoilTemperature(std::uint64_t seed, double ramp_degc_per_min)
+      : random_(seed), ramp_degc_per_s_(ramp_degc_per_min / 60) {}
+
+  /// For times that do not go back.
+  double at(double time_s) {
+    while (time_s >= end_s_) begin_part();
+    const double noise_degc = kResolutionDegc * std::sin(7919 * time_s);
+    return kResolutionDegc * std::floor((coil_degc(time_s) + noise_degc) / kResolutionDegc);
+  }
+
+ private:
+  static constexpr double kLagS = 45;
+  static constexpr double kResolutionDegc = 1.0 / 16;
+
+  double chamber_degc(double time_s) const {
+    return chamber_degc_ + (time_s - start_s_) * slope_degc_per_s_;
+  }
+  // The closed form of a first-order lag behind a ramp.
+  double coil_degc(double time_s) const {
+    return chamber_degc(time_s) - slope_degc_per_s_ * kLagS +
+           unsettled_degc_ * std::exp(-(time_s - start_s_) / kLagS);
+  }
+  void begin_part() {
+    const double coil = coil_degc(end_s_);
+    chamber_degc_ = chamber_degc(end_s_);
+    start_s_ = end_s_;
+    end_s_ += std::uniform_real_distribution<double>(20, 600)(random_);
+    const double kind = std::uniform_real_distribution<double>(0, 1)(random_);
+    double slope = kind < 0.3 ? 0 : ramp_degc_per_s_;
+    if (kind < 0.6) slope = -slope;
+    const double reached = chamber_degc_ + (end_s_ - start_s_) * slope;
+    slope_degc_per_s_ = reached > -35 && reached < 55 ? slope : -slope;
+    unsettled_degc_ = coil - chamber_degc_ + slope_degc_per_s_ * kLagS;
+  }
+
+  std::mt19937_64 random_;
+  double ramp_degc_per_s_;
+  double start_s_ = 0;
+  double end_s_ = 0;
+  double chamber_degc_ = 20;
+  double slope_degc_per_s_ = 0;
+  double unsettled_degc_ = 0;
+};
+
+/// Time-stamped samples of a demodulator with these faults.
+class FaultyLine {
+ public:
+  struct Arrival {
+    std::int64_t time_us;
+    SensorSample sample;
+    double true_degc;
+  };
+
+  FaultyLine(std::vector<Fault> faults, std::uint64_t seed, double most_degc_per_min)
+      : faults_(std::move(faults)), coil_(seed, most_degc_per_min), random_(seed + 1) {
+    sequence_ = static_cast<std::uint16_t>(random_());
+  }
+
+  /// The samples of the next moment, in the order in which they arrive: none, one or two.
+  std::vector<Arrival> next() {
+    const double time_s = static_cast<double>(time_us_) * 1e-6;
+    Arrival now{time_us_, {}, coil_.at(time_s)};
+    now.sample.sequence = sequence_;
+    now.sample.rate_counts = static_cast<std::int32_t>(random_() % 4001U) - 2000;
+    now.sample.temperature_q16 = raw(now.true_degc);
+    now.sample.gyro_valid = now.sample.temperature_valid = true;
+    const bool arrives = spoil(now, time_s);
+    time_us_ += period_us_;
+    ++sequence_;
+    std::vector<Arrival> arrivals;
+    if (arrives && swap_) {
+      kept_ = now;
+      return arrivals;
+    }
+    if (arrives) arrivals.push_back(now);
+    if (arrives && repeat_) arrivals.push_back(now);
+    if (arrives && kept_) {
+      kept_->time_us = now.time_us;
+      arrivals.push_back(*kept_);
+      kept_.reset();
+    }
+    return arrivals;
+  }
+
+  /// Of the next moment.
+  std::int64_t time_us() const { return time_us_; }
+
+ private:
+  static std::int32_t raw(double degc) { return static_cast<std::int32_t>(degc * 65536); }
+
+  bool spoil(Arrival& now, double time_s) {
+    using Kind = Fault::Kind;
+    bool arrives = true;
+    repeat_ = swap_ = false;
+    period_us_ = kPeriodUs;
+    for (Fault& fault : faults_) {
+      if (time_s < fault.from_s || time_s >= fault.to_s) continue;
+      switch (fault.kind) {
+        case Kind::no_temperature:
+          now.sample.temperature_valid = false;
+          break;
+        case Kind::no_samples:
+          arrives = false;
+          break;
+        case Kind::restart:
+          arrives = false;
+          sequence_ = static_cast<std::uint16_t>(fault.value);
+          break;
+        case Kind::wrong_temperature:
+          now.sample.temperature_q16 = raw(fault.value);
+          break;
+        case Kind::temperature_offset:
+          now.sample.temperature_q16 += raw(fault.value);
+          break;
+        case Kind::frozen_temperature:
+          if (fault.value == 0) fault.value = now.true_degc + 1e-6;
+          now.sample.temperature_q16 = raw(fault.value);
+          break;
+        case Kind::sample_period:
+          period_us_ = static_cast<std::int64_t>(fault.value);
+          break;
+        case Kind::repeated:
+          repeat_ = sequence_ % 4U == 0;
+          break;
+        case Kind::swapped:
+          swap_ = sequence_ % 4U == 0;
+          break;
+        case Kind::sparse:
+          arrives = arrives && sequence_ % static_cast<unsigned>(fault.value) == 0;
+          break;
+        case Kind::gyro_invalid:
+          now.sample.gyro_valid = false;
+          break;
+        case Kind::power_cycle:
+          arrives = false;
+          break;
+      }
+    }
+    return arrives;
+  }
+
+  std::vector<Fault> faults_;
+  CoilTemperature coil_;
+  std::mt19937_64 random_;
+  std::int64_t time_us_ = 0;
+  std::int64_t period_us_ = kPeriodUs;
+  std::uint16_t sequence_ = 0;
+  bool repeat_ = false;
+  bool swap_ = false;
+  std::optional<Arrival> kept_;
+};
+
+}  // namespace fog::test
