@@ -1,7 +1,6 @@
 #include "cli/board_header.hpp"
 
 #include "board/header.hpp"
-#include "cli/board_options.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -48,9 +47,9 @@ BoardErrors verify_board(const Model& model, const fog::ModelParameters& paramet
   return errors;
 }
 
-BoardHeader board_header(const Model& model, const std::string& file, const Arguments& arguments,
+BoardHeader board_header(const Model& model, const std::string& file, const BoardSettings& settings,
                          bool allow_error) {
-  const BoardTable table = make_board_table(model, board_settings(arguments));
+  const BoardTable table = make_board_table(model, settings);
   const BoardErrors errors = verify_board(model, read_board_table(table, file), file, allow_error);
   return {header_text(table, file_name(file), data_hash(model)), table.words.size(), errors.error,
           errors.network};

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "board/board_table.hpp"
 #include "board/verification.hpp"
-#include "cli/arguments.hpp"
 #include "model/model.hpp"
 
 namespace fogcomp::cli {
@@ -25,10 +25,10 @@ struct BoardErrors {
 BoardErrors verify_board(const Model& model, const fog::ModelParameters& parameters,
                          const std::string& file, bool allow_error);
 
-/// By board_options(); `file` is the model's, for the header and for errors. Throws InputError for
+/// `file` is the model's, for the header and for errors. Throws InputError for
 /// a model that no board can have, and, unless `allow_error`, for integers too far off and for a
 /// drift that its data did not determine (Model::uncertain).
-BoardHeader board_header(const Model& model, const std::string& file, const Arguments& arguments,
+BoardHeader board_header(const Model& model, const std::string& file, const BoardSettings& settings,
                          bool allow_error);
 
 }  // namespace fogcomp::cli

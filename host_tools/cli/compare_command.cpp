@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/compare_json.hpp"
 #include "cli/compare_text.hpp"
 #include "cli/recording_options.hpp"
@@ -15,34 +15,58 @@
 namespace fogcomp::cli {
 namespace {
 
-std::vector<ModelOnRuns> load_models(const Arguments& arguments) {
-  std::vector<std::string> files{arguments.positionals()[0]};
-  for (const std::string& file : arguments.all("model")) files.push_back(file);
-  const bool physics_alone = arguments.choice("network") == "off";
-  std::vector<ModelOnRuns> models;
+struct CompareCommand : Command {
+  Texts models{this, {"model", "MODEL", "a further model beside the first; may be repeated"}};
+  Flag details{this, "details", "effects, dependences, Allan deviation, autocorrelation"};
+  Number average{
+      this,
+      {"average", "S", "rows of the residual, seconds (default: as the first model was fitted)"},
+      {1e-3, 1e6}};
+  Choice<bool> network{this,
+                       {"network", "on|off", "off shows the physical effects alone", "on"},
+                       {{"on", true}, {"off", false}}};
+  ReportOption report{this};
+  Flag json{this, "json", "one JSON object on stdout"};
+  RecordingOptions recording{this};
+
+  CompareCommand()
+      : Command("compare", {"MODEL RUN...", 2, kAnyNumber},
+                "models against measurement: what is left, where, on what it depends",
+                "fogcomp compare gyro.model run.csv --model other.model") {
+    further_models = &models;
+  }
+  int run() const override;
+
+ private:
+  std::vector<ModelOnRuns> load_models() const;
+};
+
+std::vector<ModelOnRuns> CompareCommand::load_models() const {
+  std::vector<std::string> files{arguments[0]};
+  for (const std::string& file : models.value()) files.push_back(file);
+  const bool physics_alone = !network.value();
+  std::vector<ModelOnRuns> loaded;
   for (const std::string& file : files) {
-    models.push_back({file, load_model(file), {}});
-    Model& model = models.back().model;
+    loaded.push_back({file, load_model(file), {}});
+    Model& model = loaded.back().model;
     if (physics_alone) model.network = RealNetwork();
-    if (!arguments.has("scale-factor") && model.scale_factor != models[0].model.scale_factor) {
+    if (!recording.scale_factor.given() && model.scale_factor != loaded[0].model.scale_factor) {
       throw InputError(file, "has another scale factor than " + files[0] + "; give --scale-factor");
     }
   }
-  return models;
+  return loaded;
 }
 
-int run_compare(const Arguments& arguments) {
-  ReportFile page(arguments);
-  std::vector<ModelOnRuns> models = load_models(arguments);
+int CompareCommand::run() const {
+  ReportFile page(report);
+  std::vector<ModelOnRuns> judged = load_models();
   // All models are judged in the same rows.
-  const double row_s =
-      arguments.has("average") ? arguments.number("average", 1e-3, 1e6) : models[0].model.average_s;
-  ReadOptions options = read_options(arguments);
-  options.model_scale_factor = models[0].model.scale_factor;
+  const double row_s = average.find().value_or(judged[0].model.average_s);
+  ReadOptions options = recording.value();
+  options.model_scale_factor = judged[0].model.scale_factor;
   KnownRows known;
-  for (std::size_t i = 1; i < arguments.positionals().size(); ++i) {
-    const RunInBlocks run =
-        run_in_blocks(read_recording(arguments.positionals()[i], options), row_s);
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const RunInBlocks run = run_in_blocks(read_recording(arguments[i], options), row_s);
     const std::string same = known.file_with(run.rows_hash);
     if (!same.empty()) {
       print_notes({same_rows_words(run.file, same)});
@@ -50,39 +74,21 @@ int run_compare(const Arguments& arguments) {
     }
     known.add(run.rows_hash, run.file);
     print_notes(run.notes);
-    for (ModelOnRuns& model : models) model.runs.push_back(try_model(model.model, run));
+    for (ModelOnRuns& model : judged) model.runs.push_back(try_model(model.model, run));
   }
-  if (page.wanted()) page.write(report::compare_report(models));
-  if (arguments.has("json")) {
-    std::puts(compare_json(models).text().c_str());
+  if (page.wanted()) page.write(report::compare_report(judged));
+  if (json.given()) {
+    std::puts(compare_json(judged).text().c_str());
   } else {
-    std::fputs(compare_text(models, arguments.has("details")).c_str(), stdout);
+    std::fputs(compare_text(judged, details.given()).c_str(), stdout);
   }
   return 0;
 }
 
 }  // namespace
 
-Command compare_command() {
-  Command command;
-  command.name = "compare";
-  command.positionals = "MODEL RUN...";
-  command.least_positionals = 2;
-  command.most_positionals = kAnyNumber;
-  command.summary = "models against measurement: what is left, where, on what it depends";
-  command.example = "fogcomp compare gyro.model run.csv --model other.model";
-  command.options = {
-      {"model", "MODEL", "a further model beside the first; may be repeated", "", true},
-      {"details", "", "effects, dependences, Allan deviation, autocorrelation", ""},
-      {"average", "S", "rows of the residual, seconds (default: as the first model was fitted)",
-       ""},
-      {"network", "on|off", "off shows the physical effects alone", "on", false, {"on", "off"}},
-      report_option(),
-      {"json", "", "one JSON object on stdout", ""},
-  };
-  add_recording_options(command);
-  command.run = run_compare;
-  return command;
+CommandPointer compare_command() {
+  return std::make_unique<CompareCommand>();
 }
 
 }  // namespace fogcomp::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/command.hpp"
 #include "cli/denoise_options.hpp"
 #include "cli/recording_options.hpp"
 #include "denoise/denoise_parts.hpp"
@@ -116,43 +117,46 @@ void print_text(const std::string& output, const Recording& recording, const Den
               counted(report.outliers, "outlier").c_str());
 }
 
-int run_denoise(const Arguments& arguments) {
-  const std::string output = arguments.required("o");
-  const DenoiseMethod method = denoise_method(arguments);
-  Recording recording = read_recording(arguments.positionals().front(), read_options(arguments));
-  const std::vector<double> before = bias_dph(recording);
+struct DenoiseCommand : Command {
+  Text output{this, {"o", "OUT", "recording to write"}};
+  Flag json{this, "json", "one JSON object on stdout"};
+  DenoiseOptions denoising{this};
+  RecordingOptions recording{this};
+
+  DenoiseCommand()
+      : Command("denoise", {"RUN", 1, 1},
+                "a recording without noise and outliers: wavelet, lifting or Kalman",
+                "fogcomp denoise run.csv -o denoised.csv --threshold rigrsure") {
+    needs = {{&output}};
+  }
+  int run() const override;
+};
+
+int DenoiseCommand::run() const {
+  output.required();
+  const DenoiseMethod method = denoising.value();
+  Recording run = read_recording(arguments.front(), recording.value());
+  const std::vector<double> before = bias_dph(run);
   std::vector<double> after = before;
-  const DenoiseReport report = denoise_bias(recording, method, after);
+  const DenoiseReport report = denoise_bias(run, method, after);
   // What the gyro really turned is put back untouched.
   for (std::size_t i = 0; i < after.size(); ++i) {
-    const double input_dph = recording.input_rate_dph.empty() ? 0 : recording.input_rate_dph[i];
-    recording.rate_dph[i] = after[i] + input_dph;
+    const double input_dph = run.input_rate_dph.empty() ? 0 : run.input_rate_dph[i];
+    run.rate_dph[i] = after[i] + input_dph;
   }
-  write_recording(recording, output);
-  if (arguments.has("json")) {
-    print_json(output, recording, report, before, after);
+  write_recording(run, output.value());
+  if (json.given()) {
+    print_json(output.value(), run, report, before, after);
   } else {
-    print_text(output, recording, report, before, after);
+    print_text(output.value(), run, report, before, after);
   }
   return 0;
 }
 
 }  // namespace
 
-Command denoise_command() {
-  Command command;
-  command.name = "denoise";
-  command.positionals = "RUN";
-  command.least_positionals = command.most_positionals = 1;
-  command.summary = "a recording without noise and outliers: wavelet, lifting or Kalman";
-  command.example = "fogcomp denoise run.csv -o denoised.csv --threshold rigrsure";
-  command.options = {{"o", "OUT", "recording to write", ""},
-                     {"json", "", "one JSON object on stdout", ""}};
-  for (Option& option : denoise_options()) command.options.push_back(std::move(option));
-  add_recording_options(command);
-  command.needs = {{"o"}};
-  command.run = run_denoise;
-  return command;
+CommandPointer denoise_command() {
+  return std::make_unique<DenoiseCommand>();
 }
 
 }  // namespace fogcomp::cli

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/diagnosis_json.hpp"
 #include "cli/diagnosis_text.hpp"
 #include "cli/recording_options.hpp"
@@ -17,26 +17,51 @@
 namespace fogcomp::cli {
 namespace {
 
+struct DiagnoseCommand : Command {
+  Texts expressions{this,
+                    {"effect-expr", "EXPR",
+                     "a candidate of your own beside the catalogue's, e.g. 'burst = T*T*dTdt'"}};
+  Text at_rest{this, {"static", "RUN", "recording at rest: the noise is taken from there"}};
+  Integer<int> max_effects{
+      this,
+      {"max-effects", "N", "add what is found, refit, look again, up to N times", "0"},
+      0,
+      12};
+  Number average{this, {"average", "S", "rows, seconds (default: as fitted)"}, {1e-3, 1e6}};
+  Integer<std::uint64_t> seed{
+      this, {"seed", "N", "of the draws that calibrate the test", "1"}, 0, INT64_MAX};
+  ReportOption report{this};
+  Flag json{this, "json", "one JSON object on stdout"};
+  RecordingOptions recording{this};
+
+  DiagnoseCommand()
+      : Command("diagnose", {"MODEL RUN...", 2, kAnyNumber},
+                "where and why the model fails: which effect is missing",
+                "fogcomp diagnose gyro.model run.csv --max-effects 4") {}
+  int run() const override;
+
+ private:
+  std::vector<EffectTerm> offered(const Model& model) const;
+};
+
 // Expressions that are to compete with the catalogue.
-std::vector<EffectTerm> offered(const Arguments& arguments, const Model& model) {
+std::vector<EffectTerm> DiagnoseCommand::offered(const Model& model) const {
   std::vector<EffectTerm> terms = model.terms;
-  for (const std::string& definition : arguments.all("effect-expr")) {
-    add_expression(terms, definition);
-  }
+  for (const std::string& definition : expressions.value()) add_expression(terms, definition);
   return {terms.begin() + static_cast<std::ptrdiff_t>(model.terms.size()), terms.end()};
 }
 
-int run_diagnose(const Arguments& arguments) {
-  const std::vector<std::string>& files = arguments.positionals();
-  ReportFile page(arguments);
+int DiagnoseCommand::run() const {
+  const std::vector<std::string>& files = arguments;
+  ReportFile page(report);
   Model model = load_model(files[0]);
-  if (arguments.has("average")) model.average_s = arguments.number("average", 1e-3, 1e6);
-  const auto most_effects = static_cast<int>(arguments.integer("max-effects", 0, 12));
+  model.average_s = average.find().value_or(model.average_s);
+  const int most_effects = max_effects.value();
   DiagnosisSettings settings;
-  settings.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
-  ReadOptions options = read_options(arguments);
+  settings.seed = seed.value();
+  ReadOptions options = recording.value();
   options.model_scale_factor = model.scale_factor;
-  DiagnosisData data(model, offered(arguments, model));
+  DiagnosisData data(model, offered(model));
   std::string runs;
   BoardError as_given;
   std::vector<std::string> notes;
@@ -51,9 +76,8 @@ int run_diagnose(const Arguments& arguments) {
     as_given.add(board_error(model, run, compare_with(model, run)));
     runs += (runs.empty() ? "" : " ") + files[i];
   }
-  if (arguments.has("static")) {
-    settings.noise =
-        noise_of_static(model, read_recording(arguments.text("static"), options), data);
+  if (at_rest.given()) {
+    settings.noise = noise_of_static(model, read_recording(at_rest.value(), options), data);
   }
   Ladder ladder;
   {
@@ -66,9 +90,9 @@ int run_diagnose(const Arguments& arguments) {
   if (page.wanted()) {
     page.write(report::diagnose_report(ladder, most_effects > 0, data, files));
   }
-  if (arguments.has("json")) {
-    const Json json = most_effects > 0 ? ladder_json(ladder) : diagnosis_json(ladder.first);
-    std::puts(json.text().c_str());
+  if (json.given()) {
+    const Json object = most_effects > 0 ? ladder_json(ladder) : diagnosis_json(ladder.first);
+    std::puts(object.text().c_str());
     return 0;
   }
   std::fputs(diagnosis_text(ladder.first, files[0], runs).c_str(), stdout);
@@ -78,27 +102,8 @@ int run_diagnose(const Arguments& arguments) {
 
 }  // namespace
 
-Command diagnose_command() {
-  Command command;
-  command.name = "diagnose";
-  command.positionals = "MODEL RUN...";
-  command.least_positionals = 2;
-  command.most_positionals = kAnyNumber;
-  command.summary = "where and why the model fails: which effect is missing";
-  command.example = "fogcomp diagnose gyro.model run.csv --max-effects 4";
-  command.options = {
-      {"effect-expr", "EXPR",
-       "a candidate of your own beside the catalogue's, e.g. 'burst = T*T*dTdt'", "", true},
-      {"static", "RUN", "recording at rest: the noise is taken from there", ""},
-      {"max-effects", "N", "add what is found, refit, look again, up to N times", "0"},
-      {"average", "S", "rows, seconds (default: as fitted)", ""},
-      {"seed", "N", "of the draws that calibrate the test", "1"},
-      report_option(),
-      {"json", "", "one JSON object on stdout", ""},
-  };
-  add_recording_options(command);
-  command.run = run_diagnose;
-  return command;
+CommandPointer diagnose_command() {
+  return std::make_unique<DiagnoseCommand>();
 }
 
 }  // namespace fogcomp::cli

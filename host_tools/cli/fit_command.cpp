@@ -3,10 +3,9 @@
 #include <cstdio>
 #include <optional>
 
+#include "cli/command.hpp"
 #include "cli/fit_recordings.hpp"
-#include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
-#include "cli/training_options.hpp"
 #include "compare/model_on_runs.hpp"
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
@@ -172,44 +171,45 @@ void print_text(const Fit& fit, const std::string& output) {
   std::printf("\nwritten: %s\n", output.c_str());
 }
 
-int run_fit(const Arguments& arguments) {
-  const std::string output = arguments.required("o");
-  OutputFile model_file(output);
-  ReportFile page(arguments);
-  const Fit result = fit_recordings(arguments, arguments.positionals(), OnInterrupt::keep_best);
-  model_file.write(model_text(result.model));
-  if (page.wanted()) {
-    page.fill(report::fit_report(on_its_runs(result, output), result.result,
-                                 identification_text(result)));
+struct FitCommand : Command {
+  Text output{this, {"o", "MODEL", "model file to write"}};
+  FitOptions fit{this};
+  ReportOption report{this};
+  Flag json{this, "json", "one JSON object on stdout"};
+  RecordingOptions recording{this};
+
+  FitCommand()
+      : Command("fit", {"RUN...", 1, kAnyNumber},
+                "identifies the effects, then trains the network on what they leave",
+                "fogcomp fit run.csv -o gyro.model --effects bias,temperature_rate") {
+    recording.make_rare();
+    needs = {{&output}, {&fit.effects, &fit.model, kFirstEffects}};
   }
-  model_file.commit();
-  page.commit();
-  if (arguments.has("json")) {
-    print_json(result, output);
-  } else {
-    print_text(result, output);
+
+  int run() const override {
+    OutputFile model_file(output.required());
+    ReportFile page(report);
+    const Fit result = fit_recordings(fit, recording, arguments, OnInterrupt::keep_best);
+    model_file.write(model_text(result.model));
+    if (page.wanted()) {
+      page.fill(report::fit_report(on_its_runs(result, output.value()), result.result,
+                                   identification_text(result)));
+    }
+    model_file.commit();
+    page.commit();
+    if (json.given()) {
+      print_json(result, output.value());
+    } else {
+      print_text(result, output.value());
+    }
+    return 0;
   }
-  return 0;
-}
+};
 
 }  // namespace
 
-Command fit_command() {
-  Command command;
-  command.name = "fit";
-  command.positionals = "RUN...";
-  command.least_positionals = 1;
-  command.most_positionals = kAnyNumber;
-  command.summary = "identifies the effects, then trains the network on what they leave";
-  command.example = "fogcomp fit run.csv -o gyro.model --effects bias,temperature_rate";
-  command.options = {{"o", "MODEL", "model file to write", ""}};
-  for (Option& option : fit_options()) command.options.push_back(std::move(option));
-  command.options.push_back(report_option());
-  command.options.push_back({"json", "", "one JSON object on stdout", ""});
-  for (Option& option : rarely(recording_options())) command.options.push_back(std::move(option));
-  command.needs = {{"o"}, {"effects", "model", kFirstEffects}};
-  command.run = run_fit;
-  return command;
+CommandPointer fit_command() {
+  return std::make_unique<FitCommand>();
 }
 
 }  // namespace fogcomp::cli

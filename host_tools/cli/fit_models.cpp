@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/training_options.hpp"
+#include "cli/fit_recordings.hpp"
 #include "research/comparator.hpp"
 #include "research/polynomial.hpp"
 #include "support/input_error.hpp"
@@ -32,9 +32,9 @@ constexpr Preset kPresets[] = {
     {"effects+network", "", kOpen, false},
 };
 
-void refuse(const Arguments& arguments, const char* option, const std::string& model) {
-  if (!arguments.has(option)) return;
-  throw InputError(std::string("--") + option,
+void refuse(const Option& option, const std::string& model) {
+  if (!option.given()) return;
+  throw InputError("--" + option.name,
                    "is settled by --model " + model + "; leave one of the two out");
 }
 
@@ -50,31 +50,31 @@ const Preset& find_preset(const std::string& name) {
 
 }  // namespace
 
-WantedModel wanted_model(const Arguments& arguments) {
+WantedModel wanted_model(const FitOptions& options) {
   WantedModel model;
-  model.network = network_settings(arguments);
-  if (!arguments.has("model")) {
-    model.effects = arguments.required("effects");
+  model.network = options.training.value();
+  if (!options.model.given()) {
+    model.effects = options.effects.required();
     return model;
   }
-  const std::string name = arguments.text("model");
+  const std::string name = options.model.value();
   const Preset& preset = find_preset(name);
   const std::string trainer = preset.trainer;
   model.order_by_validation = preset.order_by_validation;
   model.effects = preset.effects;
   if (model.effects.empty()) {
-    model.effects = arguments.required("effects");
+    model.effects = options.effects.required();
   } else {
-    refuse(arguments, "effects", name);
+    refuse(options.effects, name);
   }
-  if (trainer != kOpen) refuse(arguments, "trainer", name);
+  if (trainer != kOpen) refuse(options.training.trainer, name);
   if (trainer.empty()) {
-    refuse(arguments, "network", name);
+    refuse(options.training.network, name);
     return model;
   }
   model.network_is_the_model = trainer != kOpen;
   if (model.network_is_the_model) model.network.trainer = trainer;
-  if (!arguments.has("network")) model.network.hidden = kUsualHidden;
+  if (!options.training.network.given()) model.network.hidden = kUsualHidden;
   return model;
 }
 

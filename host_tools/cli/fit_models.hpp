@@ -3,11 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "cli/arguments.hpp"
 #include "fit/network_training.hpp"
 #include "series/signal_series.hpp"
 
 namespace fogcomp::cli {
+
+struct FitOptions;
 
 /// What `fit --model NAME` stands for: effects and a network, as the board can carry them.
 struct WantedModel {
@@ -19,7 +20,7 @@ struct WantedModel {
 
 /// --model, and --effects, --network, --trainer where the name leaves them open. Throws InputError
 /// for a model that only `fogcomp paper` has, and where --model and another option contradict.
-WantedModel wanted_model(const Arguments& arguments);
+WantedModel wanted_model(const FitOptions& options);
 
 /// The names that --model takes; as a list in words.
 std::vector<std::string> fit_model_names();

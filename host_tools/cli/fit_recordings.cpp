@@ -23,14 +23,15 @@ namespace fogcomp::cli {
 namespace {
 
 // Nothing where the rows are to stay as they are.
-std::optional<DenoiseMethod> row_denoising(const Arguments& arguments) {
-  const std::string rule = arguments.choice("denoise-rows");
-  if (rule == "none") return std::nullopt;
+std::optional<DenoiseMethod> row_denoising(const FitOptions& options) {
+  const std::optional<ThresholdRule> rule = options.denoise_rows.value();
+  if (!rule) return std::nullopt;
+  if (options.levels.value() == 0) options.fail("--levels '0' is not a number from 1 to 10");
   DenoiseMethod method;
-  method.wavelet = arguments.choice("wavelet");
-  method.levels = static_cast<int>(arguments.integer("levels", 1, 10));
-  method.rule = threshold_rule(rule);
-  method.hard = arguments.choice("mode") == "hard";
+  method.wavelet = options.wavelet.value();
+  method.levels = options.levels.value();
+  method.rule = *rule;
+  method.hard = options.mode.value();
   return method;
 }
 
@@ -43,27 +44,23 @@ std::string segment_at(const RunInBlocks& run, double time_s) {
   return name;
 }
 
-std::string fitted(const Arguments& arguments, const std::string& effects) {
+std::string fitted(const FitOptions& options, const std::string& effects) {
   std::string text = effects;
-  for (const std::string& definition : arguments.all("effect-expr")) text += ", " + definition;
+  for (const std::string& definition : options.expressions.value()) text += ", " + definition;
   return text;
 }
 
 // What the options ask for, as a model without coefficients.
-Model model_settings(const Arguments& arguments, const std::string& effects) {
+Model model_settings(const FitOptions& options, const std::string& effects) {
   Model model;
   model.terms = parse_effects(effects);
-  for (const std::string& definition : arguments.all("effect-expr")) {
+  for (const std::string& definition : options.expressions.value()) {
     add_expression(model.terms, definition);
   }
-  model.average_s = arguments.number("average", 1e-3, 1e6);
-  model.derivative_tau_s = arguments.number("derivative-tau", 1e-3, 1e5);
-  model.denoise.wavelet = arguments.choice("wavelet");
-  model.denoise.levels = static_cast<int>(arguments.integer("levels", 0, 10));
-  const std::string rule = arguments.choice("threshold");
-  model.denoise.rule = static_cast<fog::ThresholdRule>(
-      std::find(kBoardRules.begin(), kBoardRules.end(), rule) - kBoardRules.begin());
-  model.denoise.hard = arguments.choice("mode") == "hard";
+  model.average_s = options.average.value();
+  model.derivative_tau_s = options.derivative_tau.value();
+  model.denoise = {options.wavelet.value(), options.levels.value(), options.threshold.value(),
+                   options.mode.value()};
   return model;
 }
 
@@ -75,20 +72,21 @@ struct FitPlan {
   ReadOptions reading;
 };
 
-FitPlan plan_fit(const Arguments& arguments) {
+FitPlan plan_fit(const FitOptions& options, const RecordingOptions& recording) {
   FitPlan plan;
-  plan.wanted = wanted_model(arguments);
+  plan.wanted = wanted_model(options);
   FitSettings& settings = plan.settings;
-  settings.identify.run_offsets = arguments.has("run-offsets");
-  settings.row_denoising = row_denoising(arguments);
+  settings.identify.run_offsets = options.run_offsets.given();
+  settings.row_denoising = row_denoising(options);
   settings.network = plan.wanted.network;
-  settings.force_network = plan.wanted.network_is_the_model || arguments.has("force-network");
-  settings.network_inputs = parse_network_inputs(arguments.text("inputs"));
-  plan.model = model_settings(arguments, plan.wanted.effects);
+  settings.force_network =
+      plan.wanted.network_is_the_model || options.training.force_network.given();
+  settings.network_inputs = parse_network_inputs(options.inputs.value());
+  plan.model = model_settings(options, plan.wanted.effects);
   // Runs need these.
   if (plan.wanted.network.hidden > 0) plan.model.network.inputs = settings.network_inputs;
   // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
-  plan.reading = read_options(arguments);
+  plan.reading = recording.value();
   plan.model.scale_factor = plan.reading.scale_factor.value_or(kDefaultScaleFactor);
   std::swap(plan.reading.scale_factor, plan.reading.model_scale_factor);
   return plan;
@@ -96,43 +94,22 @@ FitPlan plan_fit(const Arguments& arguments) {
 
 }  // namespace
 
-std::vector<Option> fit_options() {
-  std::vector<std::string> row_rules = threshold_rule_names();
-  row_rules.emplace_back("none");
-  std::vector<Option> options{
-      {"effects", "LIST", "NAME,NAME:p=VALUE,...; ? for a value: identified", "", false,
-       effect_names()},
-      {"effect-expr", "EXPR", "a term of your own: 'late = lag(T,?tau[60,900]) - T'", "", true},
-      {"model", "NAME", "instead of --effects, --network; a board runs each: " + fit_model_list(),
-       "", false, fit_model_names()},
-      {"average", "S", "rows of the fit, seconds", "10"},
-      {"run-offsets", "", "a bias for each recording; the model keeps the first", ""},
-  };
-  for (Option& option : training_options()) options.push_back(std::move(option));
-  for (Option& option : rarely({
-           {"inputs", "LIST", "of the network: also lagged_temperature:tau=S, elapsed, supply, ...",
-            "temperature,temperature_rate", false, network_input_names()},
-           {"derivative-tau", "S", "time constant of the two lags behind dT/dt", "30"},
-           {"wavelet", "NAME", "of the board's denoiser", "sym8", false, wavelet_names()},
-           {"levels", "N", "of the board's denoiser, 0 for none", "5"},
-           {"threshold", "RULE", "of the board: heursure and sqtwolog follow the noise; or fixed",
-            "heursure", false, kBoardRules},
-           {"mode", "NAME", "soft or hard thresholds", "soft", false, {"soft", "hard"}},
-           {"denoise-rows", "RULE", "denoise what the network is trained on, by heursure, ...",
-            "none", false, row_rules},
-       })) {
-    options.push_back(std::move(option));
+Choice<std::optional<ThresholdRule>>::Meanings FitOptions::row_rules() {
+  Choice<std::optional<ThresholdRule>>::Meanings rules;
+  for (const std::string& name : threshold_rule_names()) {
+    rules.emplace_back(name, threshold_rule(name));
   }
-  return options;
+  rules.emplace_back("none", std::nullopt);
+  return rules;
 }
 
-void check_fit_options(const Arguments& arguments) {
-  plan_fit(arguments);
+void check_fit_options(const FitOptions& options, const RecordingOptions& recording) {
+  plan_fit(options, recording);
 }
 
-Fit fit_recordings(const Arguments& arguments, const std::vector<std::string>& files,
-                   OnInterrupt on_interrupt) {
-  auto [wanted, settings, wanted_terms, reading] = plan_fit(arguments);
+Fit fit_recordings(const FitOptions& options, const RecordingOptions& recording,
+                   const std::vector<std::string>& files, OnInterrupt on_interrupt) {
+  auto [wanted, settings, wanted_terms, reading] = plan_fit(options, recording);
   Fit fit;
   Model& model = fit.model;
   model = std::move(wanted_terms);
@@ -165,7 +142,7 @@ Fit fit_recordings(const Arguments& arguments, const std::vector<std::string>& f
   }
 
   const double effects_rms_dph = fit.result.effects_rms_dph;
-  model.history.push_back({"fit " + fitted(arguments, wanted.effects), training.data_hash,
+  model.history.push_back({"fit " + fitted(options, wanted.effects), training.data_hash,
                            fit.result.raw_std_dph, effects_rms_dph, training.noise_floor_dph});
   if (model.network.present()) {
     model.history.push_back(

@@ -7,9 +7,7 @@
 
 #include "batch/fingerprint.hpp"
 #include "cli/board_header.hpp"
-#include "cli/board_options.hpp"
 #include "cli/fit_models.hpp"
-#include "cli/fit_recordings.hpp"
 #include "cli/recording_options.hpp"
 #include "compare/model_on_runs.hpp"
 #include "fit/training_runs.hpp"
@@ -92,8 +90,8 @@ void add_coefficients(Figures& figures, const Model& model) {
 }
 
 ModelOnRuns on_holdouts(const batch::GyroFolder& gyro, const Fit& fit, const std::string& file,
-                        const Arguments& arguments) {
-  ReadOptions reading = read_options(arguments);
+                        const RecordingOptions& recording) {
+  ReadOptions reading = recording.value();
   reading.model_scale_factor = fit.model.scale_factor;
   ModelOnRuns model{file, fit.model, {}};
   const Holdouts holdouts = read_holdouts(gyro.holdouts, reading, fit.model.average_s, fit.runs);
@@ -106,26 +104,19 @@ ModelOnRuns on_holdouts(const batch::GyroFolder& gyro, const Fit& fit, const std
 
 }  // namespace
 
-std::vector<Option> calibration_options() {
-  std::vector<Option> options = fit_options();
-  for (Option& option : board_options()) options.push_back(std::move(option));
-  for (Option& option : recording_options()) options.push_back(std::move(option));
-  return options;
+void check_calibration_options(const CalibrationOptions& options) {
+  check_fit_options(options.fit, options.recording);
+  options.board.value();
 }
 
-void check_calibration_options(const Arguments& arguments) {
-  check_fit_options(arguments);
-  board_settings(arguments);
-}
-
-std::string fingerprint_of(const batch::GyroFolder& gyro, const Arguments& arguments) {
+std::string fingerprint_of(const batch::GyroFolder& gyro, const CalibrationOptions& options) {
   batch::Fingerprint fingerprint;
   fingerprint.add(FOGCOMP_VERSION);
-  for (const Option& option : calibration_options()) {
-    fingerprint.add(option.name);
-    fingerprint.add(arguments.has(option.name) ? "given" : "default");
-    for (const std::string& value : arguments.all(option.name)) fingerprint.add(value);
-    fingerprint.add(option.default_value);
+  for (const Option* option : options.options()) {
+    fingerprint.add(option->name);
+    fingerprint.add(option->given() ? "given" : "default");
+    for (const std::string& value : option->values) fingerprint.add(value);
+    fingerprint.add(option->default_value);
   }
   for (const std::string& file : gyro.recordings) fingerprint.add_file(file);
   fingerprint.add("hold-outs");
@@ -133,7 +124,7 @@ std::string fingerprint_of(const batch::GyroFolder& gyro, const Arguments& argum
   return fingerprint.text();
 }
 
-std::vector<std::string> figure_names(const Arguments& arguments) {
+std::vector<std::string> figure_names(const FitOptions& options) {
   std::vector<std::string> names{"rows",
                                  "noise_dprh",
                                  "fit_raw_std_dph",
@@ -146,9 +137,10 @@ std::vector<std::string> figure_names(const Arguments& arguments) {
                                  "quantization_error_dph",
                                  "network_error_dph"};
   for (const HoldoutFigure& figure : kHoldoutFigures) names.emplace_back(figure.name);
-  std::vector<EffectTerm> terms = parse_effects(wanted_model(arguments).effects);
-  for (const std::string& definition : arguments.all("effect-expr"))
+  std::vector<EffectTerm> terms = parse_effects(wanted_model(options).effects);
+  for (const std::string& definition : options.expressions.value()) {
     add_expression(terms, definition);
+  }
   for (const EffectTerm& term : terms) {
     const TermInfo info = info_of(term);
     for (const auto& parameter : info.parameters) names.push_back(term.name + "." + parameter.name);
@@ -159,21 +151,22 @@ std::vector<std::string> figure_names(const Arguments& arguments) {
   return names;
 }
 
-batch::GyroResult calibrate(const batch::GyroFolder& gyro, const Arguments& arguments,
-                            const std::string& folder) {
+batch::GyroResult calibrate(const batch::GyroFolder& gyro, const CalibrationOptions& options,
+                            const std::string& folder, bool page) {
   const std::string model_name = gyro.name + ".model";
   const std::string model_path = folder + "/" + model_name;
   batch::GyroResult result{gyro.name, "", "", {}};
-  const Fit fit = fit_recordings(arguments, gyro.recordings, OnInterrupt::stop);
+  const Fit fit =
+      fit_recordings(options.fit, options.recording, gyro.recordings, OnInterrupt::stop);
   save_model(fit.model, model_path);
-  const ModelOnRuns holdouts = on_holdouts(gyro, fit, model_path, arguments);
+  const ModelOnRuns holdouts = on_holdouts(gyro, fit, model_path, options.recording);
   add_fit_figures(result.figures, fit);
   add_holdout_figures(result.figures, holdouts);
-  if (arguments.has("reports") && !holdouts.runs.empty()) {
+  if (page && !holdouts.runs.empty()) {
     write_file(folder + "/report.html", report::compare_report({holdouts}).html());
     add_output(result, folder, "report.html");
   }
-  const BoardHeader header = board_header(fit.model, model_path, arguments, false);
+  const BoardHeader header = board_header(fit.model, model_path, options.board.value(), false);
   result.figures.emplace_back("quantization_error_dph", header.error.worst_dph);
   if (header.network.points > 0) {
     result.figures.emplace_back("network_error_dph", header.network.worst_dph);

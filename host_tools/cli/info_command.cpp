@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/info_text.hpp"
 #include "cli/recording_options.hpp"
@@ -113,41 +112,45 @@ Json info_json(const Recording& recording, const RunSummary& summary) {
   return object;
 }
 
-int run_info(const Arguments& arguments) {
-  const double block_s = average_s(arguments);
-  ReportFile page(arguments);
-  const Recording recording =
-      read_recording(arguments.positionals().front(), read_options(arguments));
-  const double length_s = static_cast<double>(recording.rows()) * recording.period_s;
-  if (arguments.has("average") && 2 * block_s > length_s) {
-    throw InputError(recording.file,
+struct InfoCommand : Command {
+  Number average{this,
+                 {"average", "S", "length of a block mean (a row where the rows are longer)", "10"},
+                 {1e-6, 1e6}};
+  ReportOption report{this};
+  Flag json{this, "json", "print one JSON object"};
+  RecordingOptions recording{this};
+
+  InfoCommand()
+      : Command("info", {"RUN", 1, 1},
+                "segments, noise, Allan deviation, sensitivities of a recording",
+                "fogcomp info run.csv --latitude 40 --axis up") {}
+  int run() const override;
+};
+
+int InfoCommand::run() const {
+  const double block_s = average.value();
+  ReportFile page(report);
+  const Recording run = read_recording(arguments.front(), recording.value());
+  const double length_s = static_cast<double>(run.rows()) * run.period_s;
+  if (average.given() && 2 * block_s > length_s) {
+    throw InputError(run.file,
                      format("lasts %g s, too short for means of %g s; give a shorter --average",
                             length_s, block_s));
   }
-  const RunSummary summary = summarize(recording, block_s);
-  if (page.wanted()) page.write(report::info_report(recording, summary));
-  if (arguments.has("json")) {
-    std::puts(info_json(recording, summary).text().c_str());
+  const RunSummary summary = summarize(run, block_s);
+  if (page.wanted()) page.write(report::info_report(run, summary));
+  if (json.given()) {
+    std::puts(info_json(run, summary).text().c_str());
   } else {
-    std::fputs(info_text(recording, summary).c_str(), stdout);
+    std::fputs(info_text(run, summary).c_str(), stdout);
   }
   return 0;
 }
 
 }  // namespace
 
-Command info_command() {
-  Command command;
-  command.name = "info";
-  command.positionals = "RUN";
-  command.least_positionals = 1;
-  command.most_positionals = 1;
-  command.summary = "segments, noise, Allan deviation, sensitivities of a recording";
-  command.example = "fogcomp info run.csv --latitude 40 --axis up";
-  command.options = {average_option(), report_option(), {"json", "", "print one JSON object", ""}};
-  add_recording_options(command);
-  command.run = run_info;
-  return command;
+CommandPointer info_command() {
+  return std::make_unique<InfoCommand>();
 }
 
 }  // namespace fogcomp::cli

@@ -24,12 +24,42 @@ std::vector<std::string> model_names() {
   return names;
 }
 
+struct PaperCommand : Command {
+  Integer<std::size_t> gyros{
+      this,
+      {"gyros", "N", "how many, with seeds from --seed on; tables show the first", "1"},
+      1,
+      1000};
+  Text figures{this,
+               {"figures", "OUT", "writes the data of figures 1, 3, 4, 8, 9, 10 there, as CSV"}};
+  Text models{this,
+              {"models", "LIST", "all, or some of " + join(model_names(), ", "), "all"},
+              model_names()};
+  Integer<int> epochs{this, {"epochs", "N", "of backpropagation", "5000"}, 1, 1'000'000};
+  Integer<int> iterations{
+      this,
+      {"iterations", "N", "of swarm and population, before backpropagation", "300"},
+      0,
+      100'000};
+  Integer<std::uint64_t> seed{
+      this, {"seed", "N", "of the first gyro's noise and its networks", "1"}, 0, 1LL << 52};
+  ReportOption report{this};
+  Flag json{this, "json", "one JSON object on stdout"};
+
+  PaperCommand()
+      : Command("paper", {}, "the reference paper's pipeline on simulated gyros, tables compared",
+                "fogcomp paper --gyros 10 --figures figures") {}
+  int run() const override;
+
+ private:
+  std::vector<std::string> chosen_models() const;
+};
+
 // bp and pso-bp are always there: the paper's tables are about them.
-std::vector<std::string> chosen_models(const Arguments& arguments) {
+std::vector<std::string> PaperCommand::chosen_models() const {
   const std::vector<std::string> names = model_names();
-  const std::string list = arguments.text("models");
-  if (list == "all") return names;
-  std::vector<std::string> wanted = split(list, ',');
+  if (models.value() == "all") return names;
+  std::vector<std::string> wanted = split(models.value(), ',');
   for (const std::string& name : wanted) find_comparator(name);
   wanted.insert(wanted.end(), {"bp", "pso-bp"});
   std::vector<std::string> chosen;
@@ -39,27 +69,26 @@ std::vector<std::string> chosen_models(const Arguments& arguments) {
   return chosen;
 }
 
-int run_paper(const Arguments& arguments) {
+int PaperCommand::run() const {
   StudySettings settings;
-  settings.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, 1LL << 52));
-  settings.epochs = static_cast<int>(arguments.integer("epochs", 1, 1'000'000));
-  settings.iterations = static_cast<int>(arguments.integer("iterations", 0, 100'000));
-  settings.models = chosen_models(arguments);
-  const auto gyros = static_cast<std::size_t>(arguments.integer("gyros", 1, 1000));
-  if (arguments.has("figures")) {  // before the study, which takes long
-    const std::string folder = arguments.text("figures");
-    make_folder(folder);
-    for (const int figure : kFigures) arguments.check_output(figure_path(folder, figure));
+  settings.seed = seed.value();
+  settings.epochs = epochs.value();
+  settings.iterations = iterations.value();
+  settings.models = chosen_models();
+  const std::size_t count = gyros.value();
+  if (figures.given()) {  // before the study, which takes long
+    make_folder(figures.value());
+    for (const int figure : kFigures) check_output(*this, figure_path(figures.value(), figure));
   }
-  ReportFile page(arguments);
+  ReportFile page(report);
   std::vector<Study> studies;
   {
     Progress progress("fitting");
-    studies = study_gyros(settings, gyros, [&](double done) { progress.update(done); });
+    studies = study_gyros(settings, count, [&](double done) { progress.update(done); });
   }
-  if (arguments.has("figures")) write_figures(studies.front(), arguments.text("figures"));
+  if (figures.given()) write_figures(studies.front(), figures.value());
   if (page.wanted()) page.write(report::paper_report(studies));
-  if (arguments.has("json")) {
+  if (json.given()) {
     std::puts(paper_json(studies).text().c_str());
   } else {
     print_paper(studies);
@@ -69,24 +98,8 @@ int run_paper(const Arguments& arguments) {
 
 }  // namespace
 
-Command paper_command() {
-  const std::string names = join(model_names(), ", ");
-  Command command;
-  command.name = "paper";
-  command.summary = "the reference paper's pipeline on simulated gyros, tables compared";
-  command.example = "fogcomp paper --gyros 10 --figures figures";
-  command.options = {
-      {"gyros", "N", "how many, with seeds from --seed on; tables show the first", "1"},
-      {"figures", "OUT", "writes the data of figures 1, 3, 4, 8, 9, 10 there, as CSV", ""},
-      {"models", "LIST", "all, or some of " + names, "all", false, model_names()},
-      {"epochs", "N", "of backpropagation", "5000"},
-      {"iterations", "N", "of swarm and population, before backpropagation", "300"},
-      {"seed", "N", "of the first gyro's noise and its networks", "1"},
-      report_option(),
-      {"json", "", "one JSON object on stdout", ""},
-  };
-  command.run = run_paper;
-  return command;
+CommandPointer paper_command() {
+  return std::make_unique<PaperCommand>();
 }
 
 }  // namespace fogcomp::cli

@@ -7,9 +7,9 @@
 #include "board/board_source.hpp"
 #include "board/replay.hpp"
 #include "board/stream_source.hpp"
-#include "cli/arguments.hpp"
 #include "cli/board_header.hpp"
 #include "cli/board_options.hpp"
+#include "cli/command.hpp"
 #include "cli/recording_options.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
@@ -32,9 +32,9 @@ void check_rate(const fog::ModelParameters& parameters, double period_s, const s
 
 // What `replay` and `stream` share: the weights, the recording, and the rate that joins them.
 struct Session {
-  explicit Session(const Arguments& arguments)
-      : run(arguments.positionals()[1]), board(arguments.positionals()[0]) {
-    ReadOptions options = read_options(arguments);
+  Session(const Command& command, const RecordingOptions& recording)
+      : run(command.arguments[1]), board(command.arguments[0]) {
+    ReadOptions options = recording.value();
     options.model_scale_factor = board.scale_factor();
     source = std::make_unique<StreamSource>(run, options, board.scale_factor(), board.needs());
   }
@@ -44,101 +44,108 @@ struct Session {
   std::unique_ptr<StreamSource> source;
 };
 
-int run_replay(const Arguments& arguments) {
-  const std::string output_path = arguments.required("o");
-  Session session(arguments);
-  const StreamSource& source = *session.source;
-  BoardSettings settings = board_settings(arguments);
-  if (!arguments.has("sample-rate") && !source.is_capture() && source.period_s() > 0) {
-    settings.sample_rate_hz = 1 / source.period_s();
-  }
-  const BoardTable& table = session.board.table(settings);
-  const std::string& weights = arguments.positionals()[0];
-  const fog::ModelParameters parameters = read_board_table(table, weights);
-  // What export would refuse: no board will ever send it.
-  if (const Model* model = session.board.model()) {
-    verify_board(*model, parameters, weights, arguments.has(kAllowError));
-  }
-  if (!source.is_capture()) check_rate(parameters, source.period_s(), session.run);
+struct ReplayCommand : Command {
+  Text output{this, {"o", "OUT", "output stream to write"}};
+  Flag json{this, "json", "one JSON object on stdout"};
+  BoardOptions board{this};
+  RecordingOptions recording{this};
+  AllowErrorFlag allow_error{this, "replay a model even if its integers are too far off", kRare};
 
-  OutputFile output(output_path);
-  Replay replay(parameters);
-  source.send([&](fog::Span<const std::uint8_t> bytes) {
-    const fog::Span<const std::uint8_t> frames = replay.feed(bytes);
-    output.write(frames.data, frames.size);
-  });
-  const ReplaySummary& summary = replay.summary();
-  if (summary.frames == 0) {
-    throw InputError(session.run, "holds no good frame; is it a capture of the sensor stream?");
+  ReplayCommand()
+      : Command("replay", {"MODEL|HEADER RUN", 2, 2},
+                "the firmware's own code here, byte for byte what the board sends",
+                "fogcomp replay fog_model.h run.csv -o out.bin") {
+    needs = {{&output}};
   }
-  output.commit();
-  if (arguments.has("json")) {
+  int run() const override;
+
+ private:
+  void print(const ReplaySummary& summary) const;
+};
+
+void ReplayCommand::print(const ReplaySummary& summary) const {
+  if (json.given()) {
     Json result = Json::object();
-    result.set("output", output_path).set("frames", static_cast<std::int64_t>(summary.frames));
+    result.set("output", output.value()).set("frames", static_cast<std::int64_t>(summary.frames));
     result.set("bytes", static_cast<std::int64_t>(summary.output_bytes));
     result.set("invalid_rates", static_cast<std::int64_t>(summary.invalid_rates));
     result.set("clamped_samples", static_cast<std::int64_t>(summary.clamped_samples));
     std::puts(result.text().c_str());
-    return 0;
+    return;
   }
-  std::printf("%s: %s, %s; %s not valid, %s outside the trained range\n", output_path.c_str(),
+  std::printf("%s: %s, %s; %s not valid, %s outside the trained range\n", output.value().c_str(),
               counted(summary.frames, "sample").c_str(),
               counted(summary.output_bytes, "byte").c_str(),
               counted(summary.invalid_rates, "rate").c_str(),
               counted(summary.clamped_samples, "sample").c_str());
+}
+
+int ReplayCommand::run() const {
+  output.required();
+  Session session(*this, recording);
+  const StreamSource& source = *session.source;
+  BoardSettings settings = board.value();
+  if (!board.sample_rate.given() && !source.is_capture() && source.period_s() > 0) {
+    settings.sample_rate_hz = 1 / source.period_s();
+  }
+  const BoardTable& table = session.board.table(settings);
+  const std::string& weights = arguments[0];
+  const fog::ModelParameters parameters = read_board_table(table, weights);
+  // What export would refuse: no board will ever send it.
+  if (const Model* model = session.board.model()) {
+    verify_board(*model, parameters, weights, allow_error.given());
+  }
+  if (!source.is_capture()) check_rate(parameters, source.period_s(), session.run);
+
+  OutputFile file(output.value());
+  Replay replay(parameters);
+  source.send([&](fog::Span<const std::uint8_t> bytes) {
+    const fog::Span<const std::uint8_t> frames = replay.feed(bytes);
+    file.write(frames.data, frames.size);
+  });
+  if (replay.summary().frames == 0) {
+    throw InputError(session.run, "holds no good frame; is it a capture of the sensor stream?");
+  }
+  file.commit();
+  print(replay.summary());
   return 0;
 }
 
-int run_stream(const Arguments& arguments) {
-  const std::string output_path = arguments.required("o");
-  const Session session(arguments);
-  OutputFile output(output_path);
+struct StreamCommand : Command {
+  Text output{this, {"o", "OUT", "sensor stream to write"}};
+  RecordingOptions recording{this};
+
+  StreamCommand()
+      : Command("stream", {"MODEL|HEADER RUN", 2, 2},
+                "the sensor stream in which a board would see a recording",
+                "fogcomp stream fog_model.h run.csv -o in.bin") {
+    needs = {{&output}};
+  }
+  int run() const override;
+};
+
+int StreamCommand::run() const {
+  output.required();
+  const Session session(*this, recording);
+  OutputFile file(output.value());
   session.source->send(
-      [&](fog::Span<const std::uint8_t> bytes) { output.write(bytes.data, bytes.size); });
-  output.commit();
+      [&](fog::Span<const std::uint8_t> bytes) { file.write(bytes.data, bytes.size); });
+  file.commit();
   if (!session.source->is_capture()) {
-    std::printf("%s: %s\n", output_path.c_str(), counted(session.source->rows(), "sample").c_str());
+    std::printf("%s: %s\n", output.value().c_str(),
+                counted(session.source->rows(), "sample").c_str());
   }
   return 0;
 }
 
 }  // namespace
 
-Command replay_command() {
-  Command command;
-  command.name = "replay";
-  command.positionals = "MODEL|HEADER RUN";
-  command.least_positionals = command.most_positionals = 2;
-  command.summary = "the firmware's own code here, byte for byte what the board sends";
-  command.example = "fogcomp replay fog_model.h run.csv -o out.bin";
-  command.options = {{"o", "OUT", "output stream to write", ""},
-                     {"json", "", "one JSON object on stdout", ""}};
-  for (Option& option : board_options()) command.options.push_back(std::move(option));
-  add_recording_options(command);
-  command.options.push_back({kAllowError,
-                             "",
-                             "replay a model even if its integers are too far off",
-                             "",
-                             false,
-                             {},
-                             true});
-  command.needs = {{"o"}};
-  command.run = run_replay;
-  return command;
+CommandPointer replay_command() {
+  return std::make_unique<ReplayCommand>();
 }
 
-Command stream_command() {
-  Command command;
-  command.name = "stream";
-  command.positionals = "MODEL|HEADER RUN";
-  command.least_positionals = command.most_positionals = 2;
-  command.summary = "the sensor stream in which a board would see a recording";
-  command.example = "fogcomp stream fog_model.h run.csv -o in.bin";
-  command.options = {{"o", "OUT", "sensor stream to write", ""}};
-  add_recording_options(command);
-  command.needs = {{"o"}};
-  command.run = run_stream;
-  return command;
+CommandPointer stream_command() {
+  return std::make_unique<StreamCommand>();
 }
 
 }  // namespace fogcomp::cli

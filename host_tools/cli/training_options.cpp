@@ -5,9 +5,8 @@
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
-namespace {
 
-std::string trainer_help() {
+std::string TrainingOptions::trainer_summaries() {
   std::string text;
   for (const Trainer& trainer : trainers()) {
     text += (text.empty() ? "" : "; ") + std::string(trainer.name) + ": " + trainer.summary;
@@ -15,51 +14,17 @@ std::string trainer_help() {
   return text;
 }
 
-fog::Activation activation(const Arguments& arguments) {
-  return arguments.choice("activation") == "logsig" ? fog::Activation::logsig
-                                                    : fog::Activation::tansig;
-}
-
-}  // namespace
-
-std::vector<Option> training_options() {
-  std::vector<Option> options{
-      {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
-      {"trainer", "NAME", trainer_help(), "lm", false, trainer_names()},
-  };
-  for (Option& option : rarely({
-           {"seed", "N", "of all that training draws", "1"},
-           {"activation",
-            "NAME",
-            "of the hidden neurons: logsig or tansig",
-            "logsig",
-            false,
-            {"logsig", "tansig"}},
-           {"epochs", "N", "of traingdx, pso-bp and ga-bp; steps of lm, at most 200", "5000"},
-           {"goal", "MSE", "training ends at this mean square of the normalised target (not lm)",
-            "0"},
-           {"learning-rate", "R", "of the gradient trainers at their start", "0.05"},
-           {"particles", "N", "of pso-bp; population of ga-bp", "20"},
-           {"iterations", "N", "of the swarm or the population, before backpropagation", "300"},
-           {"force-network", "", "keep the network even if it does not help out of sample", ""},
-       })) {
-    options.push_back(std::move(option));
-  }
-  return options;
-}
-
-NetworkSettings network_settings(const Arguments& arguments) {
+NetworkSettings TrainingOptions::value() const {
   NetworkSettings settings;
-  settings.hidden = static_cast<int>(arguments.integer("network", 0, kMostTrainedHidden));
-  settings.hidden_activation = activation(arguments);
-  settings.trainer = arguments.choice("trainer");
-  TrainerSettings& training = settings.training;
-  training.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, 1LL << 53));
-  training.epochs = static_cast<int>(arguments.integer("epochs", 1, 1'000'000));
-  training.goal = arguments.number("goal", 0, 1);
-  training.learning_rate = arguments.number("learning-rate", 1e-6, 10);
-  training.particles = static_cast<int>(arguments.integer("particles", 3, 1000));
-  training.iterations = static_cast<int>(arguments.integer("iterations", 0, 100'000));
+  settings.hidden = network.value();
+  settings.hidden_activation = activation.value();
+  settings.trainer = trainer.value();
+  settings.training.seed = seed.value();
+  settings.training.epochs = epochs.value();
+  settings.training.goal = goal.value();
+  settings.training.learning_rate = learning_rate.value();
+  settings.training.particles = particles.value();
+  settings.training.iterations = iterations.value();
   return settings;
 }
 
