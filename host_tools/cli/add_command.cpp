@@ -8,16 +8,16 @@
 #include "cli/report_option.hpp"
 #include "cli/term_json.hpp"
 #include "cli/training_options.hpp"
+#include "cli/watch.hpp"
 #include "compare/comparison.hpp"
-#include "fit/add_effect.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "report/add_report.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
-#include "support/progress.hpp"
 #include "support/text.hpp"
+#include "workflow/add.hpp"
 
 namespace fogcomp::cli {
 namespace {
@@ -141,46 +141,33 @@ struct AddCommand : Command {
   int run() const override;
 
  private:
-  // What to add, and where the runs begin among the words.
-  struct Wanted {
-    EffectChange change;
-    std::ptrdiff_t first_run = 0;
-  };
-  Wanted wanted(const Model& model) const;
+  workflow::AddRequest request() const;
 };
 
-AddCommand::Wanted AddCommand::wanted(const Model& model) const {
+workflow::AddRequest AddCommand::request() const {
+  workflow::AddRequest request;
+  request.model = arguments[0];
   const std::string& word = arguments[1];
-  if (!expression.given()) return {change_effect(model.terms, word), 2};
-  const std::string name = word.substr(0, word.find(':'));
-  if (std::find(words.begin(), words.end(), name) != words.end()) {
+  const std::ptrdiff_t first_run = expression.given() ? 1 : 2;
+  if (!expression.given()) {
+    request.effect = word;
+  } else if (std::find(words.begin(), words.end(), word.substr(0, word.find(':'))) != words.end()) {
     throw InputError("--effect-expr",
                      "is one effect and '" + word + "' another; add them one after the other");
   }
-  return {change_expression(model.terms, expression.value()), 1};
+  request.expression = expression.find();
+  request.runs = {arguments.begin() + first_run, arguments.end()};
+  request.hold_outs = holdouts.value();
+  request.reading = recording.value();
+  request.run_offsets = run_offsets.given();
+  request.seed = seed.value();
+  return request;
 }
 
 int AddCommand::run() const {
   OutputFile model_file(output.required());
   ReportFile page(report);
-  AddSettings settings;
-  settings.run_offsets = run_offsets.given();
-  settings.seed = seed.value();
-  const Model model = load_model(arguments[0]);
-  const auto [change, first_run] = wanted(model);
-  ReadOptions reading = recording.value();
-  reading.model_scale_factor = model.scale_factor;
-  const TrainingRuns training = read_training_runs({arguments.begin() + first_run, arguments.end()},
-                                                   reading, model.average_s);
-  const Holdouts judges = read_holdouts(holdouts.value(), reading, model.average_s, training.runs);
-  print_notes(training.notes);
-  print_notes(judges.notes);
-  Addition addition;
-  {
-    Progress progress("training");
-    settings.progress = [&](double done) { progress.update(done); };
-    addition = add_effect(model, change, training, judges.runs, settings);
-  }
+  const Addition addition = workflow::add(request(), Watch().observer());
   const bool written = addition.accepted || force.given();
   if (written) model_file.write(model_text(addition.model));
   if (page.wanted()) {

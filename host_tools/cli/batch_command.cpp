@@ -34,6 +34,7 @@ constexpr const char* kTables[] = {"/gyros.csv", "/index.html"};  // in the fold
 
 struct Batch {
   const CalibrationOptions& options;
+  workflow::CalibrationRequest request;
   bool reports;  // a page for every gyro
   std::string input;
   std::string output;
@@ -73,7 +74,7 @@ bool is_done(const Batch& batch, const GyroFolder& gyro) {
   if (lacks_page) return false;
   const auto result = batch::load_result(gyro.name, folder);
   return result && result->error.empty() && batch::outputs_are_whole(*result, folder) &&
-         result->fingerprint == fingerprint_of(gyro, batch.options);
+         result->fingerprint == batch.options.fingerprint_of(gyro);
 }
 
 // In the process of its own. Nothing of an earlier run stays.
@@ -93,8 +94,8 @@ void calibrate_alone(const Batch& batch, const GyroFolder& gyro) {
       throw InputError(batch.input + "/" + gyro.name,
                        "has no recording to fit to; --runs and --holdouts say what is one");
     }
-    const std::string fingerprint = fingerprint_of(gyro, batch.options);
-    result = calibrate(gyro, batch.options, folder, batch.reports);
+    const std::string fingerprint = batch.options.fingerprint_of(gyro);
+    result = calibrate(gyro, batch.request, folder, batch.reports);
     result.fingerprint = fingerprint;
   } catch (const std::bad_alloc&) {
     result.error = "out of memory; use fewer --jobs";
@@ -123,26 +124,31 @@ void record_death(const Batch& batch, const GyroFolder& gyro, const std::string&
   }
 }
 
-Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
-  Work work;
+// Notes in `work` which gyros are done already; returns the others.
+std::vector<GyroFolder> find_work(const Batch& batch, Work& work) {
+  Progress progress("looking at recordings");
   std::vector<GyroFolder> to_do;
-  {
-    Progress progress("looking at recordings");
-    for (std::size_t i = 0; i < batch.gyros.size(); ++i) {
-      bool done = false;
-      try {
-        done = is_done(batch, batch.gyros[i]);
-      } catch (const InputError&) {  // its own process will say so
-      }
-      if (done) {
-        work.current.insert(batch.gyros[i].name);
-      } else {
-        to_do.push_back(batch.gyros[i]);
-      }
-      progress.update(static_cast<double>(i + 1) / static_cast<double>(batch.gyros.size()));
+  for (std::size_t i = 0; i < batch.gyros.size(); ++i) {
+    const GyroFolder& gyro = batch.gyros[i];
+    bool done = false;
+    try {
+      done = is_done(batch, gyro);
+    } catch (const InputError&) {  // its own process will say so
     }
+    if (done) {
+      work.current.insert(gyro.name);
+    } else {
+      to_do.push_back(gyro);
+    }
+    progress.update(static_cast<double>(i + 1) / static_cast<double>(batch.gyros.size()));
   }
   work.already = work.current.size();
+  return to_do;
+}
+
+Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
+  Work work;
+  const std::vector<GyroFolder> to_do = find_work(batch, work);
   Progress progress("calibrating");
   batch::PoolEvents events;
   events.ended = [&](std::size_t job, const std::string& death) {
@@ -255,7 +261,7 @@ struct BatchCommand : Command {
 
  private:
   batch::PoolSettings pool() const;
-  std::vector<batch::Limit> read_limits() const;
+  std::vector<batch::Limit> read_limits(const workflow::FitRequest& request) const;
 };
 
 batch::PoolSettings BatchCommand::pool() const {
@@ -265,20 +271,20 @@ batch::PoolSettings BatchCommand::pool() const {
   return settings;
 }
 
-std::vector<batch::Limit> BatchCommand::read_limits() const {
-  const std::vector<std::string> figures = figure_names(calibration.fit);
+std::vector<batch::Limit> BatchCommand::read_limits(const workflow::FitRequest& request) const {
+  const std::vector<std::string> figures = workflow::figure_names(request);
   if (!limits.given()) return {};
   return batch::parse_limits(read_file(limits.value()), limits.value(), figures);
 }
 
 int BatchCommand::run() const {
   const std::string& input = arguments[0];
-  Batch batch{calibration, reports.given(), input, output.required(), {}};
+  Batch batch{calibration, {}, reports.given(), input, output.required(), {}};
   require_apart(input, batch.output);
   for (const char* name : kTables) check_output(*this, batch.output + name);
   const batch::PoolSettings settings = pool();
-  check_calibration_options(calibration);
-  const std::vector<batch::Limit> kept = read_limits();
+  batch.request = calibration.request();
+  const std::vector<batch::Limit> kept = read_limits(batch.request.fit);
   batch.gyros = batch::find_gyros(input, {runs.value(), holdouts.value()});
   if (part.given()) batch.gyros = shard(part.value(), batch.gyros);
   make_folder(batch.output);

@@ -7,10 +7,9 @@
 #include "cli/compare_text.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
-#include "model/model_file.hpp"
-#include "recording/data_hash.hpp"
+#include "cli/watch.hpp"
 #include "report/compare_report.hpp"
-#include "support/input_error.hpp"
+#include "workflow/compare.hpp"
 
 namespace fogcomp::cli {
 namespace {
@@ -36,46 +35,18 @@ struct CompareCommand : Command {
     further_models = &models;
   }
   int run() const override;
-
- private:
-  std::vector<ModelOnRuns> load_models() const;
 };
-
-std::vector<ModelOnRuns> CompareCommand::load_models() const {
-  std::vector<std::string> files{arguments[0]};
-  for (const std::string& file : models.value()) files.push_back(file);
-  const bool physics_alone = !network.value();
-  std::vector<ModelOnRuns> loaded;
-  for (const std::string& file : files) {
-    loaded.push_back({file, load_model(file), {}});
-    Model& model = loaded.back().model;
-    if (physics_alone) model.network = RealNetwork();
-    if (!recording.scale_factor.given() && model.scale_factor != loaded[0].model.scale_factor) {
-      throw InputError(file, "has another scale factor than " + files[0] + "; give --scale-factor");
-    }
-  }
-  return loaded;
-}
 
 int CompareCommand::run() const {
   ReportFile page(report);
-  std::vector<ModelOnRuns> judged = load_models();
-  // All models are judged in the same rows.
-  const double row_s = average.find().value_or(judged[0].model.average_s);
-  ReadOptions options = recording.value();
-  options.model_scale_factor = judged[0].model.scale_factor;
-  KnownRows known;
-  for (std::size_t i = 1; i < arguments.size(); ++i) {
-    const RunInBlocks run = run_in_blocks(read_recording(arguments[i], options), row_s);
-    const std::string same = known.file_with(run.rows_hash);
-    if (!same.empty()) {
-      print_notes({same_rows_words(run.file, same)});
-      continue;
-    }
-    known.add(run.rows_hash, run.file);
-    print_notes(run.notes);
-    for (ModelOnRuns& model : judged) model.runs.push_back(try_model(model.model, run));
-  }
+  workflow::CompareRequest request;
+  request.models = models.value();
+  request.models.insert(request.models.begin(), arguments[0]);
+  request.physics_alone = !network.value();
+  request.average_s = average.find();
+  request.reading = recording.value();
+  request.runs = {arguments.begin() + 1, arguments.end()};
+  const std::vector<ModelOnRuns> judged = workflow::compare(request, Watch().observer());
   if (page.wanted()) page.write(report::compare_report(judged));
   if (json.given()) {
     std::puts(compare_json(judged).text().c_str());

@@ -7,12 +7,10 @@
 #include "cli/diagnosis_text.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
-#include "model/effect_list.hpp"
-#include "model/model_file.hpp"
-#include "recording/data_hash.hpp"
+#include "cli/watch.hpp"
 #include "report/diagnose_report.hpp"
-#include "support/progress.hpp"
 #include "support/text.hpp"
+#include "workflow/diagnose.hpp"
 
 namespace fogcomp::cli {
 namespace {
@@ -41,62 +39,38 @@ struct DiagnoseCommand : Command {
   int run() const override;
 
  private:
-  std::vector<EffectTerm> offered(const Model& model) const;
+  workflow::DiagnoseRequest request() const;
 };
 
-// Expressions that are to compete with the catalogue.
-std::vector<EffectTerm> DiagnoseCommand::offered(const Model& model) const {
-  std::vector<EffectTerm> terms = model.terms;
-  for (const std::string& definition : expressions.value()) add_expression(terms, definition);
-  return {terms.begin() + static_cast<std::ptrdiff_t>(model.terms.size()), terms.end()};
+workflow::DiagnoseRequest DiagnoseCommand::request() const {
+  workflow::DiagnoseRequest request;
+  request.model = arguments[0];
+  request.average_s = average.find();
+  request.max_effects = max_effects.value();
+  request.seed = seed.value();
+  request.reading = recording.value();
+  request.expressions = expressions.value();
+  request.runs = {arguments.begin() + 1, arguments.end()};
+  request.at_rest = at_rest.find();
+  return request;
 }
 
 int DiagnoseCommand::run() const {
-  const std::vector<std::string>& files = arguments;
   ReportFile page(report);
-  Model model = load_model(files[0]);
-  model.average_s = average.find().value_or(model.average_s);
-  const int most_effects = max_effects.value();
-  DiagnosisSettings settings;
-  settings.seed = seed.value();
-  ReadOptions options = recording.value();
-  options.model_scale_factor = model.scale_factor;
-  DiagnosisData data(model, offered(model));
-  std::string runs;
-  BoardError as_given;
-  std::vector<std::string> notes;
-  for (std::size_t i = 1; i < files.size(); ++i) {
-    const RunInBlocks run = run_in_blocks(read_recording(files[i], options), model.average_s);
-    const std::string same = data.add(run);
-    if (!same.empty()) {
-      print_notes({same_rows_words(files[i], same)});
-      continue;
-    }
-    notes.insert(notes.end(), run.notes.begin(), run.notes.end());
-    as_given.add(board_error(model, run, compare_with(model, run)));
-    runs += (runs.empty() ? "" : " ") + files[i];
-  }
-  if (at_rest.given()) {
-    settings.noise = noise_of_static(model, read_recording(at_rest.value(), options), data);
-  }
-  Ladder ladder;
-  {
-    Progress progress("diagnosing");
-    settings.progress = [&](double done) { progress.update(done); };
-    ladder = walk_ladder(model, data, most_effects, settings);
-  }
-  print_notes(notes);
-  ladder.first.as_given = as_given;
+  const workflow::DiagnoseOutcome found = workflow::diagnose(request(), Watch().observer());
+  const bool loop_wanted = max_effects.value() > 0;
   if (page.wanted()) {
-    page.write(report::diagnose_report(ladder, most_effects > 0, data, files));
+    page.write(report::diagnose_report(found.ladder, loop_wanted, found.data, arguments));
   }
   if (json.given()) {
-    const Json object = most_effects > 0 ? ladder_json(ladder) : diagnosis_json(ladder.first);
+    const Json object =
+        loop_wanted ? ladder_json(found.ladder) : diagnosis_json(found.ladder.first);
     std::puts(object.text().c_str());
     return 0;
   }
-  std::fputs(diagnosis_text(ladder.first, files[0], runs).c_str(), stdout);
-  if (most_effects > 0) std::fputs(ladder_text(ladder).c_str(), stdout);
+  const std::string runs = join(found.runs, " ");
+  std::fputs(diagnosis_text(found.ladder.first, arguments[0], runs).c_str(), stdout);
+  if (loop_wanted) std::fputs(ladder_text(found.ladder).c_str(), stdout);
   return 0;
 }
 

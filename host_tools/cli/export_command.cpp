@@ -2,30 +2,20 @@
 
 #include <cstdio>
 
-#include "cli/board_header.hpp"
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
-#include "model/catalogue.hpp"
-#include "model/model_file.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
+#include "workflow/export_header.hpp"
 
 namespace fogcomp::cli {
 namespace {
 
-// What the board does without, a sentence each.
-std::vector<std::string> left_out(const Model& model) {
-  std::vector<std::string> notes;
-  for (const EffectTerm& term : model.terms) {
-    const char* reason = info_of(term).host_only;
-    if (reason != nullptr) notes.push_back(term.name + " is left out: " + reason);
-  }
-  return notes;
-}
+using workflow::ExportOutcome;
 
-void print_json(const Model& model, const BoardHeader& header, const std::string& output) {
-  const QuantizationError& error = header.error;
+void print_json(const ExportOutcome& header, const std::string& output) {
+  const QuantizationError& error = header.quantization;
   const NetworkError& network = header.network;
   Json result = Json::object();
   result.set("header", output).set("words", header.words);
@@ -37,14 +27,14 @@ void print_json(const Model& model, const BoardHeader& header, const std::string
         .set("worst_dph", expression.worst_dph);
   });
   result.set("expressions", std::move(expressions));
-  Json notes = left_out(model);
+  Json notes = header.notes;
   result.set("notes", std::move(notes));
   result.set("network_error_dph", network.worst_dph).set("network_points", network.points);
   std::puts(result.text().c_str());
 }
 
-void print_text(const Model& model, const BoardHeader& header, const std::string& output) {
-  const QuantizationError& error = header.error;
+void print_text(const ExportOutcome& header, const std::string& output) {
+  const QuantizationError& error = header.quantization;
   const NetworkError& network = header.network;
   std::printf("%s: %s; integers against double: at most %.5f deg/h over %s (limit %.5f)\n",
               output.c_str(), counted(header.words, "word").c_str(), error.worst_dph,
@@ -53,7 +43,7 @@ void print_text(const Model& model, const BoardHeader& header, const std::string
     std::printf("  %s: at most %.2g deg/h from double there, %.2g by its bound\n",
                 expression.name.c_str(), expression.worst_dph, expression.bound_dph);
   }
-  for (const std::string& note : left_out(model)) std::printf("note: %s\n", note.c_str());
+  for (const std::string& note : header.notes) std::printf("note: %s\n", note.c_str());
   if (network.points > 0) {
     std::printf("network alone: at most %.5f deg/h over %zu points of its inputs' whole range\n",
                 network.worst_dph, network.points);
@@ -74,14 +64,13 @@ struct ExportCommand : Command {
   }
   int run() const override {
     output.required();
-    const Model model = load_model(arguments[0]);
-    const BoardHeader header =
-        board_header(model, arguments[0], board.value(), allow_error.given());
-    write_file(output.value(), header.text);
+    const ExportOutcome exported =
+        workflow::export_header({arguments[0], board.value(), allow_error.given()});
+    write_file(output.value(), exported.header);
     if (json.given()) {
-      print_json(model, header, output.value());
+      print_json(exported, output.value());
     } else {
-      print_text(model, header, output.value());
+      print_text(exported, output.value());
     }
     return 0;
   }

@@ -7,12 +7,9 @@
 #include "cli/info_text.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
-#include "compare/run_summary.hpp"
-#include "recording/recording.hpp"
 #include "report/info_report.hpp"
-#include "support/input_error.hpp"
 #include "support/json.hpp"
-#include "support/text.hpp"
+#include "workflow/info.hpp"
 
 namespace fogcomp::cli {
 namespace {
@@ -128,16 +125,9 @@ struct InfoCommand : Command {
 };
 
 int InfoCommand::run() const {
-  const double block_s = average.value();
+  const workflow::InfoRequest request{arguments.front(), recording.value(), average.find()};
   ReportFile page(report);
-  const Recording run = read_recording(arguments.front(), recording.value());
-  const double length_s = static_cast<double>(run.rows()) * run.period_s;
-  if (average.given() && 2 * block_s > length_s) {
-    throw InputError(run.file,
-                     format("lasts %g s, too short for means of %g s; give a shorter --average",
-                            length_s, block_s));
-  }
-  const RunSummary summary = summarize(run, block_s);
+  const auto [run, summary] = workflow::info(request);
   if (page.wanted()) page.write(report::info_report(run, summary));
   if (json.given()) {
     std::puts(info_json(run, summary).text().c_str());

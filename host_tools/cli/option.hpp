@@ -89,6 +89,8 @@ class Text : public Option {
  public:
   using Option::Option;
   const std::string& value() const { return text(); }
+  /// Nothing where it was not given.
+  std::optional<std::string> find() const { return given() ? std::optional(text()) : std::nullopt; }
   /// The value, which must be there.
   const std::string& required() const;
 };
@@ -140,6 +142,8 @@ class Choice : public Option {
     for (const auto& [word, meaning] : meanings_) words.push_back(word);
   }
   T value() const { return meanings_[chosen_word()].second; }
+  /// Nothing where it was not given.
+  std::optional<T> find() const { return given() ? std::optional<T>(value()) : std::nullopt; }
 
  private:
   Meanings meanings_;

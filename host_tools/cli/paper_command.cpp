@@ -1,28 +1,19 @@
 // fogcomp paper: the reference paper's pipeline on simulated gyros, its tables beside ours.
 
-#include <algorithm>
 #include <cstdio>
-#include <iterator>
 
 #include "cli/arguments.hpp"
 #include "cli/paper_text.hpp"
 #include "cli/report_option.hpp"
+#include "cli/watch.hpp"
 #include "report/paper_report.hpp"
-#include "research/comparator.hpp"
 #include "research/figures.hpp"
-#include "support/input_error.hpp"
 #include "support/output_file.hpp"
-#include "support/progress.hpp"
 #include "support/text.hpp"
+#include "workflow/paper.hpp"
 
 namespace fogcomp::cli {
 namespace {
-
-std::vector<std::string> model_names() {
-  std::vector<std::string> names;
-  for (const ComparatorEntry& entry : comparators()) names.emplace_back(entry.name);
-  return names;
-}
 
 struct PaperCommand : Command {
   Integer<std::size_t> gyros{
@@ -33,8 +24,8 @@ struct PaperCommand : Command {
   Text figures{this,
                {"figures", "OUT", "writes the data of figures 1, 3, 4, 8, 9, 10 there, as CSV"}};
   Text models{this,
-              {"models", "LIST", "all, or some of " + join(model_names(), ", "), "all"},
-              model_names()};
+              {"models", "LIST", "all, or some of " + join(workflow::study_models(), ", "), "all"},
+              workflow::study_models()};
   Integer<int> epochs{this, {"epochs", "N", "of backpropagation", "5000"}, 1, 1'000'000};
   Integer<int> iterations{
       this,
@@ -50,42 +41,19 @@ struct PaperCommand : Command {
       : Command("paper", {}, "the reference paper's pipeline on simulated gyros, tables compared",
                 "fogcomp paper --gyros 10 --figures figures") {}
   int run() const override;
-
- private:
-  std::vector<std::string> chosen_models() const;
 };
 
-// bp and pso-bp are always there: the paper's tables are about them.
-std::vector<std::string> PaperCommand::chosen_models() const {
-  const std::vector<std::string> names = model_names();
-  if (models.value() == "all") return names;
-  std::vector<std::string> wanted = split(models.value(), ',');
-  for (const std::string& name : wanted) find_comparator(name);
-  wanted.insert(wanted.end(), {"bp", "pso-bp"});
-  std::vector<std::string> chosen;
-  std::copy_if(names.begin(), names.end(), std::back_inserter(chosen), [&](const auto& name) {
-    return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
-  });
-  return chosen;
-}
-
 int PaperCommand::run() const {
-  StudySettings settings;
-  settings.seed = seed.value();
-  settings.epochs = epochs.value();
-  settings.iterations = iterations.value();
-  settings.models = chosen_models();
-  const std::size_t count = gyros.value();
+  workflow::PaperRequest request;
+  request.study = {seed.value(), epochs.value(), iterations.value(),
+                   workflow::study_models(models.value())};
+  request.gyros = gyros.value();
   if (figures.given()) {  // before the study, which takes long
     make_folder(figures.value());
     for (const int figure : kFigures) check_output(*this, figure_path(figures.value(), figure));
   }
   ReportFile page(report);
-  std::vector<Study> studies;
-  {
-    Progress progress("fitting");
-    studies = study_gyros(settings, count, [&](double done) { progress.update(done); });
-  }
+  const std::vector<Study> studies = workflow::paper(request, Watch().observer());
   if (figures.given()) write_figures(studies.front(), figures.value());
   if (page.wanted()) page.write(report::paper_report(studies));
   if (json.given()) {

@@ -1,7 +1,6 @@
 #include "cli/recording_options.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "support/input_error.hpp"
 #include "support/units.hpp"
@@ -29,10 +28,6 @@ ReadOptions RecordingOptions::value() const {
   options.default_input_rate_dph = earth_rate_dph();
   options.stream_rate_hz = rate.find();
   return options;
-}
-
-void print_notes(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) std::fprintf(stderr, "note: %s\n", note.c_str());
 }
 
 }  // namespace fogcomp::cli

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "cli/option.hpp"
 #include "recording/recording.hpp"
 
@@ -32,8 +29,5 @@ struct RecordingOptions : OptionGroup {
  private:
   double earth_rate_dph() const;
 };
-
-/// Prints notes on what was read, a line each, on stderr.
-void print_notes(const std::vector<std::string>& notes);
 
 }  // namespace fogcomp::cli

@@ -1,48 +1,21 @@
 // fogcomp replay: the firmware's own code on this computer.
 
-#include <cmath>
 #include <cstdio>
-#include <memory>
 
-#include "board/board_source.hpp"
-#include "board/replay.hpp"
-#include "board/stream_source.hpp"
-#include "cli/board_header.hpp"
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
 #include "cli/recording_options.hpp"
-#include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
+#include "workflow/replay.hpp"
 
 namespace fogcomp::cli {
 namespace {
 
-// A header knows its sample rate; a recording at another one would be replayed with wrong time.
-void check_rate(const fog::ModelParameters& parameters, double period_s, const std::string& run) {
-  const double board_s = parameters.acquisition.sample_period_us * 1e-6;
-  constexpr double kTolerance = 0.01;
-  if (period_s > 0 && std::abs(period_s / board_s - 1) > kTolerance) {
-    throw InputError(run, format("is sampled at %.6g Hz but the header is for %.6g Hz; export it "
-                                 "with --sample-rate %.6g",
-                                 1 / period_s, 1 / board_s, 1 / period_s));
-  }
+ByteSink to(OutputFile& file) {
+  return [&file](fog::Span<const std::uint8_t> bytes) { file.write(bytes.data, bytes.size); };
 }
-
-// What `replay` and `stream` share: the weights, the recording, and the rate that joins them.
-struct Session {
-  Session(const Command& command, const RecordingOptions& recording)
-      : run(command.arguments[1]), board(command.arguments[0]) {
-    ReadOptions options = recording.value();
-    options.model_scale_factor = board.scale_factor();
-    source = std::make_unique<StreamSource>(run, options, board.scale_factor(), board.needs());
-  }
-
-  std::string run;
-  BoardSource board;
-  std::unique_ptr<StreamSource> source;
-};
 
 struct ReplayCommand : Command {
   Text output{this, {"o", "OUT", "output stream to write"}};
@@ -81,33 +54,17 @@ void ReplayCommand::print(const ReplaySummary& summary) const {
 }
 
 int ReplayCommand::run() const {
-  output.required();
-  Session session(*this, recording);
-  const StreamSource& source = *session.source;
-  BoardSettings settings = board.value();
-  if (!board.sample_rate.given() && !source.is_capture() && source.period_s() > 0) {
-    settings.sample_rate_hz = 1 / source.period_s();
-  }
-  const BoardTable& table = session.board.table(settings);
-  const std::string& weights = arguments[0];
-  const fog::ModelParameters parameters = read_board_table(table, weights);
-  // What export would refuse: no board will ever send it.
-  if (const Model* model = session.board.model()) {
-    verify_board(*model, parameters, weights, allow_error.given());
-  }
-  if (!source.is_capture()) check_rate(parameters, source.period_s(), session.run);
-
-  OutputFile file(output.value());
-  Replay replay(parameters);
-  source.send([&](fog::Span<const std::uint8_t> bytes) {
-    const fog::Span<const std::uint8_t> frames = replay.feed(bytes);
-    file.write(frames.data, frames.size);
-  });
-  if (replay.summary().frames == 0) {
-    throw InputError(session.run, "holds no good frame; is it a capture of the sensor stream?");
-  }
+  OutputFile file(output.required());
+  workflow::ReplayRequest request;
+  request.weights = arguments[0];
+  request.run = arguments[1];
+  request.reading = recording.value();
+  request.board = board.value();
+  request.rate_of_recording = !board.sample_rate.given();
+  request.allow_error = allow_error.given();
+  const ReplaySummary seen = workflow::replay(request, to(file));
   file.commit();
-  print(replay.summary());
+  print(seen);
   return 0;
 }
 
@@ -125,15 +82,12 @@ struct StreamCommand : Command {
 };
 
 int StreamCommand::run() const {
-  output.required();
-  const Session session(*this, recording);
-  OutputFile file(output.value());
-  session.source->send(
-      [&](fog::Span<const std::uint8_t> bytes) { file.write(bytes.data, bytes.size); });
+  OutputFile file(output.required());
+  const std::optional<std::size_t> samples =
+      workflow::stream({arguments[0], arguments[1], recording.value()}, to(file));
   file.commit();
-  if (!session.source->is_capture()) {
-    std::printf("%s: %s\n", output.value().c_str(),
-                counted(session.source->rows(), "sample").c_str());
+  if (samples) {
+    std::printf("%s: %s\n", output.value().c_str(), counted(*samples, "sample").c_str());
   }
   return 0;
 }

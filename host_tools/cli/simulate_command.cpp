@@ -1,35 +1,22 @@
-#include <algorithm>
-#include <array>
 #include <cstdio>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/command.hpp"
 #include "cli/simulate_list.hpp"
-#include "recording/columns.hpp"
+#include "cli/watch.hpp"
 #include "recording/recording_writer.hpp"
 #include "simulation/embedded_files.hpp"
-#include "simulation/profile_parser.hpp"
-#include "simulation/simulation.hpp"
 #include "simulation/truth_writer.hpp"
-#include "support/input_error.hpp"
 #include "support/json.hpp"
-#include "support/progress.hpp"
 #include "support/text.hpp"
+#include "workflow/simulate.hpp"
 
 namespace fogcomp::cli {
 namespace {
 
 using namespace simulation;
-
-// What the recording can hold beside time, temperature and rate, as --columns names it.
-constexpr auto kExtraInputs = [] {
-  constexpr auto kFirst = static_cast<std::size_t>(fog::Input::input_rate);
-  std::array<fog::Input, fog::kInputs - kFirst> inputs{};
-  for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = static_cast<fog::Input>(kFirst + i);
-  return inputs;
-}();
 
 std::vector<std::string> names_of(const std::vector<EmbeddedFile>& files) {
   std::vector<std::string> names;
@@ -39,24 +26,6 @@ std::vector<std::string> names_of(const std::vector<EmbeddedFile>& files) {
 
 // In the order of simulation::Axis.
 const std::vector<std::string> kAxes{"up", "down", "north", "south", "east", "west"};
-
-// The whole run, chunk by chunk. Returns the rows written.
-std::size_t write_run(Simulation& simulation, RecordingWriter& recording, TruthWriter* truth,
-                      const std::vector<Column>& columns) {
-  Progress progress("simulating");
-  RowChunk chunk;
-  std::size_t rows = 0;
-  while (simulation.next(chunk)) {
-    std::vector<const double*> values;
-    for (const Column column : columns) values.push_back(chunk[column].data());
-    recording.append(values, chunk.rows());
-    if (truth != nullptr) truth->append(chunk);
-    rows += chunk.rows();
-    progress.update(static_cast<double>(simulation.rows_done()) /
-                    static_cast<double>(simulation.total_rows()));
-  }
-  return rows;
-}
 
 struct SimulateCommand : Command {
   Text output{this, {"o", "FILE", "recording to write"}};
@@ -99,52 +68,48 @@ struct SimulateCommand : Command {
   int run() const override;
 
  private:
-  GyroDescription gyro() const;
-  std::vector<Column> chosen_columns(bool has_input_rate) const;
+  workflow::SimulateRequest request() const;
+  std::size_t write(workflow::SimulatedChamber& chamber) const;
 };
 
-GyroDescription SimulateCommand::gyro() const {
-  GyroDescription gyro;
-  if (preset.value() != "none") {
-    apply_preset(gyro, find_text(preset.value(), ready_made_presets(), "preset"), preset.value());
-  }
-  for (const std::string& name : without.value()) gyro.remove("--without", name);
-  for (const std::string& option : effects.value()) {
-    apply_option(gyro, "--effect " + option, option);
-  }
-  for (const std::string& option : noise.value()) {
-    if (option == "none") {
-      gyro.set("--noise none", "noise",
-               {"white=0", "flicker=0", "random_walk=0", "ramp=0", "quantization=0", "outliers=0"});
-    } else {
-      apply_option(gyro, "--noise " + option, "noise:" + option);
-    }
-  }
-  return gyro;
+workflow::SimulateRequest SimulateCommand::request() const {
+  workflow::SimulateRequest request;
+  request.profile = profile.value();
+  request.preset = preset.value();
+  request.without = without.value();
+  request.effects = effects.value();
+  request.noise = noise.value();
+  request.options.rate_hz = rate.value();
+  request.options.seed = seed.value();
+  request.options.earth = {latitude.find(), axis.value()};
+  request.columns = columns.value();
+  request.format = file_format.value();
+  return request;
 }
 
-// The extra columns asked for, in the contract's order; the input rate also where there is one.
-std::vector<Column> SimulateCommand::chosen_columns(bool has_input_rate) const {
-  const std::vector<std::string> wanted = split(columns.value(), ',');
-  std::vector<std::string> names;
-  for (const fog::Input input : kExtraInputs) names.emplace_back(description_of(input).name);
-  for (const std::string& name : wanted) {
-    if (name != "all" && std::find(names.begin(), names.end(), name) == names.end()) {
-      throw InputError("--columns", "'" + name + "' is not one of " + join(names, ", ") + ", all" +
-                                        did_you_mean(name, names));
-    }
+// The whole run, chunk by chunk. Returns its rows.
+std::size_t SimulateCommand::write(workflow::SimulatedChamber& chamber) const {
+  RecordingWriter recording(output.value(), file_format.value(), chamber.columns(),
+                            kDefaultScaleFactor, rate.value());
+  std::optional<TruthWriter> truth;
+  if (!hide.value().empty()) {
+    truth.emplace(hide.value(),
+                  format("truth of a run of fogcomp simulate: profile %s, preset %s, seed %llu",
+                         profile.value().c_str(), preset.value().c_str(),
+                         static_cast<unsigned long long>(seed.value())),
+                  chamber.gyro(), chamber.simulation());
   }
-  const auto asked = [&](const std::string& name) {
-    return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+  const auto append = [&](const RowChunk& chunk) {
+    std::vector<const double*> values;
+    for (const Column column : chamber.columns()) values.push_back(chunk[column].data());
+    recording.append(values, chunk.rows());
+    if (truth) truth->append(chunk);
   };
-  std::vector<Column> chosen{Column::time_s, Column::temperature_degc, Column::rate_dph};
-  for (const fog::Input input : kExtraInputs) {
-    const bool natural = input == fog::Input::input_rate && has_input_rate;
-    if (asked("all") || asked(description_of(input).name) || natural) {
-      chosen.push_back(column_of(input));
-    }
-  }
-  return chosen;
+  const std::size_t rows = chamber.run(append, Watch().observer());
+  recording.flush();
+  if (truth) truth->commit();
+  recording.commit();
+  return rows;
 }
 
 int SimulateCommand::run() const {
@@ -153,56 +118,20 @@ int SimulateCommand::run() const {
     return 0;
   }
   output.required();
-  const GyroDescription simulated = gyro();
-  SimulationOptions options;
-  options.rate_hz = rate.value();
-  options.seed = seed.value();
-  options.earth = {latitude.find(), axis.value()};
-  const Programme programme = parse_profile(
-      find_text(profile.value(), ready_made_profiles(), "profile"), profile.value(), options.seed);
-  const bool stream = file_format.value() == RecordingFormat::sensor_stream;
-  const auto chosen =
-      chosen_columns(!stream && (options.earth.latitude_deg.has_value() || programme.sets_rate));
-  if (stream && std::find(chosen.begin(), chosen.end(), Column::input_rate_dph) != chosen.end()) {
-    throw InputError("--columns",
-                     "a sensor stream carries no input rate; name the others only, or use csv");
-  }
-
-  Simulation simulation(simulated, programme, options);
-  RecordingWriter recording(output.value(), file_format.value(), chosen, kDefaultScaleFactor,
-                            options.rate_hz);
-  std::unique_ptr<TruthWriter> truth;
-  if (!hide.value().empty()) {
-    truth = std::make_unique<TruthWriter>(
-        hide.value(),
-        format("truth of a run of fogcomp simulate: profile %s, preset %s, seed %llu",
-               profile.value().c_str(), preset.value().c_str(),
-               static_cast<unsigned long long>(options.seed)),
-        simulated, simulation);
-  }
-  const std::size_t rows = write_run(simulation, recording, truth.get(), chosen);
-  if (rows == 0) {
-    throw InputError(profile.value(),
-                     format("the programme lasts %g s, less than one row at %g Hz; "
-                            "raise --rate or make it longer",
-                            programme.duration_s(), options.rate_hz));
-  }
-  recording.flush();
-  if (truth) truth->commit();
-  recording.commit();
-
+  workflow::SimulatedChamber chamber(request());
+  const std::size_t rows = write(chamber);
   if (json.given()) {
-    Json summary = Json::object();
-    summary.set("file", output.value()).set("rows", rows).set("seconds", programme.duration_s());
-    if (truth) {
-      summary.set("truth", hide.value());
+    Json result = Json::object();
+    result.set("file", output.value()).set("rows", rows).set("seconds", chamber.duration_s());
+    if (hide.value().empty()) {
+      result.set("effects", chamber.simulation().effect_names());
     } else {
-      summary.set("effects", simulation.effect_names());
+      result.set("truth", hide.value());
     }
-    std::puts(summary.text().c_str());
+    std::puts(result.text().c_str());
   } else {
     std::printf("%s: %s, %.2f h at %g Hz\n", output.value().c_str(), counted(rows, "row").c_str(),
-                programme.duration_s() / 3600, options.rate_hz);
+                chamber.duration_s() / 3600, rate.value());
   }
   return 0;
 }

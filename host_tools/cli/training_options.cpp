@@ -1,9 +1,5 @@
 #include "cli/training_options.hpp"
 
-#include <cstdio>
-
-#include "support/text.hpp"
-
 namespace fogcomp::cli {
 
 std::string TrainingOptions::trainer_summaries() {
@@ -14,17 +10,14 @@ std::string TrainingOptions::trainer_summaries() {
   return text;
 }
 
-NetworkSettings TrainingOptions::value() const {
-  NetworkSettings settings;
-  settings.hidden = network.value();
-  settings.hidden_activation = activation.value();
-  settings.trainer = trainer.value();
-  settings.training.seed = seed.value();
-  settings.training.epochs = epochs.value();
-  settings.training.goal = goal.value();
-  settings.training.learning_rate = learning_rate.value();
-  settings.training.particles = particles.value();
-  settings.training.iterations = iterations.value();
+TrainerSettings TrainingOptions::value() const {
+  TrainerSettings settings;
+  settings.seed = seed.value();
+  settings.epochs = epochs.value();
+  settings.goal = goal.value();
+  settings.learning_rate = learning_rate.value();
+  settings.particles = particles.value();
+  settings.iterations = iterations.value();
   return settings;
 }
 
@@ -34,20 +27,6 @@ std::string network_verdict(const FitResult& fit) {
   const std::string figures = out_of_sample_words(judged);
   return judged.helps() ? "network: helps out of sample: " + figures
                         : "network: nothing left that it can learn: " + figures + ": none kept";
-}
-
-TrainingWatch::TrainingWatch(TrainerSettings& settings) : progress_("training") {
-  settings.go_on = [this](double done) {
-    if (!guard_) guard_.emplace();
-    progress_.update(done);
-    return !guard_->interrupted();
-  };
-}
-
-void TrainingWatch::report(const TrainerResult& result) const {
-  if (!result.interrupted) return;
-  std::fprintf(stderr, "interrupted: the best network of %s is kept\n",
-               counted(static_cast<std::size_t>(result.epochs), "epoch").c_str());
 }
 
 }  // namespace fogcomp::cli

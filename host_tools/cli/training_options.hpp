@@ -1,21 +1,16 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "cli/option.hpp"
 #include "fit/fit_model.hpp"
-#include "support/interrupt.hpp"
-#include "support/progress.hpp"
 
 namespace fogcomp::cli {
 
 /// --network, --trainer and what belongs to them.
 struct TrainingOptions : OptionGroup {
   using OptionGroup::OptionGroup;
-  /// `hidden` is 0 where no network is wanted.
-  NetworkSettings value() const;
+  TrainerSettings value() const;
 
   Integer<int> network{
       this, {"network", "N", "hidden neurons, 0 for none, at most 32", "0"}, 0, kMostTrainedHidden};
@@ -56,19 +51,5 @@ struct TrainingOptions : OptionGroup {
 
 /// Whether a network was judged worth keeping, in a line; "" where none was judged.
 std::string network_verdict(const FitResult& fit);
-
-/// While one lives, a training shows a progress bar, and Ctrl-C ends it with the best weights so
-/// far. Before the training, Ctrl-C ends the program as ever.
-class TrainingWatch {
- public:
-  /// `settings` is what the training will get.
-  explicit TrainingWatch(TrainerSettings& settings);
-  /// Says on stderr where the training was interrupted.
-  void report(const TrainerResult& result) const;
-
- private:
-  Progress progress_;
-  std::optional<InterruptGuard> guard_;
-};
 
 }  // namespace fogcomp::cli
