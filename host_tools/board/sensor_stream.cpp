@@ -22,7 +22,7 @@ std::int32_t rounded_to_int32(double value) {
 }  // namespace
 
 void make_sensor_stream(const Recording& recording, double scale_factor, fog::InputMask extension,
-                        const ByteSink& sink) {
+                        const TimedByteSink& sink) {
   Progress progress("sending " + recording.file);
   std::vector<std::uint8_t> piece;
   for (std::size_t row = 0; row < recording.rows(); ++row) {

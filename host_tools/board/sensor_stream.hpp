@@ -11,13 +11,14 @@
 namespace fogcomp {
 
 /// Bytes of a sensor stream, and when the sample that they hold came, if that is known.
-using ByteSink = std::function<void(fog::Span<const std::uint8_t>, fog::SampleTime)>;
+using TimedByteSink = std::function<void(fog::Span<const std::uint8_t>, fog::SampleTime)>;
+using ByteSink = std::function<void(fog::Span<const std::uint8_t>)>;
 
 /// The sensor stream in which the board would have seen a recording: counts by the scale factor,
 /// one frame per row, sequence numbers that leave out what a gap left out, and before each an
 /// extension record for every input in `extension`, whose columns the recording must have. Handed
 /// over row by row, with the time of each.
 void make_sensor_stream(const Recording& recording, double scale_factor, fog::InputMask extension,
-                        const ByteSink& sink);
+                        const TimedByteSink& sink);
 
 }  // namespace fogcomp

@@ -38,7 +38,7 @@ StreamSource::StreamSource(const std::string& path, const ReadOptions& options, 
   }
 }
 
-void StreamSource::send(const ByteSink& sink) const {
+void StreamSource::send(const TimedByteSink& sink) const {
   if (!capture_) {
     make_sensor_stream(recording_, scale_factor_, extension_, sink);
     return;

@@ -21,7 +21,7 @@ class StreamSource {
   double period_s() const { return recording_.period_s; }
   std::size_t rows() const { return recording_.rows(); }
 
-  void send(const ByteSink& sink) const;
+  void send(const TimedByteSink& sink) const;
 
  private:
   std::string path_;

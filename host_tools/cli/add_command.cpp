@@ -3,26 +3,24 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
 #include "cli/term_json.hpp"
 #include "cli/training_options.hpp"
+#include "cli/watch.hpp"
 #include "compare/comparison.hpp"
-#include "fit/add_effect.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "report/add_report.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
-#include "support/progress.hpp"
 #include "support/text.hpp"
+#include "workflow/add.hpp"
 
 namespace fogcomp::cli {
 namespace {
-
-constexpr const char* kExpression = "effect-expr";
 
 Json halves_json(const std::vector<HalfTest>& halves) {
   return json_array(halves, [&](const HalfTest& half) {
@@ -114,91 +112,81 @@ void print_text(const Addition& addition, bool written, const std::string& outpu
   }
 }
 
-// What to add, and where the runs begin among the words.
-struct Wanted {
-  EffectChange change;
-  std::ptrdiff_t first_run = 0;
+struct AddCommand : Command {
+  Text output{this, {"o", "MODEL", "model file to write"}};
+  Text expression{this,
+                  {"effect-expr", "EXPR",
+                   "a term of your own instead of EFFECT, e.g. 'burst = T*T*dTdt' or 'x = "
+                   "tanh(T/?w[2,30])'"}};
+  Texts holdouts{
+      this, {"holdout", "RUN", "a run to judge by instead of leaving parts out; may be repeated"}};
+  Flag force{this, "force", "keep the effect even if it does not help"};
+  Flag run_offsets{this, "run-offsets",
+                   "every recording has a bias of its own; the model keeps the first's"};
+  Integer<std::uint64_t> seed{
+      this, {"seed", "N", "of the network's first weights", "1"}, 0, INT64_MAX};
+  ReportOption report{this};
+  Flag json{this, "json", "one JSON object on stdout"};
+  RecordingOptions recording{this};
+
+  AddCommand()
+      : Command("add", {"MODEL {EFFECT[:k=v] | --effect-expr ...} RUN...", 3, kAnyNumber},
+                "adds an effect, refits all, keeps it if it helps out of sample",
+                "fogcomp add gyro.model thermal_lag run.csv -o better.model") {
+    stands_for_positional = &expression;
+    words = effect_names();
+    may_replace_first = true;
+    needs = {{&output}};
+  }
+  int run() const override;
+
+ private:
+  workflow::AddRequest request() const;
 };
 
-Wanted wanted(const Arguments& arguments, const Model& model) {
-  const std::string& word = arguments.positionals()[1];
-  if (!arguments.has(kExpression)) return {change_effect(model.terms, word), 2};
-  const std::vector<std::string> effects = effect_names();
-  const std::string name = word.substr(0, word.find(':'));
-  if (std::find(effects.begin(), effects.end(), name) != effects.end()) {
+workflow::AddRequest AddCommand::request() const {
+  workflow::AddRequest request;
+  request.model = arguments[0];
+  const std::string& word = arguments[1];
+  const std::ptrdiff_t first_run = expression.given() ? 1 : 2;
+  if (!expression.given()) {
+    request.effect = word;
+  } else if (std::find(words.begin(), words.end(), word.substr(0, word.find(':'))) != words.end()) {
     throw InputError("--effect-expr",
                      "is one effect and '" + word + "' another; add them one after the other");
   }
-  return {change_expression(model.terms, arguments.text(kExpression)), 1};
+  request.expression = expression.find();
+  request.runs = {arguments.begin() + first_run, arguments.end()};
+  request.hold_outs = holdouts.value();
+  request.reading = recording.value();
+  request.run_offsets = run_offsets.given();
+  request.seed = seed.value();
+  return request;
 }
 
-int run_add(const Arguments& arguments) {
-  const std::string output = arguments.required("o");
-  OutputFile model_file(output);
-  ReportFile page(arguments);
-  AddSettings settings;
-  settings.run_offsets = arguments.has("run-offsets");
-  settings.seed = static_cast<std::uint64_t>(arguments.integer("seed", 0, INT64_MAX));
-  const std::vector<std::string>& words = arguments.positionals();
-  const Model model = load_model(words[0]);
-  const auto [change, first_run] = wanted(arguments, model);
-  ReadOptions reading = read_options(arguments);
-  reading.model_scale_factor = model.scale_factor;
-  const TrainingRuns training =
-      read_training_runs({words.begin() + first_run, words.end()}, reading, model.average_s);
-  const Holdouts holdouts =
-      read_holdouts(arguments.all("holdout"), reading, model.average_s, training.runs);
-  print_notes(training.notes);
-  print_notes(holdouts.notes);
-  Addition addition;
-  {
-    Progress progress("training");
-    settings.progress = [&](double done) { progress.update(done); };
-    addition = add_effect(model, change, training, holdouts.runs, settings);
-  }
-  const bool written = addition.accepted || arguments.has("force");
+int AddCommand::run() const {
+  OutputFile model_file(output.required());
+  ReportFile page(report);
+  const Addition addition = workflow::add(request(), Watch().observer());
+  const bool written = addition.accepted || force.given();
   if (written) model_file.write(model_text(addition.model));
-  if (page.wanted()) page.fill(report::add_report(addition, words[0], written ? output : ""));
+  if (page.wanted()) {
+    page.fill(report::add_report(addition, arguments[0], written ? output.value() : ""));
+  }
   if (written) model_file.commit();
   page.commit();
-  if (arguments.has("json")) {
-    print_json(addition, written, output);
+  if (json.given()) {
+    print_json(addition, written, output.value());
   } else {
-    print_text(addition, written, output);
+    print_text(addition, written, output.value());
   }
   return written ? 0 : 1;
 }
 
 }  // namespace
 
-Command add_command() {
-  Command command;
-  command.name = "add";
-  command.positionals = "MODEL {EFFECT[:k=v] | --effect-expr ...} RUN...";
-  command.least_positionals = 3;
-  command.stands_for_positional = kExpression;
-  command.most_positionals = kAnyNumber;
-  command.summary = "adds an effect, refits all, keeps it if it helps out of sample";
-  command.example = "fogcomp add gyro.model thermal_lag run.csv -o better.model";
-  command.options = {
-      {"o", "MODEL", "model file to write", ""},
-      {kExpression, "EXPR",
-       "a term of your own instead of EFFECT, e.g. 'burst = T*T*dTdt' or 'x = tanh(T/?w[2,30])'",
-       ""},
-      {"holdout", "RUN", "a run to judge by instead of leaving parts out; may be repeated", "",
-       true},
-      {"force", "", "keep the effect even if it does not help", ""},
-      {"run-offsets", "", "every recording has a bias of its own; the model keeps the first's", ""},
-      {"seed", "N", "of the network's first weights", "1"},
-      report_option(),
-      {"json", "", "one JSON object on stdout", ""},
-  };
-  add_recording_options(command);
-  command.words = effect_names();
-  command.may_replace_first = true;
-  command.needs = {{"o"}};
-  command.run = run_add;
-  return command;
+CommandPointer add_command() {
+  return std::make_unique<AddCommand>();
 }
 
 }  // namespace fogcomp::cli

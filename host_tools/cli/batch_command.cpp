@@ -33,7 +33,9 @@ using batch::Outcome;
 constexpr const char* kTables[] = {"/gyros.csv", "/index.html"};  // in the folder of results
 
 struct Batch {
-  const Arguments& arguments;
+  const CalibrationOptions& options;
+  workflow::CalibrationRequest request;
+  bool reports;  // a page for every gyro
   std::string input;
   std::string output;
   std::vector<GyroFolder> gyros;  // of this shard
@@ -49,9 +51,7 @@ void require_apart(const std::string& input, const std::string& output) {
   throw InputError(output, "lies in " + input + "; name a folder beside it");
 }
 
-std::vector<GyroFolder> shard(const Arguments& arguments, const std::vector<GyroFolder>& gyros) {
-  if (!arguments.has("shard")) return gyros;
-  const std::string text = arguments.text("shard");
+std::vector<GyroFolder> shard(const std::string& text, const std::vector<GyroFolder>& gyros) {
   const std::vector<std::string> words = split(text, '/');
   const auto index = words.size() == 2 ? parse_number(words[0]) : std::nullopt;
   const auto count = words.size() == 2 ? parse_number(words[1]) : std::nullopt;
@@ -69,12 +69,12 @@ std::vector<GyroFolder> shard(const Arguments& arguments, const std::vector<Gyro
 // a full disk or a killed process says nothing about the gyro.
 bool is_done(const Batch& batch, const GyroFolder& gyro) {
   const std::string folder = batch.folder_of(gyro);
-  const bool lacks_page = batch.arguments.has("reports") && !gyro.holdouts.empty() &&
-                          !fs::exists(folder + "/report.html");
+  const bool lacks_page =
+      batch.reports && !gyro.holdouts.empty() && !fs::exists(folder + "/report.html");
   if (lacks_page) return false;
   const auto result = batch::load_result(gyro.name, folder);
   return result && result->error.empty() && batch::outputs_are_whole(*result, folder) &&
-         result->fingerprint == fingerprint_of(gyro, batch.arguments);
+         result->fingerprint == batch.options.fingerprint_of(gyro);
 }
 
 // In the process of its own. Nothing of an earlier run stays.
@@ -94,8 +94,8 @@ void calibrate_alone(const Batch& batch, const GyroFolder& gyro) {
       throw InputError(batch.input + "/" + gyro.name,
                        "has no recording to fit to; --runs and --holdouts say what is one");
     }
-    const std::string fingerprint = fingerprint_of(gyro, batch.arguments);
-    result = calibrate(gyro, batch.arguments, folder);
+    const std::string fingerprint = batch.options.fingerprint_of(gyro);
+    result = calibrate(gyro, batch.request, folder, batch.reports);
     result.fingerprint = fingerprint;
   } catch (const std::bad_alloc&) {
     result.error = "out of memory; use fewer --jobs";
@@ -124,26 +124,31 @@ void record_death(const Batch& batch, const GyroFolder& gyro, const std::string&
   }
 }
 
-Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
-  Work work;
+// Notes in `work` which gyros are done already; returns the others.
+std::vector<GyroFolder> find_work(const Batch& batch, Work& work) {
+  Progress progress("looking at recordings");
   std::vector<GyroFolder> to_do;
-  {
-    Progress progress("looking at recordings");
-    for (std::size_t i = 0; i < batch.gyros.size(); ++i) {
-      bool done = false;
-      try {
-        done = is_done(batch, batch.gyros[i]);
-      } catch (const InputError&) {  // its own process will say so
-      }
-      if (done) {
-        work.current.insert(batch.gyros[i].name);
-      } else {
-        to_do.push_back(batch.gyros[i]);
-      }
-      progress.update(static_cast<double>(i + 1) / static_cast<double>(batch.gyros.size()));
+  for (std::size_t i = 0; i < batch.gyros.size(); ++i) {
+    const GyroFolder& gyro = batch.gyros[i];
+    bool done = false;
+    try {
+      done = is_done(batch, gyro);
+    } catch (const InputError&) {  // its own process will say so
     }
+    if (done) {
+      work.current.insert(gyro.name);
+    } else {
+      to_do.push_back(gyro);
+    }
+    progress.update(static_cast<double>(i + 1) / static_cast<double>(batch.gyros.size()));
   }
   work.already = work.current.size();
+  return to_do;
+}
+
+Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
+  Work work;
+  const std::vector<GyroFolder> to_do = find_work(batch, work);
   Progress progress("calibrating");
   batch::PoolEvents events;
   events.ended = [&](std::size_t job, const std::string& death) {
@@ -192,9 +197,8 @@ batch::Summary write_tables(const Batch& batch, const Work& work,
   for (const GyroFolder& gyro : batch.gyros) results.push_back(result_of(batch, gyro, work));
   batch::Summary summary = summarise(std::move(results), limits);
   write_file(batch.output + kTables[0], csv_text(summary));
-  write_file(batch.output + kTables[1], report::batch_report(summary, batch.input, batch.output,
-                                                             batch.arguments.has("reports"))
-                                            .html());
+  write_file(batch.output + kTables[1],
+             report::batch_report(summary, batch.input, batch.output, batch.reports).html());
   return summary;
 }
 
@@ -228,39 +232,72 @@ void print_text(const batch::Summary& summary, const Work& work, const std::stri
   std::printf("written: %s/gyros.csv, %s/index.html\n", output.c_str(), output.c_str());
 }
 
-int run_batch(const Arguments& arguments) {
-  const std::string& input = arguments.positionals()[0];
-  Batch batch{arguments, input, arguments.required("o"), {}};
-  require_apart(input, batch.output);
-  for (const char* name : kTables) arguments.check_output(batch.output + name);
-  batch::PoolSettings settings;
-  const auto processors = std::max(1U, std::thread::hardware_concurrency());
-  settings.processes = arguments.has("jobs")
-                           ? static_cast<std::size_t>(arguments.integer("jobs", 1, 1024))
-                           : processors;
-  settings.time_limit_s = arguments.number("time-limit", 0, 1e7);
-  check_calibration_options(arguments);
-  const std::vector<std::string> figures = figure_names(arguments);
-  std::vector<batch::Limit> limits;
-  if (arguments.has("limits")) {
-    const std::string file = arguments.text("limits");
-    limits = batch::parse_limits(read_file(file), file, figures);
+struct BatchCommand : Command {
+  Text output{this, {"o", "OUT", "results: gyros.csv, index.html, a folder a gyro"}};
+  Text runs{this, {"runs", "PATTERN", "recordings in DIR/SERIAL/", "*.csv"}};
+  Text holdouts{this,
+                {"holdouts", "PATTERN", "those of them that judge, unseen by the fit", "holdout*"}};
+  Text limits{this, {"limits", "FILE", "lines such as holdout_drift_dph <= 0.01"}};
+  Integer<std::size_t> jobs{
+      this, {"jobs", "N", "gyros at a time (default: one per processor)"}, 1, 1024};
+  Number time_limit{
+      this, {"time-limit", "S", "ends a gyro that takes longer; 0: none", "0"}, {0, 1e7}};
+  Text part{this, {"shard", "I/N", "only every N-th gyro, from the I-th on; no table"}};
+  Flag merge{this, "merge", "only table and page, of what is calibrated"};
+  Flag reports{this, "reports", "a page of plots for every gyro too (needs hold-outs)"};
+  Flag json{this, "json", "one JSON object on stdout"};
+  CalibrationOptions calibration{this};
+
+  BatchCommand()
+      : Command("batch", {"DIR", 1, 1},
+                "fit, compare, export for every gyro of a folder; one table and page",
+                "fogcomp batch gyros -o results --effects bias,temperature_rate") {
+    FitOptions& fit = calibration.fit;
+    calibration.make_rare();
+    fit.effects.rare = fit.training.network.rare = false;
+    needs = {{&output}, {&fit.effects, &fit.model, kFirstEffects}};
   }
-  const std::vector<GyroFolder> all =
-      batch::find_gyros(input, {arguments.text("runs"), arguments.text("holdouts")});
-  batch.gyros = shard(arguments, all);
+  int run() const override;
+
+ private:
+  batch::PoolSettings pool() const;
+  std::vector<batch::Limit> read_limits(const workflow::FitRequest& request) const;
+};
+
+batch::PoolSettings BatchCommand::pool() const {
+  batch::PoolSettings settings;
+  settings.processes = jobs.find().value_or(std::max(1U, std::thread::hardware_concurrency()));
+  settings.time_limit_s = time_limit.value();
+  return settings;
+}
+
+std::vector<batch::Limit> BatchCommand::read_limits(const workflow::FitRequest& request) const {
+  const std::vector<std::string> figures = workflow::figure_names(request);
+  if (!limits.given()) return {};
+  return batch::parse_limits(read_file(limits.value()), limits.value(), figures);
+}
+
+int BatchCommand::run() const {
+  const std::string& input = arguments[0];
+  Batch batch{calibration, {}, reports.given(), input, output.required(), {}};
+  require_apart(input, batch.output);
+  for (const char* name : kTables) check_output(*this, batch.output + name);
+  const batch::PoolSettings settings = pool();
+  batch.request = calibration.request();
+  const std::vector<batch::Limit> kept = read_limits(batch.request.fit);
+  batch.gyros = batch::find_gyros(input, {runs.value(), holdouts.value()});
+  if (part.given()) batch.gyros = shard(part.value(), batch.gyros);
   make_folder(batch.output);
 
   Work work;
-  if (!arguments.has("merge")) work = calibrate_all(batch, settings);
-  if (arguments.has("shard")) {
-    std::printf("part %s: %s calibrated, %zu before, %zu without a result\n",
-                arguments.text("shard").c_str(), counted(work.done, "gyro").c_str(), work.already,
-                work.errors);
+  if (!merge.given()) work = calibrate_all(batch, settings);
+  if (part.given()) {
+    std::printf("part %s: %s calibrated, %zu before, %zu without a result\n", part.value().c_str(),
+                counted(work.done, "gyro").c_str(), work.already, work.errors);
     return work.errors == 0 ? 0 : 1;
   }
-  const batch::Summary summary = write_tables(batch, work, limits);
-  if (arguments.has("json")) {
+  const batch::Summary summary = write_tables(batch, work, kept);
+  if (json.given()) {
     print_json(summary, work, batch.output);
   } else {
     print_text(summary, work, batch.output);
@@ -270,32 +307,8 @@ int run_batch(const Arguments& arguments) {
 
 }  // namespace
 
-Command batch_command() {
-  Command command;
-  command.name = "batch";
-  command.positionals = "DIR";
-  command.least_positionals = command.most_positionals = 1;
-  command.summary = "fit, compare, export for every gyro of a folder; one table and page";
-  command.example = "fogcomp batch gyros -o results --effects bias,temperature_rate";
-  command.options = {
-      {"o", "OUT", "results: gyros.csv, index.html, a folder a gyro", ""},
-      {"runs", "PATTERN", "recordings in DIR/SERIAL/", "*.csv"},
-      {"holdouts", "PATTERN", "those of them that judge, unseen by the fit", "holdout*"},
-      {"limits", "FILE", "lines such as holdout_drift_dph <= 0.01", ""},
-      {"jobs", "N", "gyros at a time (default: one per processor)", ""},
-      {"time-limit", "S", "ends a gyro that takes longer; 0: none", "0"},
-      {"shard", "I/N", "only every N-th gyro, from the I-th on; no table", ""},
-      {"merge", "", "only table and page, of what is calibrated", ""},
-      {"reports", "", "a page of plots for every gyro too (needs hold-outs)", ""},
-      {"json", "", "one JSON object on stdout", ""},
-  };
-  for (Option& option : calibration_options()) {
-    option.rare = option.name != "effects" && option.name != "network";
-    command.options.push_back(std::move(option));
-  }
-  command.needs = {{"o"}, {"effects", "model", kFirstEffects}};
-  command.run = run_batch;
-  return command;
+CommandPointer batch_command() {
+  return std::make_unique<BatchCommand>();
 }
 
 }  // namespace fogcomp::cli

@@ -1,20 +1,29 @@
 #pragma once
 
-#include <vector>
-
 #include "board/board_table.hpp"
-#include "cli/arguments.hpp"
+#include "cli/option.hpp"
 
 namespace fogcomp::cli {
 
-/// The options of the commands that make a board's table: --sample-rate, --output,
-/// --extension.
-std::vector<Option> board_options();
+/// The options of the commands that make a board's table.
+struct BoardOptions : OptionGroup {
+  using OptionGroup::OptionGroup;
+  BoardSettings value() const { return {sample_rate.value(), output.value(), extension.given()}; }
+
+  Number sample_rate{
+      this, {"sample-rate", "HZ", "of the board's sensor stream", "200"}, {1e-3, 1e5}};
+  Choice<fog::OutputSelection> output{this,
+                                      {"output", "FRAMES", "kvh, compact or both", "kvh"},
+                                      {{"kvh", fog::OutputSelection::kvh},
+                                       {"compact", fog::OutputSelection::compact},
+                                       {"both", fog::OutputSelection::both}}};
+  Flag extension{this, "extension", "the demodulator sends extension records (firmware/SPEC.md)"};
+};
 
 /// Takes a model whose integers are too far off all the same.
-inline constexpr const char* kAllowError = "allow-error";
-
-/// Their values.
-BoardSettings board_settings(const Arguments& arguments);
+struct AllowErrorFlag : Flag {
+  AllowErrorFlag(OptionGroup* group, const std::string& flag_help, bool is_rare = false)
+      : Flag(group, "allow-error", flag_help, is_rare) {}
+};
 
 }  // namespace fogcomp::cli

@@ -1,7 +1,5 @@
 #include "cli/command.hpp"
 
-#include <algorithm>
-
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -45,21 +43,23 @@ std::string option_text(const Option& option) {
 
 }  // namespace
 
-const std::vector<Command>& all_commands() {
-  static const std::vector<Command> commands{
-      simulate_command(), info_command(),     denoise_command(), fit_command(),
-      compare_command(),  diagnose_command(), add_command(),     history_command(),
-      effects_command(),  export_command(),   stream_command(),  replay_command(),
-      health_command(),   batch_command(),    paper_command(),   completion_command(),
-      man_command()};
+std::vector<CommandPointer> all_commands() {
+  std::vector<CommandPointer> commands;
+  for (CommandPointer (*make)() :
+       {simulate_command, info_command, denoise_command, fit_command, compare_command,
+        diagnose_command, add_command, history_command, effects_command, export_command,
+        stream_command, replay_command, health_command, batch_command, paper_command,
+        completion_command, man_command}) {
+    commands.push_back(make());
+  }
   return commands;
 }
 
-const Command& find_command(const std::string& name) {
+CommandPointer find_command(const std::string& name) {
   std::vector<std::string> names;
-  for (const Command& command : all_commands()) {
-    if (command.name == name) return command;
-    names.push_back(command.name);
+  for (CommandPointer& command : all_commands()) {
+    if (command->name() == name) return std::move(command);
+    names.push_back(command->name());
   }
   throw InputError("fogcomp", "no command '" + name + "'" + did_you_mean(name, names) +
                                   "; fogcomp --help lists them");
@@ -67,41 +67,26 @@ const Command& find_command(const std::string& name) {
 
 bool reads_positionals(const Command& command) {
   const auto names = [&](const char* file) {
-    return command.positionals.find(file) != std::string::npos;
+    return command.positionals.usage.find(file) != std::string::npos;
   };
   return names("RUN") || names("MODEL") || names("DIR");
 }
 
-ValueUse value_use(const Option& option) {
-  static const std::vector<std::string> read{"DIR", "FILE", "HEADER", "MODEL", "NAME|FILE", "RUN"};
-  if (option.name == "o" || option.value_name.rfind("OUT", 0) == 0) return ValueUse::output;
-  const bool is_read = std::find(read.begin(), read.end(), option.value_name) != read.end();
-  return is_read ? ValueUse::input : ValueUse::word;
-}
-
-std::vector<Option> rarely(std::vector<Option> options) {
-  for (Option& option : options) option.rare = true;
-  return options;
-}
-
-std::string dashed(const std::string& option_name) {
-  return (option_name.size() == 1 ? "-" : "--") + option_name;
-}
-
 std::string help_text(const Command& command, bool complete) {
-  std::string text = wrapped("fogcomp " + command.name + " - " + command.summary, 0, 4) + "\n\n";
-  text += "usage: fogcomp " + command.name +
-          (command.positionals.empty() ? "" : " " + command.positionals) + " [options]\n\n";
+  std::string text = wrapped("fogcomp " + command.name() + " - " + command.purpose, 0, 4) + "\n\n";
+  text += "usage: fogcomp " + command.name() +
+          (command.positionals.usage.empty() ? "" : " " + command.positionals.usage) +
+          " [options]\n\n";
   std::string further;
-  for (const Option& option : command.options) {
-    if (complete || !option.rare) {
-      text += option_text(option);
+  for (const Option* option : command.options()) {
+    if (complete || !option->rare) {
+      text += option_text(*option);
     } else {
-      further += " " + dashed(option.name);
+      further += " " + dashed(option->name);
     }
   }
   if (!further.empty()) {
-    text += "  " + wrapped("more (fogcomp help " + command.name + "):" + further, 2, 4) + "\n";
+    text += "  " + wrapped("more (fogcomp help " + command.name() + "):" + further, 2, 4) + "\n";
   }
   const std::string example = "example: ";
   text += "\n" + example + wrapped(command.example, example.size(), 4, " \\") + "\n";

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -56,19 +56,19 @@ std::string arm(const Command& command) {
   std::vector<std::string> names;
   std::vector<std::string> free_values;  // of which nothing is known
   std::string values;
-  for (const Option& option : command.options) {
-    names.push_back(dashed(option.name));
-    if (option.value_name.empty()) continue;
-    if (!option.words.empty()) {
+  for (const Option* option : command.options()) {
+    names.push_back(dashed(option->name));
+    if (option->value_name.empty()) continue;
+    if (!option->words.empty()) {
       values += "        " + names.back() + ")\n          _fogcomp_words \"$current\" \"" +
-                join(option.words, " ") + "\"\n";
-      values += is_file(option) ? "          compopt -o default\n" : "";
+                join(option->words, " ") + "\"\n";
+      values += is_file(*option) ? "          compopt -o default\n" : "";
       values += "          return\n          ;;\n";
-    } else if (!is_file(option)) {
+    } else if (!is_file(*option)) {
       free_values.push_back(names.back());
     }
   }
-  std::string text = "    " + command.name + ")\n";
+  std::string text = "    " + command.name() + ")\n";
   text += "      options=\"" + join(names, " ") + "\"\n";
   if (!command.words.empty()) text += "      words=\"" + join(command.words, " ") + "\"\n";
   if (!free_values.empty()) values += "        " + patterns(free_values) + ") return ;;\n";
@@ -76,33 +76,35 @@ std::string arm(const Command& command) {
   return text + "      ;;\n";
 }
 
-int run_completion(const Arguments& arguments) {
-  if (arguments.positionals()[0] != "bash") {
-    throw InputError("fogcomp completion", "knows bash, not '" + arguments.positionals()[0] + "'");
+int print_completion(const std::string& shell) {
+  if (shell != "bash") {
+    throw InputError("fogcomp completion", "knows bash, not '" + shell + "'");
   }
   std::vector<std::string> names;
   std::string arms;
-  for (const Command& command : all_commands()) {
-    names.push_back(command.name);
-    arms += arm(command);
+  for (const CommandPointer& command : all_commands()) {
+    names.push_back(command->name());
+    arms += arm(*command);
   }
   arms += "    help) words=\"" + join(names, " ") + "\" ;;\n";
   std::fputs(format(kFrame, join(names, " ").c_str(), arms.c_str()).c_str(), stdout);
   return 0;
 }
 
+struct CompletionCommand : Command {
+  CompletionCommand()
+      : Command("completion", {"bash", 1, 1},
+                "the script with which a shell completes fogcomp's command lines",
+                "source <(fogcomp completion bash)") {
+    words = {"bash"};
+  }
+  int run() const override { return print_completion(arguments[0]); }
+};
+
 }  // namespace
 
-Command completion_command() {
-  Command command;
-  command.name = "completion";
-  command.positionals = "bash";
-  command.least_positionals = command.most_positionals = 1;
-  command.words = {"bash"};
-  command.summary = "the script with which a shell completes fogcomp's command lines";
-  command.example = "source <(fogcomp completion bash)";
-  command.run = run_completion;
-  return command;
+CommandPointer completion_command() {
+  return std::make_unique<CompletionCommand>();
 }
 
 }  // namespace fogcomp::cli

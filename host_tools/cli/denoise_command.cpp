@@ -1,57 +1,24 @@
 // fogcomp denoise: a recording without its noise.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
 
+#include "cli/command.hpp"
 #include "cli/denoise_options.hpp"
 #include "cli/recording_options.hpp"
-#include "denoise/denoise_parts.hpp"
 #include "recording/columns.hpp"
-#include "recording/recording.hpp"
 #include "recording/recording_writer.hpp"
-#include "recording/segments.hpp"
 #include "support/json.hpp"
 #include "support/progress.hpp"
 #include "support/text.hpp"
+#include "workflow/denoise.hpp"
 
 namespace fogcomp::cli {
 namespace {
 
-struct MeanAndStd {
-  double mean_dph = 0;
-  double std_dph = 0;
-};
-
-MeanAndStd statistics(const std::vector<double>& values, const Segment& segment) {
-  const auto count = static_cast<double>(segment.rows.size());
-  MeanAndStd result;
-  for (std::size_t i = segment.rows.first; i < segment.rows.end; ++i) {
-    result.mean_dph += values[i] / count;
-  }
-  for (std::size_t i = segment.rows.first; i < segment.rows.end; ++i) {
-    result.std_dph += std::pow(values[i] - result.mean_dph, 2) / std::max(1.0, count - 1);
-  }
-  result.std_dph = std::sqrt(result.std_dph);
-  return result;
-}
-
-DenoiseReport denoise_bias(const Recording& recording, const DenoiseMethod& method,
-                           std::vector<double>& bias) {
-  std::vector<fog::Span<double>> parts;
-  for (const RowRange& stretch : stretches_of(recording, {0, recording.rows()})) {
-    parts.push_back({bias.data() + stretch.first, stretch.size()});
-  }
-  DenoiseReport report = denoise_parts(parts, method, recording.file);
-  if (report.shortened_values > 0) {
-    std::fprintf(stderr, "%s: %s between gaps too close for %s got fewer\n", recording.file.c_str(),
-                 counted(report.shortened_values, "row").c_str(),
-                 counted(static_cast<std::size_t>(method.levels), "level").c_str());
-  }
-  return report;
-}
+using workflow::DenoiseOutcome;
 
 void write_recording(const Recording& recording, const std::string& path) {
   std::vector<Column> columns;
@@ -75,84 +42,82 @@ void write_recording(const Recording& recording, const std::string& path) {
   writer.commit();
 }
 
-void print_json(const std::string& output, const Recording& recording, const DenoiseReport& report,
-                const std::vector<double>& before, const std::vector<double>& after) {
-  Json levels = json_array(report.levels, [&](const DenoiseReport::Level& level) {
+void print_json(const std::string& output, const DenoiseOutcome& found) {
+  Json levels = json_array(found.report.levels, [&](const DenoiseReport::Level& level) {
     return Json::object().set("noise_dph", level.noise).set("threshold_dph", level.threshold);
   });
-  Json segments = Json::array();
-  for (const Segment& segment : find_segments(recording)) {
-    const MeanAndStd raw = statistics(before, segment);
-    const MeanAndStd denoised = statistics(after, segment);
-    segments.push(Json::object()
-                      .set("name", segment.name)
-                      .set("raw_mean_dph", raw.mean_dph)
-                      .set("raw_std_dph", raw.std_dph)
-                      .set("denoised_mean_dph", denoised.mean_dph)
-                      .set("denoised_std_dph", denoised.std_dph));
-  }
+  Json segments = json_array(found.segments, [&](const DenoiseOutcome::SegmentBias& segment) {
+    return Json::object()
+        .set("name", segment.name)
+        .set("raw_mean_dph", segment.raw.mean_dph)
+        .set("raw_std_dph", segment.raw.std_dph)
+        .set("denoised_mean_dph", segment.denoised.mean_dph)
+        .set("denoised_std_dph", segment.denoised.std_dph);
+  });
   Json result = Json::object();
-  result.set("output", output).set("rows", recording.rows()).set("outliers", report.outliers);
+  result.set("output", output).set("rows", found.recording.rows());
+  result.set("outliers", found.report.outliers);
   result.set("levels", std::move(levels)).set("segments", std::move(segments));
   std::puts(result.text().c_str());
 }
 
-void print_text(const std::string& output, const Recording& recording, const DenoiseReport& report,
-                const std::vector<double>& before, const std::vector<double>& after) {
+void print_text(const std::string& output, const DenoiseOutcome& found) {
   std::printf("%-24s %10s %10s %10s %10s\n", "segment", "mean", "denoised", "std", "denoised");
-  for (const Segment& segment : find_segments(recording)) {
-    const MeanAndStd raw = statistics(before, segment);
-    const MeanAndStd denoised = statistics(after, segment);
-    std::printf("%-24s %10.5f %10.5f %10.5f %10.5f deg/h\n", segment.name.c_str(), raw.mean_dph,
-                denoised.mean_dph, raw.std_dph, denoised.std_dph);
+  for (const DenoiseOutcome::SegmentBias& segment : found.segments) {
+    std::printf("%-24s %10.5f %10.5f %10.5f %10.5f deg/h\n", segment.name.c_str(),
+                segment.raw.mean_dph, segment.denoised.mean_dph, segment.raw.std_dph,
+                segment.denoised.std_dph);
   }
-  if (!report.levels.empty())
+  const std::vector<DenoiseReport::Level>& levels = found.report.levels;
+  if (!levels.empty()) {
     std::printf("\n%-24s %10s %10s\n", "level (1 is the finest)", "noise", "threshold");
-  for (std::size_t i = 0; i < report.levels.size(); ++i) {
-    std::printf("%-24zu %10.5f %10.5f deg/h\n", i + 1, report.levels[i].noise,
-                report.levels[i].threshold);
   }
-  std::printf("\n%s: %s, %s replaced\n", output.c_str(), counted(recording.rows(), "row").c_str(),
-              counted(report.outliers, "outlier").c_str());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    std::printf("%-24zu %10.5f %10.5f deg/h\n", i + 1, levels[i].noise, levels[i].threshold);
+  }
+  std::printf("\n%s: %s, %s replaced\n", output.c_str(),
+              counted(found.recording.rows(), "row").c_str(),
+              counted(found.report.outliers, "outlier").c_str());
 }
 
-int run_denoise(const Arguments& arguments) {
-  const std::string output = arguments.required("o");
-  const DenoiseMethod method = denoise_method(arguments);
-  Recording recording = read_recording(arguments.positionals().front(), read_options(arguments));
-  const std::vector<double> before = bias_dph(recording);
-  std::vector<double> after = before;
-  const DenoiseReport report = denoise_bias(recording, method, after);
-  // What the gyro really turned is put back untouched.
-  for (std::size_t i = 0; i < after.size(); ++i) {
-    const double input_dph = recording.input_rate_dph.empty() ? 0 : recording.input_rate_dph[i];
-    recording.rate_dph[i] = after[i] + input_dph;
+struct DenoiseCommand : Command {
+  Text output{this, {"o", "OUT", "recording to write"}};
+  Flag json{this, "json", "one JSON object on stdout"};
+  DenoiseOptions denoising{this};
+  RecordingOptions recording{this};
+
+  DenoiseCommand()
+      : Command("denoise", {"RUN", 1, 1},
+                "a recording without noise and outliers: wavelet, lifting or Kalman",
+                "fogcomp denoise run.csv -o denoised.csv --threshold rigrsure") {
+    needs = {{&output}};
   }
-  write_recording(recording, output);
-  if (arguments.has("json")) {
-    print_json(output, recording, report, before, after);
+  int run() const override;
+};
+
+int DenoiseCommand::run() const {
+  output.required();
+  const DenoiseMethod method = denoising.value();
+  const DenoiseOutcome found = workflow::denoise({arguments.front(), recording.value(), method});
+  if (found.report.shortened_values > 0) {
+    std::fprintf(stderr, "%s: %s between gaps too close for %s got fewer\n",
+                 found.recording.file.c_str(),
+                 counted(found.report.shortened_values, "row").c_str(),
+                 counted(static_cast<std::size_t>(method.levels), "level").c_str());
+  }
+  write_recording(found.recording, output.value());
+  if (json.given()) {
+    print_json(output.value(), found);
   } else {
-    print_text(output, recording, report, before, after);
+    print_text(output.value(), found);
   }
   return 0;
 }
 
 }  // namespace
 
-Command denoise_command() {
-  Command command;
-  command.name = "denoise";
-  command.positionals = "RUN";
-  command.least_positionals = command.most_positionals = 1;
-  command.summary = "a recording without noise and outliers: wavelet, lifting or Kalman";
-  command.example = "fogcomp denoise run.csv -o denoised.csv --threshold rigrsure";
-  command.options = {{"o", "OUT", "recording to write", ""},
-                     {"json", "", "one JSON object on stdout", ""}};
-  for (Option& option : denoise_options()) command.options.push_back(std::move(option));
-  add_recording_options(command);
-  command.needs = {{"o"}};
-  command.run = run_denoise;
-  return command;
+CommandPointer denoise_command() {
+  return std::make_unique<DenoiseCommand>();
 }
 
 }  // namespace fogcomp::cli

@@ -1,16 +1,44 @@
 #pragma once
 
-#include <vector>
-
-#include "cli/arguments.hpp"
+#include "cli/option.hpp"
 #include "denoise/denoise.hpp"
+#include "denoise/filters.hpp"
 
 namespace fogcomp::cli {
 
-/// The options that choose a wavelet denoising: --wavelet, --levels, --threshold, --mode.
-std::vector<Option> denoise_options();
+/// Which threshold of a wavelet's details: kept as they are above it, or moved towards 0 by it.
+struct HardOrSoft : Choice<bool> {
+  HardOrSoft(OptionGroup* group, bool is_rare)
+      : Choice(group, {"mode", "NAME", "soft or hard thresholds", "soft", is_rare},
+               {{"soft", false}, {"hard", true}}) {}
+};
 
-/// Their values.
-DenoiseMethod denoise_method(const Arguments& arguments);
+/// The options that choose a denoising.
+struct DenoiseOptions : OptionGroup {
+  using OptionGroup::OptionGroup;
+  /// Throws InputError for an option that would mean nothing to the method.
+  DenoiseMethod value() const;
+
+  Choice<DenoiseBy> method{
+      this,
+      {"method", "NAME",
+       "wavelet; lifting: wavelet (2,2) in lifting form; kalman: smoother, ARMA noise", "wavelet"},
+      {{"wavelet", DenoiseBy::wavelet},
+       {"lifting", DenoiseBy::lifting},
+       {"kalman", DenoiseBy::kalman}}};
+  Choice<std::string> wavelet{
+      this,
+      {"wavelet", "NAME", "haar, db2 to db10, sym2 to sym10 or coif1 to coif5", "sym8"},
+      as_named(wavelet_names())};
+  Integer<int> levels{this, {"levels", "N", "of the decomposition, 1 to 20", "5"}, 1, 20};
+  Choice<ThresholdRule> threshold{
+      this,
+      {"threshold", "RULE", "heursure, sqtwolog, rigrsure or minimaxi", "heursure"},
+      in_order<ThresholdRule>(threshold_rule_names())};
+  HardOrSoft mode{this, !kRare};
+
+ private:
+  void refuse(const Option& option, bool meaningless) const;
+};
 
 }  // namespace fogcomp::cli

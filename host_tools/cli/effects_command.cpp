@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/effects_text.hpp"
 #include "model/catalogue.hpp"
 #include "support/json.hpp"
@@ -39,21 +39,37 @@ Json entry_json(const CatalogueEntry& entry) {
       .set("coefficients", std::move(coefficients));
 }
 
-std::vector<const CatalogueEntry*> chosen_entries(const Arguments& arguments) {
-  if (!arguments.positionals().empty()) return {&find_effect(arguments.positionals()[0])};
+struct EffectsCommand : Command {
+  Flag json{this, "json", "one JSON object on stdout"};
+  Flag markdown{this, "markdown", "the document host_tools/EFFECTS.md"};
+
+  EffectsCommand()
+      : Command("effects", {"[NAME]", 0, 1},
+                "the catalogue: equation, units, parameters, signature, source",
+                "fogcomp effects temperature_rate") {
+    words = effect_names();
+  }
+  int run() const override;
+
+ private:
+  std::vector<const CatalogueEntry*> chosen_entries() const;
+};
+
+std::vector<const CatalogueEntry*> EffectsCommand::chosen_entries() const {
+  if (!arguments.empty()) return {&find_effect(arguments[0])};
   std::vector<const CatalogueEntry*> entries;
   for (const CatalogueEntry& entry : catalogue()) entries.push_back(&entry);
   return entries;
 }
 
-int run_effects(const Arguments& arguments) {
-  const std::vector<const CatalogueEntry*> entries = chosen_entries(arguments);
-  if (arguments.has("markdown")) {
+int EffectsCommand::run() const {
+  const std::vector<const CatalogueEntry*> entries = chosen_entries();
+  if (markdown.given()) {
     std::fputs(effects_markdown(entries).c_str(), stdout);
-  } else if (arguments.has("json")) {
-    Json list =
+  } else if (json.given()) {
+    Json entry_list =
         json_array(entries, [&](const CatalogueEntry* entry) { return entry_json(*entry); });
-    std::puts(Json::object().set("effects", std::move(list)).text().c_str());
+    std::puts(Json::object().set("effects", std::move(entry_list)).text().c_str());
   } else {
     std::fputs(effects_text(entries).c_str(), stdout);
   }
@@ -62,18 +78,8 @@ int run_effects(const Arguments& arguments) {
 
 }  // namespace
 
-Command effects_command() {
-  Command command;
-  command.name = "effects";
-  command.positionals = "[NAME]";
-  command.most_positionals = 1;
-  command.summary = "the catalogue: equation, units, parameters, signature, source";
-  command.example = "fogcomp effects temperature_rate";
-  command.options = {{"json", "", "one JSON object on stdout", ""},
-                     {"markdown", "", "the document host_tools/EFFECTS.md", ""}};
-  command.words = effect_names();
-  command.run = run_effects;
-  return command;
+CommandPointer effects_command() {
+  return std::make_unique<EffectsCommand>();
 }
 
 }  // namespace fogcomp::cli

@@ -3,11 +3,12 @@
 #include <cstdio>
 #include <optional>
 
-#include "cli/fit_recordings.hpp"
+#include "cli/command.hpp"
+#include "cli/fit_options.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
 #include "cli/training_options.hpp"
-#include "compare/model_on_runs.hpp"
+#include "cli/watch.hpp"
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "noise/outlier_rows.hpp"
@@ -15,9 +16,12 @@
 #include "support/json.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
+#include "workflow/fit.hpp"
 
 namespace fogcomp::cli {
 namespace {
+
+using workflow::FitOutcome;
 
 Json terms_json(const Model& model) {
   return json_array(model.terms, [&](const EffectTerm& term) {
@@ -30,7 +34,7 @@ Json terms_json(const Model& model) {
   });
 }
 
-std::string steps_text(const Fit& fit) {
+std::string steps_text(const FitOutcome& fit) {
   const Identification& identified = fit.result.identified;
   std::string text;
   for (std::size_t i = 0; i < identified.steps.size(); ++i) {
@@ -48,7 +52,7 @@ std::string steps_text(const Fit& fit) {
   return text;
 }
 
-std::string identification_text(const Fit& fit) {
+std::string identification_text(const FitOutcome& fit) {
   const Model& model = fit.model;
   const Identification& identified = fit.result.identified;
   const NoiseModel& noise = identified.noise;
@@ -79,25 +83,7 @@ std::string identification_text(const Fit& fit) {
   return text;
 }
 
-// A network was asked for, and there is none.
-bool is_dropped(const Fit& fit) {
-  return fit.result.training && !fit.model.network.present();
-}
-
-// Only lm knows.
-std::optional<double> determined_weights(const Fit& fit) {
-  if (!fit.model.network.present()) return std::nullopt;
-  return fit.result.training->effective_parameters;
-}
-
-// On its own recordings as `compare` would judge it.
-ModelOnRuns on_its_runs(const Fit& fit, const std::string& output) {
-  ModelOnRuns model{output, fit.model, {}};
-  for (const RunInBlocks& run : fit.runs) model.runs.push_back(try_model(fit.model, run));
-  return model;
-}
-
-Json steps_json(const Fit& fit) {
+Json steps_json(const FitOutcome& fit) {
   Json steps = Json::array();
   for (std::size_t i = 0; i < fit.result.identified.steps.size(); ++i) {
     const FoundStep& step = fit.result.identified.steps[i];
@@ -111,19 +97,13 @@ Json steps_json(const Fit& fit) {
   return steps;
 }
 
-std::size_t refused_rows(const Fit& fit) {
-  std::size_t rows = 0;
-  for (const RunInBlocks& run : fit.runs) rows += run.refused_rows;
-  return rows;
-}
-
-void print_json(const Fit& fit, const std::string& output) {
+void print_json(const FitOutcome& fit, const std::string& output) {
   const Identification& identified = fit.result.identified;
   Json notes = identified.warnings;
-  if (is_dropped(fit)) notes.push(network_verdict(fit.result));
+  if (fit.network_dropped()) notes.push(network_verdict(fit.result));
   Json result = Json::object();
   result.set("model", output).set("rows", static_cast<std::size_t>(fit.rows));
-  result.set("refused_rows", refused_rows(fit));
+  result.set("refused_rows", fit.refused_rows());
   result.set("raw_std_dph", fit.result.raw_std_dph)
       .set("residual_rms_dph", fit.model.residual_rms_dph);
   result.set("misfit", identified.misfit).set("outliers", identified.outliers);
@@ -141,18 +121,18 @@ void print_json(const Fit& fit, const std::string& output) {
   result.set("steps", steps_json(fit)).set("masked_rows", identified.masked);
   result.set("effects", terms_json(fit.model));
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
-  const std::optional<double> determined = determined_weights(fit);
+  const std::optional<double> determined = fit.determined_weights();
   result.set("network_effective_parameters", determined ? Json(*determined) : Json());
   const std::optional<OutOfSample>& judged = fit.result.network_judged;
   result.set("network_gain", judged ? Json(judged->gain) : Json());
   std::puts(result.text().c_str());
 }
 
-void print_text(const Fit& fit, const std::string& output) {
+void print_text(const FitOutcome& fit, const std::string& output) {
   std::printf("%s of %g s, raw std %s deg/h\n",
               counted(static_cast<std::size_t>(fit.rows), "row").c_str(), fit.row_s,
               rounded(fit.result.raw_std_dph).c_str());
-  if (const std::size_t refused = refused_rows(fit)) {
+  if (const std::size_t refused = fit.refused_rows()) {
     std::printf("%s of the recordings left out by the board's rules\n",
                 counted(refused, "row").c_str());
   }
@@ -162,54 +142,63 @@ void print_text(const Fit& fit, const std::string& output) {
     std::printf("  %-44s %s -> %s deg/h rms\n", step.action.c_str(),
                 rounded(step.rms_before_dph).c_str(), rounded(step.rms_after_dph).c_str());
   }
-  if (const std::optional<double> determined = determined_weights(fit)) {
+  if (const std::optional<double> determined = fit.determined_weights()) {
     std::printf("  (of the network's weights the data determine %.1f)\n", *determined);
   }
   if (fit.result.network_judged) {
     std::printf("%s%s\n", network_verdict(fit.result).c_str(),
-                is_dropped(fit) ? "; --force-network keeps it" : "");
+                fit.network_dropped() ? "; --force-network keeps it" : "");
   }
   std::printf("\nwritten: %s\n", output.c_str());
 }
 
-int run_fit(const Arguments& arguments) {
-  const std::string output = arguments.required("o");
-  OutputFile model_file(output);
-  ReportFile page(arguments);
-  const Fit result = fit_recordings(arguments, arguments.positionals(), OnInterrupt::keep_best);
-  model_file.write(model_text(result.model));
+struct FitCommand : Command {
+  Text output{this, {"o", "MODEL", "model file to write"}};
+  FitOptions fit{this};
+  ReportOption report{this};
+  Flag json{this, "json", "one JSON object on stdout"};
+  RecordingOptions recording{this};
+
+  FitCommand()
+      : Command("fit", {"RUN...", 1, kAnyNumber},
+                "identifies the effects, then trains the network on what they leave",
+                "fogcomp fit run.csv -o gyro.model --effects bias,temperature_rate") {
+    recording.make_rare();
+    needs = {{&output}, {&fit.effects, &fit.model, kFirstEffects}};
+  }
+
+  int run() const override;
+};
+
+int FitCommand::run() const {
+  OutputFile model_file(output.required());
+  ReportFile page(report);
+  const FitOutcome found = workflow::fit(fit.request(arguments, recording.value()),
+                                         Watch(OnInterrupt::keep_best).observer());
+  if (found.result.training && found.result.training->interrupted) {
+    const auto epochs = static_cast<std::size_t>(found.result.training->epochs);
+    std::fprintf(stderr, "interrupted: the best network of %s is kept\n",
+                 counted(epochs, "epoch").c_str());
+  }
+  model_file.write(model_text(found.model));
   if (page.wanted()) {
-    page.fill(report::fit_report(on_its_runs(result, output), result.result,
-                                 identification_text(result)));
+    page.fill(report::fit_report(found.on_its_runs(output.value()), found.result,
+                                 identification_text(found)));
   }
   model_file.commit();
   page.commit();
-  if (arguments.has("json")) {
-    print_json(result, output);
+  if (json.given()) {
+    print_json(found, output.value());
   } else {
-    print_text(result, output);
+    print_text(found, output.value());
   }
   return 0;
 }
 
 }  // namespace
 
-Command fit_command() {
-  Command command;
-  command.name = "fit";
-  command.positionals = "RUN...";
-  command.least_positionals = 1;
-  command.most_positionals = kAnyNumber;
-  command.summary = "identifies the effects, then trains the network on what they leave";
-  command.example = "fogcomp fit run.csv -o gyro.model --effects bias,temperature_rate";
-  command.options = {{"o", "MODEL", "model file to write", ""}};
-  for (Option& option : fit_options()) command.options.push_back(std::move(option));
-  command.options.push_back(report_option());
-  command.options.push_back({"json", "", "one JSON object on stdout", ""});
-  for (Option& option : rarely(recording_options())) command.options.push_back(std::move(option));
-  command.needs = {{"o"}, {"effects", "model", kFirstEffects}};
-  command.run = run_fit;
-  return command;
+CommandPointer fit_command() {
+  return std::make_unique<FitCommand>();
 }
 
 }  // namespace fogcomp::cli

@@ -1,30 +1,34 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "batch/gyro_folders.hpp"
 #include "batch/gyro_result.hpp"
-#include "cli/arguments.hpp"
+#include "cli/board_options.hpp"
+#include "cli/fit_options.hpp"
+#include "cli/recording_options.hpp"
+#include "workflow/calibrate.hpp"
 
 namespace fogcomp::cli {
 
-/// The options that decide a gyro's result: those of fit, of recordings and of boards.
-std::vector<Option> calibration_options();
+/// The options that decide a gyro's result.
+struct CalibrationOptions : OptionGroup {
+  using OptionGroup::OptionGroup;
+  /// Without a gyro's recordings. Throws InputError for options that no gyro can be calibrated
+  /// with.
+  workflow::CalibrationRequest request() const;
+  /// Of a gyro's recordings, these options and the version of this tool. Throws InputError for a
+  /// recording that cannot be read.
+  std::string fingerprint_of(const batch::GyroFolder& gyro) const;
 
-/// Of the gyro's recordings, calibration_options() and the version of this tool. Throws InputError
-/// for a recording that cannot be read.
-std::string fingerprint_of(const batch::GyroFolder& gyro, const Arguments& arguments);
+  FitOptions fit{this};
+  BoardOptions board{this};
+  RecordingOptions recording{this};
+};
 
-/// Throws InputError for options that no gyro can be calibrated with.
-void check_calibration_options(const Arguments& arguments);
-
-/// Every figure that a gyro can have with these options, for limits.
-std::vector<std::string> figure_names(const Arguments& arguments);
-
-/// fit, compare on the hold-outs, export: model, header and, with --reports, report.html in
-/// `folder`. Returns the figures. Throws InputError as those commands do.
-batch::GyroResult calibrate(const batch::GyroFolder& gyro, const Arguments& arguments,
-                            const std::string& folder);
+/// Calibrates a gyro as `request` says: model, header and, with `page`, report.html in `folder`.
+/// Returns the figures. Throws InputError as workflow::calibrate() does.
+batch::GyroResult calibrate(const batch::GyroFolder& gyro, workflow::CalibrationRequest request,
+                            const std::string& folder, bool page);
 
 }  // namespace fogcomp::cli

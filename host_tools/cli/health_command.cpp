@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "board/health_query.hpp"
-#include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
@@ -77,32 +76,33 @@ Json as_json(const fog::HealthRecord& r) {
   return object;
 }
 
-int run_health(const Arguments& arguments) {
-  const std::string& path = arguments.positionals().front();
-  const double patience_s = arguments.number("timeout", 0.1, 600);
-  BoardPort port(path);
-  const fog::HealthRecord record = query_health(port, path, patience_s);
-  if (arguments.has("json")) {
-    std::puts(as_json(record).text().c_str());
-  } else {
-    print_words(record);
+struct HealthCommand : Command {
+  Number timeout{this, {"timeout", "S", "seconds to wait for an answer", "3"}, {0.1, 600}};
+  Flag json{this, "json", "print one JSON object"};
+
+  HealthCommand()
+      : Command("health", {"PORT", 1, 1},
+                "what a board's built-in tests have found; exit code 1: not healthy",
+                "fogcomp health /dev/ttyUSB0") {}
+
+  int run() const override {
+    const std::string& path = arguments.front();
+    const double patience_s = timeout.value();
+    BoardPort port(path);
+    const fog::HealthRecord record = query_health(port, path, patience_s);
+    if (json.given()) {
+      std::puts(as_json(record).text().c_str());
+    } else {
+      print_words(record);
+    }
+    return is_healthy(record) ? 0 : 1;
   }
-  return is_healthy(record) ? 0 : 1;
-}
+};
 
 }  // namespace
 
-Command health_command() {
-  Command command;
-  command.name = "health";
-  command.positionals = "PORT";
-  command.least_positionals = command.most_positionals = 1;
-  command.summary = "what a board's built-in tests have found; exit code 1: not healthy";
-  command.example = "fogcomp health /dev/ttyUSB0";
-  command.options = {{"timeout", "S", "seconds to wait for an answer", "3"},
-                     {"json", "", "print one JSON object", ""}};
-  command.run = run_health;
-  return command;
+CommandPointer health_command() {
+  return std::make_unique<HealthCommand>();
 }
 
 }  // namespace fogcomp::cli

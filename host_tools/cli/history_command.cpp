@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "model/model_file.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
@@ -105,31 +105,31 @@ void print_text(const Model& model, const std::string& file) {
   if (several) std::puts("  the steps saw different data: compare errors within one hash");
 }
 
-int run_history(const Arguments& arguments) {
-  const std::string& file = arguments.positionals()[0];
-  const Model model = load_model(file);
-  if (model.history.empty()) throw InputError(file, "has no history; fit it again");
-  if (arguments.has("json")) {
-    print_json(model, file);
-  } else {
-    print_text(model, file);
+struct HistoryCommand : Command {
+  Flag json{this, "json", "one JSON object on stdout"};
+
+  HistoryCommand()
+      : Command("history", {"MODEL", 1, 1},
+                "the error ladder of a model: what was added, what it brought",
+                "fogcomp history gyro.model") {}
+
+  int run() const override {
+    const std::string& file = arguments[0];
+    const Model model = load_model(file);
+    if (model.history.empty()) throw InputError(file, "has no history; fit it again");
+    if (json.given()) {
+      print_json(model, file);
+    } else {
+      print_text(model, file);
+    }
+    return 0;
   }
-  return 0;
-}
+};
 
 }  // namespace
 
-Command history_command() {
-  Command command;
-  command.name = "history";
-  command.positionals = "MODEL";
-  command.least_positionals = 1;
-  command.most_positionals = 1;
-  command.summary = "the error ladder of a model: what was added, what it brought";
-  command.example = "fogcomp history gyro.model";
-  command.options = {{"json", "", "one JSON object on stdout", ""}};
-  command.run = run_history;
-  return command;
+CommandPointer history_command() {
+  return std::make_unique<HistoryCommand>();
 }
 
 }  // namespace fogcomp::cli

@@ -3,17 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/info_text.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
-#include "compare/run_summary.hpp"
-#include "recording/recording.hpp"
 #include "report/info_report.hpp"
-#include "support/input_error.hpp"
 #include "support/json.hpp"
-#include "support/text.hpp"
+#include "workflow/info.hpp"
 
 namespace fogcomp::cli {
 namespace {
@@ -113,41 +109,38 @@ Json info_json(const Recording& recording, const RunSummary& summary) {
   return object;
 }
 
-int run_info(const Arguments& arguments) {
-  const double block_s = average_s(arguments);
-  ReportFile page(arguments);
-  const Recording recording =
-      read_recording(arguments.positionals().front(), read_options(arguments));
-  const double length_s = static_cast<double>(recording.rows()) * recording.period_s;
-  if (arguments.has("average") && 2 * block_s > length_s) {
-    throw InputError(recording.file,
-                     format("lasts %g s, too short for means of %g s; give a shorter --average",
-                            length_s, block_s));
-  }
-  const RunSummary summary = summarize(recording, block_s);
-  if (page.wanted()) page.write(report::info_report(recording, summary));
-  if (arguments.has("json")) {
-    std::puts(info_json(recording, summary).text().c_str());
+struct InfoCommand : Command {
+  Number average{this,
+                 {"average", "S", "length of a block mean (a row where the rows are longer)", "10"},
+                 {1e-6, 1e6}};
+  ReportOption report{this};
+  Flag json{this, "json", "print one JSON object"};
+  RecordingOptions recording{this};
+
+  InfoCommand()
+      : Command("info", {"RUN", 1, 1},
+                "segments, noise, Allan deviation, sensitivities of a recording",
+                "fogcomp info run.csv --latitude 40 --axis up") {}
+  int run() const override;
+};
+
+int InfoCommand::run() const {
+  const workflow::InfoRequest request{arguments.front(), recording.value(), average.find()};
+  ReportFile page(report);
+  const auto [run, summary] = workflow::info(request);
+  if (page.wanted()) page.write(report::info_report(run, summary));
+  if (json.given()) {
+    std::puts(info_json(run, summary).text().c_str());
   } else {
-    std::fputs(info_text(recording, summary).c_str(), stdout);
+    std::fputs(info_text(run, summary).c_str(), stdout);
   }
   return 0;
 }
 
 }  // namespace
 
-Command info_command() {
-  Command command;
-  command.name = "info";
-  command.positionals = "RUN";
-  command.least_positionals = 1;
-  command.most_positionals = 1;
-  command.summary = "segments, noise, Allan deviation, sensitivities of a recording";
-  command.example = "fogcomp info run.csv --latitude 40 --axis up";
-  command.options = {average_option(), report_option(), {"json", "", "print one JSON object", ""}};
-  add_recording_options(command);
-  command.run = run_info;
-  return command;
+CommandPointer info_command() {
+  return std::make_unique<InfoCommand>();
 }
 
 }  // namespace fogcomp::cli

@@ -17,14 +17,14 @@
 namespace {
 
 using fogcomp::cli::all_commands;
-using fogcomp::cli::Command;
+using fogcomp::cli::CommandPointer;
 using fogcomp::cli::find_command;
 
 void print_overview() {
   std::puts("fogcomp - finds and removes the temperature drift of a fibre-optic gyro\n");
   std::puts("usage: fogcomp COMMAND [ARGUMENTS] (options: COMMAND --help; all: help COMMAND)\n");
-  for (const Command& command : all_commands()) {
-    std::printf("  %-10s %s\n", command.name.c_str(), command.summary.c_str());
+  for (const CommandPointer& command : all_commands()) {
+    std::printf("  %-10s %s\n", command->name().c_str(), command->purpose.c_str());
   }
   std::puts("\nexit codes: 0 done, 1 the answer is no, 2 bad arguments or input");
 }
@@ -33,7 +33,7 @@ int run(const std::vector<std::string>& words) {
   const bool asks =
       !words.empty() && (words[0] == "--help" || words[0] == "-h" || words[0] == "help");
   if (asks && words.size() > 1) {
-    std::fputs(fogcomp::cli::help_text(find_command(words[1]), true).c_str(), stdout);
+    std::fputs(fogcomp::cli::help_text(*find_command(words[1]), true).c_str(), stdout);
     return 0;
   }
   if (asks || words.empty()) {
@@ -44,16 +44,17 @@ int run(const std::vector<std::string>& words) {
     std::puts("fogcomp " FOGCOMP_VERSION);
     return 0;
   }
-  const Command& command = find_command(words[0]);
+  const CommandPointer command = find_command(words[0]);
   const std::vector<std::string> rest(words.begin() + 1, words.end());
   const bool wants_help = std::any_of(rest.begin(), rest.end(), [](const std::string& word) {
     return word == "--help" || word == "-h";
   });
   if (wants_help) {
-    std::fputs(fogcomp::cli::help_text(command, false).c_str(), stdout);
+    std::fputs(fogcomp::cli::help_text(*command, false).c_str(), stdout);
     return 0;
   }
-  return command.run(fogcomp::cli::Arguments(command, rest));
+  fogcomp::cli::parse(*command, rest);
+  return command->run();
 }
 
 }  // namespace

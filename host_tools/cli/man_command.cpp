@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 
 namespace fogcomp::cli {
 namespace {
@@ -33,13 +33,14 @@ std::string option_entry(const Option& option) {
 }
 
 std::string command_section(const Command& command) {
-  std::string text = ".SS \"fogcomp " + command.name + " " + roff(command.positionals) + "\"\n";
-  text += roff(command.summary) + ".\n";
-  for (const Option& option : command.options) text += option_entry(option);
+  std::string text =
+      ".SS \"fogcomp " + command.name() + " " + roff(command.positionals.usage) + "\"\n";
+  text += roff(command.purpose) + ".\n";
+  for (const Option* option : command.options()) text += option_entry(*option);
   return text + ".PP\nExample:\n.PP\n.nf\n    " + roff(command.example) + "\n.fi\n";
 }
 
-int run_man(const Arguments& /*arguments*/) {
+int print_manual() {
   std::string text =
       ".TH FOGCOMP 1 \"\" \"fogcomp " FOGCOMP_VERSION
       "\" \"User Commands\"\n"
@@ -49,7 +50,7 @@ int run_man(const Arguments& /*arguments*/) {
       "fogcomp learns a model of the drift from a recording in a thermal chamber, shows where the "
       "model fails and which physical effect is missing, and exports it for the gyro's board.\n"
       ".SH COMMANDS\n";
-  for (const Command& command : all_commands()) text += command_section(command);
+  for (const CommandPointer& command : all_commands()) text += command_section(*command);
   text +=
       ".SH EXIT STATUS\n0 done; 1 the answer is no; 2 bad arguments or input.\n"
       ".SH FILES\nFormats of recordings, models, limits and headers: host_tools/README.md and "
@@ -60,15 +61,17 @@ int run_man(const Arguments& /*arguments*/) {
   return 0;
 }
 
+struct ManCommand : Command {
+  ManCommand()
+      : Command("man", {}, "the manual page, with every option of every command",
+                "fogcomp man | man -l -") {}
+  int run() const override { return print_manual(); }
+};
+
 }  // namespace
 
-Command man_command() {
-  Command command;
-  command.name = "man";
-  command.summary = "the manual page, with every option of every command";
-  command.example = "fogcomp man | man -l -";
-  command.run = run_man;
-  return command;
+CommandPointer man_command() {
+  return std::make_unique<ManCommand>();
 }
 
 }  // namespace fogcomp::cli

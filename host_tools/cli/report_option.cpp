@@ -4,12 +4,8 @@
 
 namespace fogcomp::cli {
 
-Option report_option() {
-  return {"report", "OUT.html", "the findings with plots, one page that opens offline", ""};
-}
-
-ReportFile::ReportFile(const Arguments& arguments) {
-  if (arguments.has("report")) file_.emplace(arguments.text("report"));
+ReportFile::ReportFile(const ReportOption& option) {
+  if (option.given()) file_.emplace(option.value());
 }
 
 void ReportFile::fill(const report::Report& report) {

@@ -2,20 +2,24 @@
 
 #include <optional>
 
-#include "cli/arguments.hpp"
+#include "cli/option.hpp"
 #include "report/report.hpp"
 #include "support/output_file.hpp"
 
 namespace fogcomp::cli {
 
 /// --report
-Option report_option();
+struct ReportOption : Text {
+  explicit ReportOption(OptionGroup* group)
+      : Text(group,
+             {"report", "OUT.html", "the findings with plots, one page that opens offline"}) {}
+};
 
 /// The page that --report names, opened before the work begins, so that a folder that cannot be
 /// written is known at once. Without the option it does nothing.
 class ReportFile {
  public:
-  explicit ReportFile(const Arguments& arguments);
+  explicit ReportFile(const ReportOption& option);
   bool wanted() const { return file_.has_value(); }
   /// The page; it gets its name with the command's other output, or by write() alone.
   void fill(const report::Report& report);

@@ -1,36 +1,55 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "cli/arguments.hpp"
+#include "cli/option.hpp"
 #include "fit/fit_model.hpp"
-#include "support/interrupt.hpp"
-#include "support/progress.hpp"
 
 namespace fogcomp::cli {
 
 /// --network, --trainer and what belongs to them.
-std::vector<Option> training_options();
-/// `hidden` is 0 where no network is wanted.
-NetworkSettings network_settings(const Arguments& arguments);
+struct TrainingOptions : OptionGroup {
+  using OptionGroup::OptionGroup;
+  TrainerSettings value() const;
+
+  Integer<int> network{
+      this, {"network", "N", "hidden neurons, 0 for none, at most 32", "0"}, 0, kMostTrainedHidden};
+  Choice<std::string> trainer{
+      this, {"trainer", "NAME", trainer_summaries(), "lm"}, as_named(trainer_names())};
+  Integer<std::uint64_t> seed{
+      this, {"seed", "N", "of all that training draws", "1", kRare}, 0, 1LL << 53};
+  Choice<fog::Activation> activation{
+      this,
+      {"activation", "NAME", "of the hidden neurons: logsig or tansig", "logsig", kRare},
+      {{"logsig", fog::Activation::logsig}, {"tansig", fog::Activation::tansig}}};
+  Integer<int> epochs{
+      this,
+      {"epochs", "N", "of traingdx, pso-bp and ga-bp; steps of lm, at most 200", "5000", kRare},
+      1,
+      1'000'000};
+  Number goal{this,
+              {"goal", "MSE", "training ends at this mean square of the normalised target (not lm)",
+               "0", kRare},
+              {0, 1}};
+  Number learning_rate{
+      this,
+      {"learning-rate", "R", "of the gradient trainers at their start", "0.05", kRare},
+      {1e-6, 10}};
+  Integer<int> particles{
+      this, {"particles", "N", "of pso-bp; population of ga-bp", "20", kRare}, 3, 1000};
+  Integer<int> iterations{
+      this,
+      {"iterations", "N", "of the swarm or the population, before backpropagation", "300", kRare},
+      0,
+      100'000};
+  Flag force_network{this, "force-network",
+                     "keep the network even if it does not help out of sample", kRare};
+
+ private:
+  static std::string trainer_summaries();
+};
 
 /// Whether a network was judged worth keeping, in a line; "" where none was judged.
 std::string network_verdict(const FitResult& fit);
-
-/// While one lives, a training shows a progress bar, and Ctrl-C ends it with the best weights so
-/// far. Before the training, Ctrl-C ends the program as ever.
-class TrainingWatch {
- public:
-  /// `settings` is what the training will get.
-  explicit TrainingWatch(TrainerSettings& settings);
-  /// Says on stderr where the training was interrupted.
-  void report(const TrainerResult& result) const;
-
- private:
-  Progress progress_;
-  std::optional<InterruptGuard> guard_;
-};
 
 }  // namespace fogcomp::cli

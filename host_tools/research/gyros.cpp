@@ -25,8 +25,8 @@ std::vector<Study> study_gyros(const StudySettings& settings, std::size_t gyros,
                                const std::function<void(double)>& progress) {
   std::vector<std::optional<Study>> results(gyros);
   std::atomic<std::size_t> next{0};
-  std::atomic<std::size_t> done{0};
-  std::mutex mutex;  // guards failure and progress
+  std::size_t done = 0;
+  std::mutex mutex;  // guards done, failure and progress
   std::exception_ptr failure;
   const auto work = [&] {
     for (std::size_t i = next++; i < gyros; i = next++) {
@@ -34,13 +34,14 @@ std::vector<Study> study_gyros(const StudySettings& settings, std::size_t gyros,
         StudySettings own = settings;
         own.seed += i;
         results[i].emplace(run_study(own));
+        const std::lock_guard<std::mutex> lock(mutex);
+        ++done;
+        if (progress) progress(static_cast<double>(done) / static_cast<double>(gyros));
       } catch (...) {
         const std::lock_guard<std::mutex> lock(mutex);
         failure = std::current_exception();
         next = gyros;
       }
-      const std::lock_guard<std::mutex> lock(mutex);
-      progress(static_cast<double>(++done) / static_cast<double>(gyros));
     }
   };
   std::vector<std::thread> threads;

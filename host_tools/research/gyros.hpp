@@ -8,7 +8,8 @@
 namespace fogcomp {
 
 /// The study of gyros `settings.seed`, seed + 1 ... side by side on the processor's cores; the same
-/// results whatever their number. `progress` is called with the fraction done.
+/// results whatever their number. `progress` is called with the fraction done, by one
+/// thread after another; what it throws ends the study. May be empty.
 std::vector<Study> study_gyros(const StudySettings& settings, std::size_t gyros,
                                const std::function<void(double)>& progress);
 

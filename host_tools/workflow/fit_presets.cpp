@@ -1,13 +1,13 @@
-#include "cli/fit_models.hpp"
+#include "workflow/fit_presets.hpp"
 
 #include <algorithm>
 
-#include "cli/training_options.hpp"
+#include "model/effect_list.hpp"
 #include "research/comparator.hpp"
 #include "research/polynomial.hpp"
 #include "support/input_error.hpp"
 
-namespace fogcomp::cli {
+namespace fogcomp::workflow {
 namespace {
 
 // Models with a trainer here have a network on the bias alone, of (temperature, temperature rate).
@@ -32,10 +32,9 @@ constexpr Preset kPresets[] = {
     {"effects+network", "", kOpen, false},
 };
 
-void refuse(const Arguments& arguments, const char* option, const std::string& model) {
-  if (!arguments.has(option)) return;
-  throw InputError(std::string("--") + option,
-                   "is settled by --model " + model + "; leave one of the two out");
+void refuse(const char* option, bool given, const std::string& preset) {
+  if (!given) return;
+  throw InputError(option, "is settled by --model " + preset + "; leave one of the two out");
 }
 
 const Preset& find_preset(const std::string& name) {
@@ -50,42 +49,48 @@ const Preset& find_preset(const std::string& name) {
 
 }  // namespace
 
-WantedModel wanted_model(const Arguments& arguments) {
+bool takes_effects(const std::optional<std::string>& preset) {
+  return !preset || find_preset(*preset).effects == std::string();
+}
+
+WantedModel wanted_model(const FitRequest& request) {
   WantedModel model;
-  model.network = network_settings(arguments);
-  if (!arguments.has("model")) {
-    model.effects = arguments.required("effects");
-    return model;
-  }
-  const std::string name = arguments.text("model");
+  NetworkSettings& network = model.network;
+  network.hidden = request.hidden.value_or(0);
+  network.hidden_activation = request.activation;
+  network.trainer = request.trainer.value_or(network.trainer);
+  network.training = request.training;
+  model.effects = request.effects.value_or("");
+  if (!request.preset) return model;
+  const std::string& name = *request.preset;
   const Preset& preset = find_preset(name);
   const std::string trainer = preset.trainer;
   model.order_by_validation = preset.order_by_validation;
-  model.effects = preset.effects;
-  if (model.effects.empty()) {
-    model.effects = arguments.required("effects");
-  } else {
-    refuse(arguments, "effects", name);
+  if (!takes_effects(name)) {
+    refuse("--effects", request.effects.has_value(), name);
+    model.effects = preset.effects;
   }
-  if (trainer != kOpen) refuse(arguments, "trainer", name);
+  if (trainer != kOpen) refuse("--trainer", request.trainer.has_value(), name);
   if (trainer.empty()) {
-    refuse(arguments, "network", name);
+    refuse("--network", request.hidden.has_value(), name);
     return model;
   }
   model.network_is_the_model = trainer != kOpen;
-  if (model.network_is_the_model) model.network.trainer = trainer;
-  if (!arguments.has("network")) model.network.hidden = kUsualHidden;
+  if (model.network_is_the_model) network.trainer = trainer;
+  if (!request.hidden) network.hidden = kUsualHidden;
   return model;
 }
 
-std::vector<std::string> fit_model_names() {
+std::vector<EffectTerm> wanted_terms(const FitRequest& request) {
+  std::vector<EffectTerm> terms = parse_effects(wanted_model(request).effects);
+  for (const std::string& definition : request.expressions) add_expression(terms, definition);
+  return terms;
+}
+
+std::vector<std::string> preset_names() {
   std::vector<std::string> names;
   for (const Preset& preset : kPresets) names.emplace_back(preset.name);
   return names;
-}
-
-std::string fit_model_list() {
-  return join(fit_model_names(), ", ");
 }
 
 void choose_order(std::vector<EffectTerm>& terms, const Rows& rows) {
@@ -95,4 +100,4 @@ void choose_order(std::vector<EffectTerm>& terms, const Rows& rows) {
   found->parameters[0] = Polynomial::best_order(temperature_of(rows), rows.drift_dph);
 }
 
-}  // namespace fogcomp::cli
+}  // namespace fogcomp::workflow

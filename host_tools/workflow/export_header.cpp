@@ -1,11 +1,12 @@
-#include "cli/board_header.hpp"
+#include "workflow/export_header.hpp"
 
 #include "board/header.hpp"
-#include "cli/board_options.hpp"
+#include "model/catalogue.hpp"
+#include "model/model_file.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp::cli {
+namespace fogcomp::workflow {
 namespace {
 
 std::string file_name(const std::string& path) {
@@ -15,6 +16,16 @@ std::string file_name(const std::string& path) {
 
 std::uint32_t data_hash(const Model& model) {
   return model.history.empty() ? 0 : model.history.back().data_hash;
+}
+
+// What the board does without, a sentence each.
+std::vector<std::string> left_out(const Model& model) {
+  std::vector<std::string> notes;
+  for (const EffectTerm& term : model.terms) {
+    const char* reason = info_of(term).host_only;
+    if (reason != nullptr) notes.push_back(term.name + " is left out: " + reason);
+  }
+  return notes;
 }
 
 }  // namespace
@@ -48,12 +59,16 @@ BoardErrors verify_board(const Model& model, const fog::ModelParameters& paramet
   return errors;
 }
 
-BoardHeader board_header(const Model& model, const std::string& file, const Arguments& arguments,
-                         bool allow_error) {
-  const BoardTable table = make_board_table(model, board_settings(arguments));
+ExportOutcome board_header(const Model& model, const std::string& file, const BoardSettings& board,
+                           bool allow_error) {
+  const BoardTable table = make_board_table(model, board);
   const BoardErrors errors = verify_board(model, read_board_table(table, file), file, allow_error);
-  return {header_text(table, file_name(file), data_hash(model)), table.words.size(), errors.error,
-          errors.network};
+  return {header_text(table, file_name(file), data_hash(model)), table.words.size(),
+          errors.quantization, errors.network, left_out(model)};
 }
 
-}  // namespace fogcomp::cli
+ExportOutcome export_header(const ExportRequest& request) {
+  return board_header(load_model(request.model), request.model, request.board, request.allow_error);
+}
+
+}  // namespace fogcomp::workflow

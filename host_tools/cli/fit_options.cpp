@@ -1,0 +1,39 @@
+#include "cli/fit_options.hpp"
+
+namespace fogcomp::cli {
+
+Choice<std::optional<ThresholdRule>>::Meanings FitOptions::row_rules() {
+  Choice<std::optional<ThresholdRule>>::Meanings rules;
+  for (const std::string& name : threshold_rule_names()) {
+    rules.emplace_back(name, threshold_rule(name));
+  }
+  rules.emplace_back("none", std::nullopt);
+  return rules;
+}
+
+workflow::FitRequest FitOptions::request(const std::vector<std::string>& runs,
+                                         const ReadOptions& reading) const {
+  workflow::FitRequest request;
+  request.runs = runs;
+  request.reading = reading;
+  request.hidden = training.network.find();
+  request.activation = training.activation.value();
+  request.trainer = training.trainer.find();
+  request.training = training.value();
+  request.force_network = training.force_network.given();
+  request.preset = model.find();
+  request.effects = workflow::takes_effects(request.preset) ? effects.required() : effects.find();
+  request.expressions = expressions.value();
+  request.run_offsets = run_offsets.given();
+  request.row_denoising = denoise_rows.value();
+  request.network_inputs = inputs.value();
+  request.average_s = average.value();
+  request.derivative_tau_s = derivative_tau.value();
+  request.board_denoiser = {wavelet.value(), levels.value(), threshold.value(), mode.value()};
+  if (request.row_denoising && levels.value() == 0) {
+    fail("--levels '0' is not a number from 1 to 10");
+  }
+  return request;
+}
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/denoise_options.hpp"
+#include "cli/training_options.hpp"
+#include "fit/network_inputs.hpp"
+#include "model/catalogue.hpp"
+#include "support/text.hpp"
+#include "workflow/fit_presets.hpp"
+
+namespace fogcomp::cli {
+
+/// Everything that decides what a fit finds: effects, network, rows, denoisers.
+struct FitOptions : OptionGroup {
+  using OptionGroup::OptionGroup;
+  /// For these recordings. Throws InputError for values out of range and effects that are missing.
+  workflow::FitRequest request(const std::vector<std::string>& runs,
+                               const ReadOptions& reading) const;
+
+  Text effects{this,
+               {"effects", "LIST", "NAME,NAME:p=VALUE,...; ? for a value: identified"},
+               effect_names()};
+  Texts expressions{
+      this, {"effect-expr", "EXPR", "a term of your own: 'late = lag(T,?tau[60,900]) - T'"}};
+  Text model{this,
+             {"model", "NAME",
+              "instead of --effects, --network; a board runs each: " +
+                  join(workflow::preset_names(), ", ")},
+             workflow::preset_names()};
+  Number average{this, {"average", "S", "rows of the fit, seconds", "10"}, {1e-3, 1e6}};
+  Flag run_offsets{this, "run-offsets", "a bias for each recording; the model keeps the first"};
+  TrainingOptions training{this};
+  Text inputs{
+      this,
+      {"inputs", "LIST", "of the network: also lagged_temperature:tau=S, elapsed, supply, ...",
+       "temperature,temperature_rate", kRare},
+      network_input_names()};
+  Number derivative_tau{
+      this,
+      {"derivative-tau", "S", "time constant of the two lags behind dT/dt", "30", kRare},
+      {1e-3, 1e5}};
+  Choice<std::string> wavelet{this,
+                              {"wavelet", "NAME", "of the board's denoiser", "sym8", kRare},
+                              as_named(wavelet_names())};
+  Integer<int> levels{
+      this, {"levels", "N", "of the board's denoiser, 0 for none", "5", kRare}, 0, 10};
+  Choice<fog::ThresholdRule> threshold{
+      this,
+      {"threshold", "RULE", "of the board: heursure and sqtwolog follow the noise; or fixed",
+       "heursure", kRare},
+      in_order<fog::ThresholdRule>(kBoardRules)};
+  HardOrSoft mode{this, kRare};
+  Choice<std::optional<ThresholdRule>> denoise_rows{
+      this,
+      {"denoise-rows", "RULE", "denoise what the network is trained on, by heursure, ...", "none",
+       kRare},
+      row_rules()};
+
+ private:
+  static Choice<std::optional<ThresholdRule>>::Meanings row_rules();
+};
+
+}  // namespace fogcomp::cli

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/ladder.hpp"
+#include "workflow/observer.hpp"
+
+namespace fogcomp::workflow {
+
+struct DiagnoseRequest {
+  std::string model;                     ///< file
+  std::vector<std::string> runs;         ///< recordings
+  ReadOptions reading;                   ///< model_scale_factor is the model's
+  std::vector<std::string> expressions;  ///< `NAME = EXPRESSION`: candidates beside the catalogue
+  std::optional<std::string> at_rest;    ///< recording that the noise is taken from
+  int max_effects = 0;                   ///< of the loop; 0: only say what is missing
+  std::optional<double> average_s;       ///< rows; nothing: as the model was fitted
+  std::uint64_t seed = 1;                ///< of the draws that calibrate the test
+};
+
+struct DiagnoseOutcome {
+  std::unique_ptr<const Model> model;  ///< as given; data refers to it
+  DiagnosisData data;
+  std::vector<std::string> runs;  ///< that counted: none twice
+  Ladder ladder;                  ///< without steps where max_effects is 0
+};
+
+/// Throws InputError as DiagnosisData::add(), noise_of_static() and walk_ladder() do.
+DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer = {});
+
+}  // namespace fogcomp::workflow

@@ -1,0 +1,144 @@
+#include "workflow/fit.hpp"
+
+#include <utility>
+
+#include "compare/board_delay.hpp"
+#include "fit/network_inputs.hpp"
+#include "fit/training_runs.hpp"
+#include "recording/recording_writer.hpp"
+#include "support/text.hpp"
+#include "workflow/fit_presets.hpp"
+
+namespace fogcomp::workflow {
+namespace {
+
+const std::string kFittingEffects = "fitting effects";
+
+// Nothing where the rows are to stay as they are.
+std::optional<DenoiseMethod> row_denoising(const FitRequest& request) {
+  if (!request.row_denoising) return std::nullopt;
+  DenoiseMethod method;
+  method.wavelet = request.board_denoiser.wavelet;
+  method.levels = request.board_denoiser.levels;
+  method.rule = *request.row_denoising;
+  method.hard = request.board_denoiser.hard;
+  return method;
+}
+
+// The segment of a recording in which a time lies.
+std::string segment_at(const RunInBlocks& run, double time_s) {
+  std::string name;
+  for (const Segment& segment : run.segments) {
+    if (name.empty() || time_s >= segment.start_s) name = segment.name;
+  }
+  return name;
+}
+
+// All that a request says, before any recording is read.
+struct Plan {
+  WantedModel wanted;
+  FitSettings settings;
+  Model model;  // without coefficients
+  ReadOptions reading;
+};
+
+Plan plan_of(const FitRequest& request) {
+  Plan plan;
+  plan.wanted = wanted_model(request);
+  FitSettings& settings = plan.settings;
+  settings.identify.run_offsets = request.run_offsets;
+  settings.row_denoising = row_denoising(request);
+  settings.network = plan.wanted.network;
+  settings.force_network = plan.wanted.network_is_the_model || request.force_network;
+  settings.network_inputs = parse_network_inputs(request.network_inputs);
+  plan.model.terms = wanted_terms(request);
+  plan.model.average_s = request.average_s;
+  plan.model.derivative_tau_s = request.derivative_tau_s;
+  plan.model.denoise = request.board_denoiser;
+  // Runs need these.
+  if (plan.wanted.network.hidden > 0) plan.model.network.inputs = settings.network_inputs;
+  // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
+  plan.reading = request.reading;
+  plan.model.scale_factor = plan.reading.scale_factor.value_or(kDefaultScaleFactor);
+  std::swap(plan.reading.scale_factor, plan.reading.model_scale_factor);
+  return plan;
+}
+
+void listen(FitSettings& settings, const Observer& observer) {
+  settings.identify.progress = observer.of_stage(kFittingEffects);
+  if (!observer.progress) return;
+  settings.network.training.go_on = [&](double done) { return observer.goes_on(kTraining, done); };
+}
+
+// What was done and what it brought: the effects, then the network.
+void write_history(FitOutcome& outcome, const FitRequest& request, const WantedModel& wanted,
+                   const TrainingRuns& training) {
+  Model& model = outcome.model;
+  const double effects_rms_dph = outcome.result.effects_rms_dph;
+  std::string fitted = wanted.effects;
+  for (const std::string& definition : request.expressions) fitted += ", " + definition;
+  model.history.push_back({"fit " + fitted, training.data_hash, outcome.result.raw_std_dph,
+                           effects_rms_dph, training.noise_floor_dph});
+  if (!model.network.present()) return;
+  model.history.push_back(
+      {format("network %d %s", wanted.network.hidden, wanted.network.trainer.c_str()),
+       training.data_hash, effects_rms_dph, model.residual_rms_dph, training.noise_floor_dph});
+}
+
+}  // namespace
+
+std::size_t FitOutcome::refused_rows() const {
+  std::size_t refused = 0;
+  for (const RunInBlocks& run : runs) refused += run.refused_rows;
+  return refused;
+}
+
+std::optional<double> FitOutcome::determined_weights() const {
+  if (!model.network.present()) return std::nullopt;
+  return result.training->effective_parameters;
+}
+
+bool FitOutcome::network_dropped() const {
+  return result.training && !model.network.present();
+}
+
+ModelOnRuns FitOutcome::on_its_runs(const std::string& file) const {
+  ModelOnRuns judged{file, model, {}};
+  for (const RunInBlocks& run : runs) judged.runs.push_back(try_model(model, run));
+  return judged;
+}
+
+void check(const FitRequest& request) {
+  plan_of(request);
+}
+
+FitOutcome fit(const FitRequest& request, const Observer& observer) {
+  auto [wanted, settings, wanted_terms, reading] = plan_of(request);
+  FitOutcome outcome;
+  Model& model = outcome.model;
+  model = std::move(wanted_terms);
+  outcome.searched_steps = searches_steps(model.terms);
+  TrainingRuns training = read_training_runs(request.runs, reading, model.average_s);
+  observer.say(training.notes);
+  model.noise_dph_rthz = training.noise_dph_rthz;
+  SignalSeries series(model);
+  for (const RunInBlocks& run : training.runs) series.add(run.blocks);
+  outcome.rows = series.rows().size();
+  outcome.row_s = series.rows().row_s;
+  if (wanted.order_by_validation) choose_order(model.terms, series.rows());
+  observer.tell(kFittingEffects, 0);
+  listen(settings, observer);
+  outcome.result = fit_model(model, series, settings);
+  observer.goes_on("judging", 0);  // whoever ended the training still gets what it came to
+  outcome.delay_rms_dph = delay_error_dph(model, training.runs);
+  outcome.physical_lags = physical_lags(model, training.runs, settings.identify.run_offsets);
+  for (const FoundStep& step : outcome.result.identified.steps) {
+    const RunInBlocks& run = training.runs[step.run];
+    outcome.step_places.push_back(run.file + ", " + segment_at(run, step.time_s));
+  }
+  write_history(outcome, request, wanted, training);
+  outcome.runs = std::move(training.runs);
+  return outcome;
+}
+
+}  // namespace fogcomp::workflow

@@ -1,0 +1,26 @@
+#include "workflow/info.hpp"
+
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::workflow {
+namespace {
+
+constexpr double kUsualAverageSeconds = 10;
+
+}  // namespace
+
+InfoOutcome info(const InfoRequest& request) {
+  InfoOutcome outcome{read_recording(request.run, request.reading), {}};
+  const Recording& run = outcome.recording;
+  const double length_s = static_cast<double>(run.rows()) * run.period_s;
+  if (request.average_s && 2 * *request.average_s > length_s) {
+    throw InputError(run.file,
+                     format("lasts %g s, too short for means of %g s; give a shorter --average",
+                            length_s, *request.average_s));
+  }
+  outcome.summary = summarize(run, request.average_s.value_or(kUsualAverageSeconds));
+  return outcome;
+}
+
+}  // namespace fogcomp::workflow

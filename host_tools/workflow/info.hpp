@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "compare/run_summary.hpp"
+#include "recording/recording.hpp"
+
+namespace fogcomp::workflow {
+
+struct InfoRequest {
+  std::string run;  ///< recording
+  ReadOptions reading;
+  /// Length of a block mean, seconds, > 0; nothing: 10 s, however short the recording.
+  std::optional<double> average_s;
+};
+
+struct InfoOutcome {
+  Recording recording;
+  RunSummary summary;
+};
+
+/// Throws InputError as read_recording() does, and for a recording without two means of average_s.
+InfoOutcome info(const InfoRequest& request);
+
+}  // namespace fogcomp::workflow

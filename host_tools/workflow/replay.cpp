@@ -1,0 +1,64 @@
+#include "workflow/replay.hpp"
+
+#include <cmath>
+
+#include "board/board_source.hpp"
+#include "board/stream_source.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+#include "workflow/export_header.hpp"
+
+namespace fogcomp::workflow {
+namespace {
+
+// A header knows its sample rate; a recording at another one would be replayed with wrong time.
+void check_rate(const fog::ModelParameters& parameters, double period_s, const std::string& run) {
+  const double board_s = parameters.acquisition.sample_period_us * 1e-6;
+  constexpr double kTolerance = 0.01;
+  if (period_s > 0 && std::abs(period_s / board_s - 1) > kTolerance) {
+    throw InputError(run, format("is sampled at %.6g Hz but the header is for %.6g Hz; export it "
+                                 "with --sample-rate %.6g",
+                                 1 / period_s, 1 / board_s, 1 / period_s));
+  }
+}
+
+StreamSource source_of(const StreamRequest& request, const BoardSource& board) {
+  ReadOptions reading = request.reading;
+  reading.model_scale_factor = board.scale_factor();
+  return StreamSource(request.run, reading, board.scale_factor(), board.needs());
+}
+
+}  // namespace
+
+std::optional<std::size_t> stream(const StreamRequest& request, const ByteSink& sink) {
+  const StreamSource source = source_of(request, BoardSource(request.weights));
+  source.send([&](fog::Span<const std::uint8_t> bytes, fog::SampleTime) { sink(bytes); });
+  return source.is_capture() ? std::nullopt : std::optional(source.rows());
+}
+
+ReplaySummary replay(const ReplayRequest& request, const ByteSink& sink) {
+  BoardSource board(request.weights);
+  const StreamSource source = source_of(request, board);
+  BoardSettings settings = request.board;
+  if (request.rate_of_recording && !source.is_capture() && source.period_s() > 0) {
+    settings.sample_rate_hz = 1 / source.period_s();
+  }
+  const BoardTable& table = board.table(settings);
+  const fog::ModelParameters parameters = read_board_table(table, request.weights);
+  // What export would refuse: no board will ever send it.
+  if (const Model* model = board.model()) {
+    verify_board(*model, parameters, request.weights, request.allow_error);
+  }
+  if (!source.is_capture()) check_rate(parameters, source.period_s(), request.run);
+
+  Replay board_code(parameters);
+  source.send([&](fog::Span<const std::uint8_t> bytes, fog::SampleTime time) {
+    sink(board_code.feed(bytes, time));
+  });
+  if (board_code.summary().frames == 0) {
+    throw InputError(request.run, "holds no good frame; is it a capture of the sensor stream?");
+  }
+  return board_code.summary();
+}
+
+}  // namespace fogcomp::workflow

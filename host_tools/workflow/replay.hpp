@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "board/board_table.hpp"
+#include "board/replay.hpp"
+#include "board/sensor_stream.hpp"
+#include "recording/recording.hpp"
+
+namespace fogcomp::workflow {
+
+struct StreamRequest {
+  std::string weights;  ///< file of a model or an exported header
+  std::string run;      ///< recording
+  ReadOptions reading;  ///< model_scale_factor is the weights'
+};
+
+/// Hands the sensor stream in which a board would see the recording to `sink`, in pieces; a capture
+/// as it is. Returns the samples of a recording, nothing for a capture.
+std::optional<std::size_t> stream(const StreamRequest& request, const ByteSink& sink);
+
+struct ReplayRequest : StreamRequest {
+  BoardSettings board;            ///< for a model; a header has its own
+  bool rate_of_recording = true;  ///< takes the place of board.sample_rate_hz, where known
+  bool allow_error = false;       ///< as ExportRequest has it
+};
+
+/// Hands what the board would send to `sink`, in pieces. Throws InputError for what export_header()
+/// would refuse, for a header of another sample rate, and for a run without a good frame: what
+/// `sink` has got then counts for nothing.
+ReplaySummary replay(const ReplayRequest& request, const ByteSink& sink);
+
+}  // namespace fogcomp::workflow

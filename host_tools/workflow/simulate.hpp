@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "recording/recording_writer.hpp"
+#include "simulation/gyro_description.hpp"
+#include "simulation/programme.hpp"
+#include "simulation/simulation.hpp"
+#include "workflow/observer.hpp"
+
+namespace fogcomp::workflow {
+
+struct SimulateRequest {
+  std::string profile = "paper";     ///< ready-made one or file
+  std::string preset = "paper";      ///< of the gyro; ready-made one or file; none: an ideal gyro
+  std::vector<std::string> without;  ///< effects of the preset to switch off
+  std::vector<std::string> effects;  ///< `NAME[:k=v,...]`: switched on or changed
+  std::vector<std::string> noise;    ///< `k=v,...` or `none`
+  simulation::SimulationOptions options;
+  std::string columns;  ///< further ones, `NAME,...` or `all`
+  RecordingFormat format = RecordingFormat::csv;
+};
+
+/// A gyro in its chamber, ready to run once. Refers to itself: stays where it was made.
+class SimulatedChamber {
+ public:
+  /// Throws InputError for names that nobody knows, values out of range, a column that the format
+  /// does not carry, and a peak that cannot be reached.
+  explicit SimulatedChamber(const SimulateRequest& request);
+  SimulatedChamber(const SimulatedChamber&) = delete;
+  SimulatedChamber& operator=(const SimulatedChamber&) = delete;
+
+  const simulation::GyroDescription& gyro() const { return gyro_; }
+  const simulation::Simulation& simulation() const { return simulation_; }
+  /// Those of the recording: time, temperature, rate, then what was asked for; the input rate also
+  /// where there is one.
+  const std::vector<Column>& columns() const { return columns_; }
+  double duration_s() const { return programme_.duration_s(); }
+
+  /// Hands the whole run to `sink`, chunk by chunk, and returns its rows. Throws InputError for a
+  /// programme shorter than a row.
+  std::size_t run(const std::function<void(const simulation::RowChunk&)>& sink,
+                  const Observer& observer = {});
+
+ private:
+  SimulateRequest request_;
+  simulation::GyroDescription gyro_;
+  simulation::Programme programme_;
+  std::vector<Column> columns_;
+  simulation::Simulation simulation_;
+};
+
+}  // namespace fogcomp::workflow

@@ -1,0 +1,132 @@
+// The options of every command: one description each, and every command asks for its own alone.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "cli/arguments.hpp"
+#include "support/input_error.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+std::string refusal(Command& command, const std::vector<std::string>& words) {
+  try {
+    parse(command, words);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A command has its options as members: what it asks for is registered by being declared, and a
+// name that is mistyped does not compile. What is left to go wrong at run time is looked for here.
+TEST(Options, AreListedOnceByEveryCommand) {
+  for (const CommandPointer& command : all_commands()) {
+    std::set<std::string> names;
+    for (const Option* option : command->options()) {
+      EXPECT_TRUE(names.insert(option->name).second) << command->name() << " " << option->name;
+      EXPECT_EQ(command->find_option(option->name), option);
+      EXPECT_FALSE(option->help.empty()) << command->name() << " " << option->name;
+    }
+  }
+}
+
+TEST(Options, ThatACommandNeedsAreItsOwn) {
+  for (const CommandPointer& command : all_commands()) {
+    const auto lists = [&](const Option* wanted) {
+      const auto& options = command->options();
+      return std::find(options.begin(), options.end(), wanted) != options.end();
+    };
+    for (const Command::Need& need : command->needs) {
+      EXPECT_TRUE(lists(need.option)) << command->name();
+      EXPECT_TRUE(need.unless == nullptr || lists(need.unless)) << command->name();
+    }
+    for (const Option* other : {command->stands_for_positional, command->further_models}) {
+      EXPECT_TRUE(other == nullptr || lists(other)) << command->name();
+    }
+  }
+}
+
+TEST(Options, HaveDefaultsThatTheyWouldTake) {
+  for (const CommandPointer& command : all_commands()) {
+    for (const Option* option : command->options()) {
+      const auto* number = dynamic_cast<const Number*>(option);
+      if (option->default_value.empty()) continue;
+      if (number != nullptr) {
+        EXPECT_NO_THROW(number->value()) << command->name() << " " << option->name;
+      }
+      const bool is_choice = number == nullptr && dynamic_cast<const Text*>(option) == nullptr;
+      if (!is_choice) continue;
+      EXPECT_EQ(1, std::count(option->words.begin(), option->words.end(), option->default_value))
+          << command->name() << " " << option->name;
+    }
+  }
+}
+
+TEST(Options, OfAGroupAreTheCommandsOwn) {
+  const CommandPointer fit = find_command("fit");
+  for (const char* name : {"o", "effects", "seed", "levels", "report", "json", "latitude"}) {
+    EXPECT_NE(fit->find_option(name), nullptr) << name;
+  }
+  EXPECT_TRUE(fit->find_option("latitude")->rare);
+  EXPECT_FALSE(fit->find_option("effects")->rare);
+  EXPECT_FALSE(find_command("compare")->find_option("latitude")->rare);
+}
+
+// Values are kept where they are given, and judged where they are asked for.
+struct Sample : Command {
+  Sample() : Command("sample", {"", 0, 1}, "", "") {}
+  int run() const override { return 0; }
+
+  Number average{this, {"average", "S", "", "10"}, {1, 100}};
+  Integer<int> count{this, {"count", "N", "", "2"}, 0, 5};
+  Choice<bool> direction{this, {"axis", "up|down", "", "up"}, {{"up", true}, {"down", false}}};
+  Texts effects{this, {"effect", "LIST", ""}};
+  Text model{this, {"model", "MODEL", ""}};
+  Flag force{this, "force", ""};
+};
+
+TEST(Options, AreTheirDefaultsUntilGiven) {
+  Sample sample;
+  parse(sample, {});
+  EXPECT_EQ(sample.average.value(), 10);
+  EXPECT_FALSE(sample.average.find());
+  EXPECT_EQ(sample.count.value(), 2);
+  EXPECT_TRUE(sample.direction.value());
+  EXPECT_TRUE(sample.effects.value().empty());
+  EXPECT_FALSE(sample.force.given());
+}
+
+TEST(Options, AreReadAsTheirTypes) {
+  Sample sample;
+  parse(sample, {"--average=2.5", "--effect", "a", "--count", "5", "--axis", "down", "--force",
+                 "--effect=b", "word"});
+  EXPECT_EQ(sample.average.find(), 2.5);
+  EXPECT_EQ(sample.count.find(), 5);
+  EXPECT_FALSE(sample.direction.value());
+  EXPECT_EQ(sample.effects.value(), (std::vector<std::string>{"a", "b"}));
+  EXPECT_TRUE(sample.force.given());
+  EXPECT_EQ(sample.arguments, std::vector<std::string>{"word"});
+}
+
+TEST(Options, SayWhatTheyTake) {
+  Sample sample;
+  parse(sample, {"--average", "0.5", "--count", "1.5", "--axis", "uq"});
+  EXPECT_THROW(sample.average.value(), InputError);
+  EXPECT_THROW(sample.count.value(), InputError);
+  EXPECT_THROW(sample.direction.value(), InputError);
+  EXPECT_THROW(sample.model.required(), InputError);
+  Sample twice;
+  EXPECT_EQ(refusal(twice, {"--average", "1", "--average", "2"}),
+            "fogcomp sample: --average is given twice; see fogcomp sample --help");
+  Sample mistyped;
+  EXPECT_EQ(refusal(mistyped, {"--averag", "1"}),
+            "fogcomp sample: unknown option --averag (did you mean 'average'?); see fogcomp sample "
+            "--help");
+}
+
+}  // namespace
+}  // namespace fogcomp::cli

@@ -1,0 +1,220 @@
+// The use cases as a program of one's own calls them: requests and results, files in a folder, no
+// command line.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "board/header.hpp"
+#include "model/model_file.hpp"
+#include "support/input_error.hpp"
+#include "workflow/add.hpp"
+#include "workflow/calibrate.hpp"
+#include "workflow/compare.hpp"
+#include "workflow/denoise.hpp"
+#include "workflow/diagnose.hpp"
+#include "workflow/info.hpp"
+#include "workflow/paper.hpp"
+#include "workflow/replay.hpp"
+#include "workflow/simulate.hpp"
+
+namespace fogcomp::workflow {
+namespace {
+
+// A folder with the recordings of one simulated gyro, gone with the tests.
+class UseCases : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::filesystem::path(testing::TempDir()) / "fogcomp_workflow_XXXXXX";
+    std::string pattern = folder_.string();
+    folder_ = ::mkdtemp(pattern.data());
+    simulate("paper", 1, "run.csv");
+    simulate("reversed", 2, "second.csv");
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
+
+  static std::string path(const std::string& name) { return (folder_ / name).string(); }
+
+  static void simulate(const std::string& profile, std::uint64_t seed, const std::string& name) {
+    SimulateRequest request;
+    request.profile = profile;
+    request.options.seed = seed;
+    SimulatedChamber chamber(request);
+    RecordingWriter writer(path(name), request.format, chamber.columns(), kDefaultScaleFactor,
+                           request.options.rate_hz);
+    chamber.run([&](const simulation::RowChunk& chunk) {
+      std::vector<const double*> values;
+      for (const Column column : chamber.columns()) values.push_back(chunk[column].data());
+      writer.append(values, chunk.rows());
+    });
+    writer.commit();
+  }
+
+  static FitRequest static_fit() {
+    FitRequest request;
+    request.runs = {path("run.csv")};
+    request.effects = "bias,bias_temperature";
+    request.average_s = 30;
+    return request;
+  }
+
+  // The model without rate terms: what it lacks is to be found.
+  static std::string static_model() {
+    const std::string file = path("static.model");
+    if (!std::filesystem::exists(file)) save_model(fit(static_fit()).model, file);
+    return file;
+  }
+
+ private:
+  static std::filesystem::path folder_;
+};
+std::filesystem::path UseCases::folder_;
+
+TEST_F(UseCases, FitCompareDiagnoseAndAddWithoutACommandLine) {
+  const std::string file = static_model();
+  CompareRequest comparison;
+  comparison.models = {file};
+  comparison.runs = {path("run.csv"), path("second.csv")};
+  const std::vector<ModelOnRuns> judged = compare(comparison);
+  ASSERT_EQ(judged.size(), 1U);
+  ASSERT_EQ(judged[0].runs.size(), 2U);
+
+  DiagnoseRequest question;
+  question.model = file;
+  question.runs = {path("run.csv")};
+  const DiagnoseOutcome answer = diagnose(question);
+  EXPECT_EQ(answer.runs, question.runs);
+  EXPECT_EQ(answer.ladder.first.verdict, Verdict::missing_effect);
+
+  AddRequest addition;
+  addition.model = file;
+  addition.effect = effect_to_add(answer.ladder.first);
+  addition.runs = question.runs;
+  addition.hold_outs = {path("second.csv")};
+  const Addition added = add(addition);
+  EXPECT_TRUE(added.accepted) << added.reason;
+  save_model(added.model, path("better.model"));
+
+  comparison.models.push_back(path("better.model"));
+  const std::vector<ModelOnRuns> both = compare(comparison);
+  EXPECT_LT(both[1].runs[1].comparison.whole.rms_dph, both[0].runs[1].comparison.whole.rms_dph);
+}
+
+TEST_F(UseCases, ExportWhatReplayThenRuns) {
+  const std::string file = static_model();
+  const ExportOutcome exported = export_header({file, {0.1, fog::OutputSelection::kvh, false}});
+  EXPECT_LE(exported.quantization.worst_dph, kQuantizationLimitDph);
+  std::ofstream(path("fog_model.h")) << exported.header;
+
+  const auto bytes_of = [&](const std::string& weights) {
+    ReplayRequest request;
+    request.weights = weights;
+    request.run = path("run.csv");
+    std::vector<std::uint8_t> bytes;
+    const ReplaySummary seen = replay(request, [&](fog::Span<const std::uint8_t> piece) {
+      bytes.insert(bytes.end(), piece.data, piece.data + piece.size);
+    });
+    EXPECT_EQ(seen.output_bytes, bytes.size());
+    return bytes;
+  };
+  const std::vector<std::uint8_t> from_model = bytes_of(file);
+  EXPECT_FALSE(from_model.empty());
+  EXPECT_EQ(from_model, bytes_of(path("fog_model.h")));
+}
+
+TEST_F(UseCases, DescribeAndDenoiseARecording) {
+  const InfoOutcome described = info({path("run.csv"), {}, {}});
+  EXPECT_EQ(described.recording.rows(), 5955U);
+  EXPECT_FALSE(described.summary.segments.empty());
+  const DenoiseOutcome denoised = denoise({path("run.csv"), {}, {}});
+  ASSERT_FALSE(denoised.segments.empty());
+  for (const DenoiseOutcome::SegmentBias& segment : denoised.segments) {
+    EXPECT_LT(segment.denoised.std_dph, segment.raw.std_dph) << segment.name;
+  }
+}
+
+TEST_F(UseCases, CalibrateAGyroAndNameItsFigures) {
+  CalibrationRequest request;
+  request.fit = static_fit();
+  request.hold_outs = {path("second.csv")};
+  request.board.sample_rate_hz = 0.1;
+  request.model_file = path("gyro.model");
+  bool fitted = false;
+  bool judged = false;
+  const CalibrationOutcome outcome =
+      calibrate(request, {[&](const Model&) { fitted = true; },
+                          [&](const ModelOnRuns& runs) { judged = runs.runs.size() == 1; }});
+  EXPECT_TRUE(fitted && judged);
+  const std::vector<std::string> known = figure_names(request.fit);
+  for (const auto& [name, value] : outcome.figures) {
+    EXPECT_NE(std::find(known.begin(), known.end(), name), known.end()) << name;
+  }
+}
+
+TEST_F(UseCases, SayWhatIsWrongAsAnInputError) {
+  FitRequest request = static_fit();
+  request.runs = {path("no.csv")};
+  EXPECT_THROW(fit(request), InputError);
+  request = static_fit();
+  request.effects = "bias,nothing";
+  EXPECT_THROW(check(request), InputError);
+  request = static_fit();
+  request.preset = "polynomial";  // has effects of its own
+  EXPECT_THROW(check(request), InputError);
+  request.effects.reset();
+  EXPECT_NO_THROW(check(request));
+  request.preset = "ls-svm";  // no board carries it
+  EXPECT_THROW(check(request), InputError);
+  EXPECT_THROW(compare({{path("run.csv")}, {path("run.csv")}, {}, {}, false}), InputError);
+  EXPECT_THROW(study_models("nothing"), InputError);
+}
+
+TEST_F(UseCases, TellTheirObserverOnceWhatWasLeftOut) {
+  FitRequest request = static_fit();
+  request.runs.push_back(request.runs[0]);
+  std::vector<std::string> notes;
+  Observer observer;
+  observer.note = [&](const std::string& note) { notes.push_back(note); };
+  fit(request, observer);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes[0].find("run.csv"), std::string::npos) << notes[0];
+}
+
+TEST_F(UseCases, EndWhenTheirObserverSaysSo) {
+  Observer observer;
+  observer.progress = [](const std::string&, double) { return false; };
+  EXPECT_THROW(fit(static_fit(), observer), Cancelled);
+  DiagnoseRequest question;
+  question.model = static_model();
+  question.runs = {path("run.csv")};
+  EXPECT_THROW(diagnose(question, observer), Cancelled);
+  AddRequest addition;
+  addition.model = question.model;
+  addition.effect = "temperature_rate";
+  addition.runs = question.runs;
+  EXPECT_THROW(add(addition, observer), Cancelled);
+  EXPECT_THROW(compare({{question.model}, question.runs, {}, {}, false}, observer), Cancelled);
+  EXPECT_THROW(SimulatedChamber(SimulateRequest()).run([](const auto&) {}, observer), Cancelled);
+}
+
+TEST_F(UseCases, KeepTheNetworkAsFarAsItIsTrained) {
+  FitRequest request = static_fit();
+  request.hidden = 2;
+  request.average_s = 120;
+  request.force_network = true;
+  Observer observer;
+  int calls = 0;
+  observer.progress = [&](const std::string& stage, double) {
+    return stage != kTraining || ++calls < 3;
+  };
+  const FitOutcome outcome = fit(request, observer);
+  ASSERT_TRUE(outcome.result.training);
+  EXPECT_TRUE(outcome.result.training->interrupted);
+  EXPECT_TRUE(outcome.model.network.present());
+}
+
+}  // namespace
+}  // namespace fogcomp::workflow
