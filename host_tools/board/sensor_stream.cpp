@@ -7,7 +7,6 @@
 #include "core/frames/sensor_frame.hpp"
 #include "recording/recording_writer.hpp"
 #include "series/block_series.hpp"
-#include "support/progress.hpp"
 
 namespace fogcomp {
 namespace {
@@ -22,8 +21,7 @@ std::int32_t rounded_to_int32(double value) {
 }  // namespace
 
 void make_sensor_stream(const Recording& recording, double scale_factor, fog::InputMask extension,
-                        const ByteSink& sink) {
-  Progress progress("sending " + recording.file);
+                        const ByteSink& sink, const ReadWatch& watch) {
   std::vector<std::uint8_t> piece;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
     for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
@@ -43,7 +41,9 @@ void make_sensor_stream(const Recording& recording, double scale_factor, fog::In
     if (piece.size() >= kPieceBytes) {
       sink({piece.data(), piece.size()});
       piece.clear();
-      progress.update(static_cast<double>(row) / static_cast<double>(recording.rows()));
+      if (!watch.progress) continue;
+      watch.progress("sending " + recording.file,
+                     static_cast<double>(row) / static_cast<double>(recording.rows()));
     }
   }
   if (!piece.empty()) sink({piece.data(), piece.size()});
