@@ -7,7 +7,6 @@
 #include "core/frames/sensor_frame.hpp"
 #include "recording/recording_writer.hpp"
 #include "series/block_series.hpp"
-#include "support/progress.hpp"
 
 namespace fogcomp {
 namespace {
@@ -22,8 +21,7 @@ std::int32_t rounded_to_int32(double value) {
 }  // namespace
 
 void make_sensor_stream(const Recording& recording, double scale_factor, fog::InputMask extension,
-                        const TimedByteSink& sink) {
-  Progress progress("sending " + recording.file);
+                        const TimedByteSink& sink, const ReadWatch& watch) {
   std::vector<std::uint8_t> piece;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
     piece.clear();
@@ -44,8 +42,9 @@ void make_sensor_stream(const Recording& recording, double scale_factor, fog::In
     piece.insert(piece.end(), frame.begin(), frame.end());
     const double time_ms = 1000 * recording.period_s * static_cast<double>(number);
     sink({piece.data(), piece.size()}, {true, static_cast<std::uint32_t>(std::llround(time_ms))});
-    if (row % kRowsBetweenProgress == 0) {
-      progress.update(static_cast<double>(row) / static_cast<double>(recording.rows()));
+    if (watch.progress && row % kRowsBetweenProgress == 0) {
+      watch.progress("sending " + recording.file,
+                     static_cast<double>(row) / static_cast<double>(recording.rows()));
     }
   }
 }

@@ -17,8 +17,8 @@ using ByteSink = std::function<void(fog::Span<const std::uint8_t>)>;
 /// The sensor stream in which the board would have seen a recording: counts by the scale factor,
 /// one frame per row, sequence numbers that leave out what a gap left out, and before each an
 /// extension record for every input in `extension`, whose columns the recording must have. Handed
-/// over row by row, with the time of each.
+/// over row by row, with the time of each; `watch` is told how much is done.
 void make_sensor_stream(const Recording& recording, double scale_factor, fog::InputMask extension,
-                        const TimedByteSink& sink);
+                        const TimedByteSink& sink, const ReadWatch& watch = {});
 
 }  // namespace fogcomp

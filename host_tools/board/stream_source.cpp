@@ -1,35 +1,37 @@
 #include "board/stream_source.hpp"
 
-#include <cstdio>
-
 #include "recording/input_file.hpp"
 #include "recording/stream_reader.hpp"
 #include "support/input_error.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp {
 
 namespace {
 
 // The board counts from its first sample: it cannot know of the time before a recording.
-void warn_of_late_start(const Recording& recording) {
+void warn_of_late_start(const Recording& recording, const ReadWatch& watch) {
   if (recording.time_s[0] <= recording.period_s) return;
-  std::fprintf(stderr,
-               "%s: begins at %g s after power-on; the board's time begins with its first sample\n",
-               recording.file.c_str(), recording.time_s[0]);
+  watch.say(recording.file,
+            format("begins at %g s after power-on; the board's time begins with its first sample",
+                   recording.time_s[0]));
 }
 
 }  // namespace
 
 StreamSource::StreamSource(const std::string& path, const ReadOptions& options, double scale_factor,
                            fog::InputMask needs)
-    : path_(path), scale_factor_(scale_factor), extension_(needs & fog::kAllExtensionInputs) {
+    : path_(path),
+      scale_factor_(scale_factor),
+      extension_(needs & fog::kAllExtensionInputs),
+      watch_(options.watch) {
   InputFile file(path);
   capture_ = is_sensor_stream(file.peek());
   if (capture_) return;
   ReadOptions all_rows = options;
   all_rows.keep_refused_rows = true;
   recording_ = read_recording(path, all_rows);
-  if (has(needs, fog::Input::elapsed)) warn_of_late_start(recording_);
+  if (has(needs, fog::Input::elapsed)) warn_of_late_start(recording_, watch_);
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     const fog::Input input = fog::extension_input(i);
     if (!has(extension_, input) || !recording_[input].empty()) continue;
@@ -40,10 +42,10 @@ StreamSource::StreamSource(const std::string& path, const ReadOptions& options, 
 
 void StreamSource::send(const TimedByteSink& sink) const {
   if (!capture_) {
-    make_sensor_stream(recording_, scale_factor_, extension_, sink);
+    make_sensor_stream(recording_, scale_factor_, extension_, sink, watch_);
     return;
   }
-  InputFile file(path_);
+  InputFile file(path_, watch_.progress);
   for (;;) {
     const std::string_view block = file.next_block();
     if (block.empty()) return;

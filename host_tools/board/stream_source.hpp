@@ -27,6 +27,7 @@ class StreamSource {
   std::string path_;
   double scale_factor_;
   fog::InputMask extension_;
+  ReadWatch watch_;
   bool capture_;
   Recording recording_;
 };

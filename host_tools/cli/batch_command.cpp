@@ -279,11 +279,10 @@ std::vector<batch::Limit> BatchCommand::read_limits(const workflow::FitRequest& 
 
 int BatchCommand::run() const {
   const std::string& input = arguments[0];
-  Batch batch{calibration, {}, reports.given(), input, output.required(), {}};
-  require_apart(input, batch.output);
-  for (const char* name : kTables) check_output(*this, batch.output + name);
+  require_apart(input, output.required());
+  for (const char* name : kTables) check_output(*this, output.value() + name);
   const batch::PoolSettings settings = pool();
-  batch.request = calibration.request();
+  Batch batch{calibration, calibration.request(), reports.given(), input, output.value(), {}};
   const std::vector<batch::Limit> kept = read_limits(batch.request.fit);
   batch.gyros = batch::find_gyros(input, {runs.value(), holdouts.value()});
   if (part.given()) batch.gyros = shard(part.value(), batch.gyros);

@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/denoise_options.hpp"
 #include "cli/recording_options.hpp"
+#include "cli/watch.hpp"
 #include "recording/columns.hpp"
 #include "recording/recording_writer.hpp"
 #include "support/json.hpp"
@@ -98,7 +99,8 @@ struct DenoiseCommand : Command {
 int DenoiseCommand::run() const {
   output.required();
   const DenoiseMethod method = denoising.value();
-  const DenoiseOutcome found = workflow::denoise({arguments.front(), recording.value(), method});
+  const DenoiseOutcome found =
+      workflow::denoise({arguments.front(), recording.value(), method}, Watch().observer());
   if (found.report.shortened_values > 0) {
     std::fprintf(stderr, "%s: %s between gaps too close for %s got fewer\n",
                  found.recording.file.c_str(),

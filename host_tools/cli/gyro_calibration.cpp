@@ -47,7 +47,7 @@ batch::GyroResult calibrate(const batch::GyroFolder& gyro, workflow::Calibration
     write_file(folder + "/report.html", report::compare_report({hold_outs}).html());
     add_output(result, folder, "report.html");
   };
-  const workflow::CalibrationOutcome outcome = calibrate(request, events, {print_note});
+  const workflow::CalibrationOutcome outcome = calibrate(request, events, on_stderr());
   result.figures = outcome.figures;
   write_file(folder + "/fog_model.h", outcome.board.header);
   add_output(result, folder, model_name);

@@ -7,6 +7,7 @@
 #include "cli/info_text.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
+#include "cli/watch.hpp"
 #include "report/info_report.hpp"
 #include "support/json.hpp"
 #include "workflow/info.hpp"
@@ -127,7 +128,7 @@ struct InfoCommand : Command {
 int InfoCommand::run() const {
   const workflow::InfoRequest request{arguments.front(), recording.value(), average.find()};
   ReportFile page(report);
-  const auto [run, summary] = workflow::info(request);
+  const auto [run, summary] = workflow::info(request, Watch().observer());
   if (page.wanted()) page.write(report::info_report(run, summary));
   if (json.given()) {
     std::puts(info_json(run, summary).text().c_str());

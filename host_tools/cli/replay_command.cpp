@@ -5,6 +5,7 @@
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
 #include "cli/recording_options.hpp"
+#include "cli/watch.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
@@ -62,7 +63,7 @@ int ReplayCommand::run() const {
   request.board = board.value();
   request.rate_of_recording = !board.sample_rate.given();
   request.allow_error = allow_error.given();
-  const ReplaySummary seen = workflow::replay(request, to(file));
+  const ReplaySummary seen = workflow::replay(request, to(file), Watch().observer());
   file.commit();
   print(seen);
   return 0;
@@ -83,8 +84,8 @@ struct StreamCommand : Command {
 
 int StreamCommand::run() const {
   OutputFile file(output.required());
-  const std::optional<std::size_t> samples =
-      workflow::stream({arguments[0], arguments[1], recording.value()}, to(file));
+  const std::optional<std::size_t> samples = workflow::stream(
+      {arguments[0], arguments[1], recording.value()}, to(file), Watch().observer());
   file.commit();
   if (samples) {
     std::printf("%s: %s\n", output.value().c_str(), counted(*samples, "sample").c_str());

@@ -4,15 +4,22 @@
 
 namespace fogcomp::cli {
 
-void print_note(const std::string& note) {
-  std::fprintf(stderr, "note: %s\n", note.c_str());
+workflow::Observer on_stderr() {
+  workflow::Observer observer;
+  observer.note = [](const std::string& note) { std::fprintf(stderr, "note: %s\n", note.c_str()); };
+  observer.remark = [](const std::string& remark) { std::fprintf(stderr, "%s\n", remark.c_str()); };
+  return observer;
 }
 
 workflow::Observer Watch::observer() {
-  return {[this](const std::string& note) {
-            bar_.reset();
-            print_note(note);
-          },
+  const auto below_the_bar = [this](const std::function<void(const std::string&)>& print) {
+    return [this, print](const std::string& line) {
+      bar_.reset();
+      print(line);
+    };
+  };
+  const workflow::Observer plain = on_stderr();
+  return {below_the_bar(plain.note), below_the_bar(plain.remark),
           [this](const std::string& stage, double done) { return update(stage, done); }};
 }
 

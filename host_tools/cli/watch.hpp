@@ -15,7 +15,7 @@ enum class OnInterrupt : std::uint8_t {
   keep_best,  ///< ends the training; the best network so far is kept
 };
 
-/// Shows work under way on stderr: notes, and a progress bar for each stage.
+/// Shows work under way on stderr: notes, remarks, and a progress bar for each stage.
 class Watch {
  public:
   explicit Watch(OnInterrupt on_interrupt = OnInterrupt::stop) : on_interrupt_(on_interrupt) {}
@@ -34,7 +34,7 @@ class Watch {
   std::optional<InterruptGuard> guard_;
 };
 
-/// Prints a note, a line on stderr.
-void print_note(const std::string& note);
+/// What a process without a terminal says: notes and remarks, a line each on stderr.
+workflow::Observer on_stderr();
 
 }  // namespace fogcomp::cli

@@ -1,7 +1,6 @@
 #include "recording/csv_header.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 
 #include "recording/column_units.hpp"
@@ -109,8 +108,7 @@ void choose_rate(CsvHeader& header, const std::string& file, const std::string& 
   const bool has_counts = counts != header.names.end();
   if (!has_counts || (header.has(kRateSlot) && !options.scale_factor)) {
     if (options.scale_factor) {
-      std::fprintf(stderr, "%s: no column 'counts': --scale-factor changes nothing\n",
-                   file.c_str());
+      options.watch.say(file, "no column 'counts': --scale-factor changes nothing");
     }
     return;
   }
@@ -126,7 +124,8 @@ void choose_rate(CsvHeader& header, const std::string& file, const std::string& 
   header.dph_per_rate_unit = kDphPerDegreePerSecond / *scale_factor;
 }
 
-void name_ignored_columns(const CsvHeader& header, const std::string& file) {
+void name_ignored_columns(const CsvHeader& header, const std::string& file,
+                          const ReadWatch& watch) {
   std::vector<std::string> ignored;
   for (std::size_t i = 0; i < header.names.size(); ++i) {
     if (header.slots[i] == CsvHeader::kIgnored) ignored.push_back(header.names[i]);
@@ -141,8 +140,8 @@ void name_ignored_columns(const CsvHeader& header, const std::string& file) {
   if (ignored.size() == 1 && !has_foreign_unit(ignored[0])) {
     hint = did_you_mean(ignored[0], known_names());
   }
-  std::fprintf(stderr, "%s: column%s ignored: %s%s\n", file.c_str(), ignored.size() == 1 ? "" : "s",
-               joined(ignored).c_str(), hint.c_str());
+  watch.say(file, std::string("column") + (ignored.size() == 1 ? "" : "s") +
+                      " ignored: " + joined(ignored) + hint);
 }
 
 }  // namespace
@@ -169,10 +168,9 @@ CsvHeader parse_csv_header(std::string_view text, const std::string& file, const
   for (const Column column : {Column::time_s, Column::temperature_degc, Column::rate_dph}) {
     require(header, column, where);
   }
-  name_ignored_columns(header, file);
+  name_ignored_columns(header, file, options.watch);
   if (header.has(kInputRateSlot) && options.default_input_rate_dph != 0) {
-    std::fprintf(stderr, "%s: its input_rate_dph is used; --latitude changes nothing\n",
-                 file.c_str());
+    options.watch.say(file, "its input_rate_dph is used; --latitude changes nothing");
   }
   return header;
 }

@@ -24,7 +24,7 @@ struct CsvHeader {
 
 /// Reads the header line of `file`; `where` is its `FILE:LINE`. Throws InputError for a duplicate
 /// or missing column, a wrong separator, numbers instead of names, or `counts` without a scale
-/// factor. Unknown columns, and options that this file makes void, are named on stderr.
+/// factor. Unknown columns, and options that this file makes void, are told to options.watch.
 CsvHeader parse_csv_header(std::string_view text, const std::string& file, const std::string& where,
                            const ReadOptions& options);
 

@@ -149,8 +149,8 @@ class RowCollector {
                                          : "has no good row; the first bad one: " + first_fault_);
     }
     if (recording_.bad_rows > 0) {
-      std::fprintf(stderr, "%s: %s left out, the first: %s\n", file_.path().c_str(),
-                   counted(recording_.bad_rows, "bad row").c_str(), first_fault_.c_str());
+      options_.watch.say(file_.path(), counted(recording_.bad_rows, "bad row") +
+                                           " left out, the first: " + first_fault_);
     }
     return std::move(recording_);
   }

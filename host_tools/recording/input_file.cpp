@@ -19,8 +19,8 @@ constexpr std::size_t kFewestBufferBytes = 1U << 16U;
 
 }  // namespace
 
-InputFile::InputFile(std::string path)
-    : path_(std::move(path)), buffer_bytes_(kMostBufferBytes), progress_("reading " + path_) {
+InputFile::InputFile(std::string path, std::function<void(const std::string&, double)> progress)
+    : path_(std::move(path)), buffer_bytes_(kMostBufferBytes), progress_(std::move(progress)) {
   descriptor_ = open_input(path_);
   struct stat status {};
   if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) {
@@ -51,7 +51,8 @@ void InputFile::fill() {
     end_ += static_cast<std::size_t>(got);
     read_bytes_ += static_cast<std::size_t>(got);
   }
-  if (size_ > 0) progress_.update(static_cast<double>(read_bytes_) / static_cast<double>(size_));
+  if (size_ == 0 || !progress_) return;
+  progress_("reading " + path_, static_cast<double>(read_bytes_) / static_cast<double>(size_));
 }
 
 std::string_view InputFile::peek() {

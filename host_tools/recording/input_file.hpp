@@ -1,20 +1,21 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 
-#include "support/progress.hpp"
-
 namespace fogcomp {
 
-/// A file or pipe read once from start to end through one buffer, by lines or by blocks; a large
-/// one under a progress bar. Errors are InputError with the file's name.
+/// A file or pipe read once from start to end through one buffer, by lines or by blocks;
+/// one whose size is known tells how far it is. Errors are InputError with the file's name.
 class InputFile {
  public:
   /// Throws for a missing file, a directory, or one that may not be read.
-  explicit InputFile(std::string path);
+  /// `progress` is told how much is read, 0..1; or empty.
+  explicit InputFile(std::string path,
+                     std::function<void(const std::string& stage, double done)> progress = {});
   ~InputFile();
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
@@ -49,7 +50,7 @@ class InputFile {
   bool at_end_ = false;
   std::size_t line_number_ = 0;
   std::size_t read_bytes_ = 0;
-  Progress progress_;
+  std::function<void(const std::string&, double)> progress_;
 };
 
 }  // namespace fogcomp

@@ -115,7 +115,7 @@ std::vector<double> bias_dph(const Recording& recording) {
 }
 
 Recording read_recording(const std::string& path, const ReadOptions& options) {
-  InputFile file(path);
+  InputFile file(path, options.watch.progress);
   const std::string_view head = file.peek();
   if (head.empty()) throw InputError(path, "is empty; is it the right file?");
   refuse_other_formats(head, path);
@@ -127,7 +127,7 @@ Recording read_recording(const std::string& path, const ReadOptions& options) {
   } else {
     recording = read_csv(file, options, lines);
     if (options.stream_rate_hz) {
-      std::fprintf(stderr, "%s: a CSV has its own time; --rate changes nothing\n", path.c_str());
+      options.watch.say(path, "a CSV has its own time; --rate changes nothing");
     }
   }
   if (recording.input_rate_dph.empty() && options.default_input_rate_dph != 0) {
@@ -135,7 +135,7 @@ Recording read_recording(const std::string& path, const ReadOptions& options) {
   }
   find_stretches(recording);
   if (options.keep_refused_rows) return recording;
-  leave_out_refused_rows(recording, lines);
+  leave_out_refused_rows(recording, lines, options.watch);
   if (recording.refused_rows > 0) find_stretches(recording);
   return recording;
 }

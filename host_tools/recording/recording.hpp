@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,18 @@ struct Recording {
   }
 };
 
+/// Who hears of a file that is read. Either may be empty.
+struct ReadWatch {
+  /// What is left out or ignored, `FILE: what`, one line per kind.
+  std::function<void(const std::string&)> remark{};
+  /// How much of it is done, 0..1, by "reading FILE" or "sending FILE".
+  std::function<void(const std::string& stage, double done)> progress{};
+
+  void say(const std::string& file, const std::string& what) const {
+    if (remark) remark(file + ": " + what);
+  }
+};
+
 struct ReadOptions {
   /// Counts per deg/s: needed for a file with `counts` instead of `rate_dph`, and for a captured
   /// sensor stream unless it is kDefaultScaleFactor.
@@ -79,6 +92,7 @@ struct ReadOptions {
   /// Sample rate of a captured sensor stream, which carries sequence numbers but no time; without
   /// it kDefaultStreamRateHz.
   std::optional<double> stream_rate_hz;
+  ReadWatch watch{};
 };
 
 /// Measured rate less input rate (0 where the file has none): what drift and noise are looked for
@@ -88,8 +102,8 @@ std::vector<double> bias_dph(const Recording& recording);
 constexpr double kDefaultStreamRateHz = 200;
 
 /// Reads a CSV, or a captured sensor stream (told apart by content, not by name). Rows that the
-/// board would refuse (row_judge.hpp) are left out. What was ignored or left out is named on
-/// stderr, one line per kind. Throws InputError `FILE:LINE: what is wrong; what to do`.
+/// board would refuse (row_judge.hpp) are left out. What was ignored or left out
+/// is told to options.watch. Throws InputError `FILE:LINE: what is wrong; what to do`.
 Recording read_recording(const std::string& path, const ReadOptions& options);
 
 }  // namespace fogcomp

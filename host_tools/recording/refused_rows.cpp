@@ -122,7 +122,7 @@ const char* likely_cause(const Recording& recording, Refusal why) {
 }
 
 void name_refused_rows(const Recording& recording, const LineNumbers& lines,
-                       const std::vector<RefusedRow>& refused) {
+                       const std::vector<RefusedRow>& refused, const ReadWatch& watch) {
   const Words words(recording, lines, refused);
   for (const Refusal why :
        {Refusal::impossible_temperature, Refusal::power_on_temperature, Refusal::temperature_jump,
@@ -134,9 +134,8 @@ void name_refused_rows(const Recording& recording, const LineNumbers& lines,
       throw InputError(recording.file, "the board would refuse every row: " + fault + "; " +
                                            likely_cause(recording, why));
     }
-    std::fprintf(stderr, "%s: %s left out: %s; the board would refuse %s\n", recording.file.c_str(),
-                 counted(rows.size(), "row").c_str(), fault.c_str(),
-                 rows.size() == 1 ? "it" : "them");
+    watch.say(recording.file, counted(rows.size(), "row") + " left out: " + fault +
+                                  "; the board would refuse " + (rows.size() == 1 ? "it" : "them"));
   }
   if (refused.size() == recording.rows()) {
     throw InputError(recording.file, "no row is left; see the lines above");
@@ -173,15 +172,16 @@ void remove_rows(std::vector<double>& column, const std::vector<RefusedRow>& ref
 
 }  // namespace
 
-void leave_out_refused_rows(Recording& recording, const LineNumbers& lines) {
+void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
+                            const ReadWatch& watch) {
   const std::vector<RefusedRow> refused = refused_rows(recording);
   const std::vector<RowRange> frozen = frozen_temperatures(recording);
   if (!frozen.empty()) {
     const Words words(recording, lines, refused);
-    std::fprintf(stderr, "%s: %s\n", recording.file.c_str(), words.frozen(frozen).c_str());
+    watch.say(recording.file, words.frozen(frozen));
   }
   if (refused.empty()) return;
-  name_refused_rows(recording, lines, refused);
+  name_refused_rows(recording, lines, refused, watch);
   recording.labels = labels_without(recording, refused);
   for (const ColumnInfo& info : kColumns) remove_rows(recording[info.column], refused);
   recording.refused_rows = refused.size();

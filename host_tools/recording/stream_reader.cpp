@@ -36,7 +36,8 @@ class SampleCollector {
       : dph_per_count_(kDphPerDegreePerSecond /
                        options.scale_factor.value_or(
                            options.model_scale_factor.value_or(kDefaultScaleFactor))),
-        rate_hz_(options.stream_rate_hz.value_or(kDefaultStreamRateHz)) {
+        rate_hz_(options.stream_rate_hz.value_or(kDefaultStreamRateHz)),
+        watch_(options.watch) {
     recording_.file = file.path();
     const std::size_t rows = std::min(file.size() / fog::kSensorFrameBytes + 1, kMostRows);
     for (auto* column : {&recording_.time_s, &recording_.temperature_degc, &recording_.rate_dph}) {
@@ -100,7 +101,7 @@ class SampleCollector {
     }
     const std::string disorder = describe(counts_);
     if (!disorder.empty()) {
-      std::fprintf(stderr, "%s: %s\n", recording_.file.c_str(), disorder.c_str());
+      watch_.say(recording_.file, disorder);
     }
     recording_.capture = counts_;
     return std::move(recording_);
@@ -115,6 +116,7 @@ class SampleCollector {
 
   double dph_per_count_;
   double rate_hz_;
+  const ReadWatch& watch_;
   Recording recording_;
   CaptureCounts counts_;
   fog::SequenceMonitor sequence_;

@@ -9,7 +9,7 @@ Addition add(const AddRequest& request, const Observer& observer) {
   const EffectChange change = request.expression
                                   ? change_expression(model.terms, *request.expression)
                                   : change_effect(model.terms, request.effect);
-  ReadOptions reading = request.reading;
+  ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = model.scale_factor;
   const TrainingRuns training = read_training_runs(request.runs, reading, model.average_s);
   const Holdouts judges = read_holdouts(request.hold_outs, reading, model.average_s, training.runs);

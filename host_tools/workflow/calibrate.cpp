@@ -87,7 +87,7 @@ void add_board_figures(Figures& figures, const ExportOutcome& board) {
 
 ModelOnRuns on_hold_outs(const CalibrationRequest& request, const FitOutcome& fit,
                          const Observer& observer) {
-  ReadOptions reading = request.fit.reading;
+  ReadOptions reading = observer.heard(request.fit.reading);
   reading.model_scale_factor = fit.model.scale_factor;
   ModelOnRuns model{request.model_file, fit.model, {}};
   const Holdouts hold_outs =

@@ -26,7 +26,7 @@ std::vector<ModelOnRuns> load_models(const CompareRequest& request) {
 std::vector<ModelOnRuns> compare(const CompareRequest& request, const Observer& observer) {
   std::vector<ModelOnRuns> models = load_models(request);
   const double row_s = request.average_s.value_or(models[0].model.average_s);
-  ReadOptions reading = request.reading;
+  ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = models[0].model.scale_factor;
   KnownRows known;
   for (std::size_t i = 0; i < request.runs.size(); ++i) {

@@ -32,8 +32,8 @@ DenoiseReport denoise_bias(const Recording& recording, const DenoiseMethod& meth
 
 }  // namespace
 
-DenoiseOutcome denoise(const DenoiseRequest& request) {
-  DenoiseOutcome outcome{read_recording(request.run, request.reading), {}, {}};
+DenoiseOutcome denoise(const DenoiseRequest& request, const Observer& observer) {
+  DenoiseOutcome outcome{read_recording(request.run, observer.heard(request.reading)), {}, {}};
   Recording& recording = outcome.recording;
   const std::vector<double> before = bias_dph(recording);
   std::vector<double> after = before;

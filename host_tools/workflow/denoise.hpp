@@ -5,6 +5,7 @@
 
 #include "denoise/denoise.hpp"
 #include "recording/recording.hpp"
+#include "workflow/observer.hpp"
 
 namespace fogcomp::workflow {
 
@@ -30,6 +31,6 @@ struct DenoiseOutcome {
 };
 
 /// Throws InputError as read_recording() and denoise_parts() do.
-DenoiseOutcome denoise(const DenoiseRequest& request);
+DenoiseOutcome denoise(const DenoiseRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

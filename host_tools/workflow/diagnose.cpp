@@ -20,7 +20,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observe
   own->average_s = request.average_s.value_or(own->average_s);
   const Model& model = *own;
   DiagnoseOutcome outcome{std::move(own), DiagnosisData(model, offered(request, model)), {}, {}};
-  ReadOptions reading = request.reading;
+  ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = model.scale_factor;
   BoardError as_given;
   std::vector<std::string> notes;

@@ -118,7 +118,8 @@ FitOutcome fit(const FitRequest& request, const Observer& observer) {
   Model& model = outcome.model;
   model = std::move(wanted_terms);
   outcome.searched_steps = searches_steps(model.terms);
-  TrainingRuns training = read_training_runs(request.runs, reading, model.average_s);
+  TrainingRuns training =
+      read_training_runs(request.runs, observer.heard(reading), model.average_s);
   observer.say(training.notes);
   model.noise_dph_rthz = training.noise_dph_rthz;
   SignalSeries series(model);

@@ -10,8 +10,8 @@ constexpr double kUsualAverageSeconds = 10;
 
 }  // namespace
 
-InfoOutcome info(const InfoRequest& request) {
-  InfoOutcome outcome{read_recording(request.run, request.reading), {}};
+InfoOutcome info(const InfoRequest& request, const Observer& observer) {
+  InfoOutcome outcome{read_recording(request.run, observer.heard(request.reading)), {}};
   const Recording& run = outcome.recording;
   const double length_s = static_cast<double>(run.rows()) * run.period_s;
   if (request.average_s && 2 * *request.average_s > length_s) {

@@ -5,6 +5,7 @@
 
 #include "compare/run_summary.hpp"
 #include "recording/recording.hpp"
+#include "workflow/observer.hpp"
 
 namespace fogcomp::workflow {
 
@@ -21,6 +22,6 @@ struct InfoOutcome {
 };
 
 /// Throws InputError as read_recording() does, and for a recording without two means of average_s.
-InfoOutcome info(const InfoRequest& request);
+InfoOutcome info(const InfoRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

@@ -22,23 +22,25 @@ void check_rate(const fog::ModelParameters& parameters, double period_s, const s
   }
 }
 
-StreamSource source_of(const StreamRequest& request, const BoardSource& board) {
-  ReadOptions reading = request.reading;
+StreamSource source_of(const StreamRequest& request, const BoardSource& board,
+                       const Observer& observer) {
+  ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = board.scale_factor();
   return StreamSource(request.run, reading, board.scale_factor(), board.needs());
 }
 
 }  // namespace
 
-std::optional<std::size_t> stream(const StreamRequest& request, const ByteSink& sink) {
-  const StreamSource source = source_of(request, BoardSource(request.weights));
+std::optional<std::size_t> stream(const StreamRequest& request, const ByteSink& sink,
+                                  const Observer& observer) {
+  const StreamSource source = source_of(request, BoardSource(request.weights), observer);
   source.send([&](fog::Span<const std::uint8_t> bytes, fog::SampleTime) { sink(bytes); });
   return source.is_capture() ? std::nullopt : std::optional(source.rows());
 }
 
-ReplaySummary replay(const ReplayRequest& request, const ByteSink& sink) {
+ReplaySummary replay(const ReplayRequest& request, const ByteSink& sink, const Observer& observer) {
   BoardSource board(request.weights);
-  const StreamSource source = source_of(request, board);
+  const StreamSource source = source_of(request, board, observer);
   BoardSettings settings = request.board;
   if (request.rate_of_recording && !source.is_capture() && source.period_s() > 0) {
     settings.sample_rate_hz = 1 / source.period_s();

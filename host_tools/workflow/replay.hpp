@@ -7,6 +7,7 @@
 #include "board/replay.hpp"
 #include "board/sensor_stream.hpp"
 #include "recording/recording.hpp"
+#include "workflow/observer.hpp"
 
 namespace fogcomp::workflow {
 
@@ -18,7 +19,8 @@ struct StreamRequest {
 
 /// Hands the sensor stream in which a board would see the recording to `sink`, in pieces; a capture
 /// as it is. Returns the samples of a recording, nothing for a capture.
-std::optional<std::size_t> stream(const StreamRequest& request, const ByteSink& sink);
+std::optional<std::size_t> stream(const StreamRequest& request, const ByteSink& sink,
+                                  const Observer& observer = {});
 
 struct ReplayRequest : StreamRequest {
   BoardSettings board;            ///< for a model; a header has its own
@@ -29,6 +31,7 @@ struct ReplayRequest : StreamRequest {
 /// Hands what the board would send to `sink`, in pieces. Throws InputError for what export_header()
 /// would refuse, for a header of another sample rate, and for a run without a good frame: what
 /// `sink` has got then counts for nothing.
-ReplaySummary replay(const ReplayRequest& request, const ByteSink& sink);
+ReplaySummary replay(const ReplayRequest& request, const ByteSink& sink,
+                     const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

@@ -3,6 +3,7 @@
 #include <random>
 #include <string>
 
+#include "heard_in.hpp"
 #include "recording/recording.hpp"
 #include "support/input_error.hpp"
 #include "temporary_file.hpp"
@@ -45,10 +46,10 @@ TEST(CsvReader, TakesColumnsInAnyOrderWithCommentsCrlfAndByteOrderMark) {
 }
 
 TEST(CsvReader, NamesUnknownColumnsOnceAndIgnoresThem) {
-  ::testing::internal::CaptureStderr();
+  std::string said;
   const Recording recording =
-      read_text("time_s,note,temperature_degc,rate_dph,suply_v\n1,x y,20,0.5,\n2,nan,20,0.6,7\n");
-  const std::string said = ::testing::internal::GetCapturedStderr();
+      read_text("time_s,note,temperature_degc,rate_dph,suply_v\n1,x y,20,0.5,\n2,nan,20,0.6,7\n",
+                heard_in(said));
   EXPECT_EQ(recording.rate_dph, (std::vector<double>{0.5, 0.6}));
   EXPECT_NE(said.find("columns ignored: note, suply_v\n"), std::string::npos) << said;
 }
@@ -206,9 +207,8 @@ TEST(CsvReader, SaysHowToConvertAnotherUnit) {
   for (const Case& one : cases) {
     EXPECT_EQ(fault(std::string(one.header) + "\n0,20,1\n"), ":1: " + std::string(one.said));
   }
-  ::testing::internal::CaptureStderr();
-  read_text("time_s,temperature_degc,rate_dph,note,input_rate_dps\n0,20,1,2,3\n");
-  const std::string said = ::testing::internal::GetCapturedStderr();
+  std::string said;
+  read_text("time_s,temperature_degc,rate_dph,note,input_rate_dps\n0,20,1,2,3\n", heard_in(said));
   EXPECT_NE(said.find("columns ignored: note, input_rate_dps ('input_rate_dps' is in deg/s: "
                       "multiply by 3600, then name it input_rate_dph)"),
             std::string::npos)
@@ -267,14 +267,12 @@ TEST(CsvReader, NeverCrashesOnAMutatedFile) {
     }
     ReadOptions options;
     options.skip_bad_rows = random() % 2 == 0;
-    ::testing::internal::CaptureStderr();
     try {
       const Recording recording = read_text(mutated, options);
       EXPECT_EQ(recording.rate_dph.size(), recording.rows());
       ++read;
     } catch (const InputError&) {
     }
-    ::testing::internal::GetCapturedStderr();
   }
   EXPECT_GT(read, 500);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/acquisition/sample_monitor.hpp"
+#include "heard_in.hpp"
 #include "support/input_error.hpp"
 #include "temporary_file.hpp"
 
@@ -245,9 +246,9 @@ TEST(RefusedRows, AreNamedWithTheirLinesCountedAndLeftOut) {
     if (i == 5) text += "# pause\n";
   }
   const std::string path = temporary_file("refused.csv", text);
-  ::testing::internal::CaptureStderr();
-  const Recording recording = read_recording(path, {});
-  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+  std::string said;
+  const Recording recording = read_recording(path, heard_in(said));
+  EXPECT_EQ(said,
             path +
                 ": 7 rows left out: temperature 85 degC at line 4 (then 7, 11, 14, ...) is what a "
                 "DS18B20 says before its first conversion; the board would refuse them\n");
@@ -304,9 +305,9 @@ TEST(RefusedRows, AreNoneInRealRecordings) {
     const std::string path =
         std::string(FOG_SOURCE_DIR) + "/../shared/data/mems_chamber_" + axis + ".csv";
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "no real recordings here";
-    ::testing::internal::CaptureStderr();
-    EXPECT_EQ(read_recording(path, {}).refused_rows, 0U);
-    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+    std::string said;
+    EXPECT_EQ(read_recording(path, heard_in(said)).refused_rows, 0U);
+    EXPECT_EQ(said, "");
   }
 }
 

@@ -11,6 +11,7 @@
 #include "board/header.hpp"
 #include "model/model_file.hpp"
 #include "support/input_error.hpp"
+#include "unit/recording/temporary_file.hpp"
 #include "workflow/add.hpp"
 #include "workflow/calibrate.hpp"
 #include "workflow/compare.hpp"
@@ -24,19 +25,15 @@
 namespace fogcomp::workflow {
 namespace {
 
-// A folder with the recordings of one simulated gyro, gone with the tests.
+// Recordings of one simulated gyro.
 class UseCases : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = std::filesystem::path(testing::TempDir()) / "fogcomp_workflow_XXXXXX";
-    std::string pattern = folder_.string();
-    folder_ = ::mkdtemp(pattern.data());
     simulate("paper", 1, "run.csv");
     simulate("reversed", 2, "second.csv");
   }
-  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
 
-  static std::string path(const std::string& name) { return (folder_ / name).string(); }
+  static std::string path(const std::string& name) { return temporary_path(name); }
 
   static void simulate(const std::string& profile, std::uint64_t seed, const std::string& name) {
     SimulateRequest request;
@@ -67,11 +64,7 @@ class UseCases : public testing::Test {
     if (!std::filesystem::exists(file)) save_model(fit(static_fit()).model, file);
     return file;
   }
-
- private:
-  static std::filesystem::path folder_;
 };
-std::filesystem::path UseCases::folder_;
 
 TEST_F(UseCases, FitCompareDiagnoseAndAddWithoutACommandLine) {
   const std::string file = static_model();
@@ -181,6 +174,23 @@ TEST_F(UseCases, TellTheirObserverOnceWhatWasLeftOut) {
   fit(request, observer);
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_NE(notes[0].find("run.csv"), std::string::npos) << notes[0];
+}
+
+TEST_F(UseCases, PrintNothing) {
+  std::ofstream(path("odd.csv")) << "time_s,temperature_degc,rate_dph,mood\n0,85,1,2\n1,20,1,2\n"
+                                    "2,20,1,2\n3,20,1,2\n";
+  std::vector<std::string> remarks;
+  Observer observer;
+  observer.remark = [&](const std::string& remark) { remarks.push_back(remark); };
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  info({path("odd.csv"), {}, {}}, observer);
+  info({path("odd.csv"), {}, {}});
+  fit(static_fit());
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  ASSERT_EQ(remarks.size(), 2U);
+  EXPECT_EQ(remarks[0], path("odd.csv") + ": column ignored: mood");
 }
 
 TEST_F(UseCases, EndWhenTheirObserverSaysSo) {

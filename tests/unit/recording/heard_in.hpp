@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "recording/recording.hpp"
+
+namespace fogcomp {
+
+/// Options whose watch writes what is said of a recording to `said`, a line each.
+inline ReadOptions heard_in(std::string& said) {
+  ReadOptions options;
+  options.watch.remark = [&said](const std::string& line) { said += line + "\n"; };
+  return options;
+}
+
+}  // namespace fogcomp
