@@ -51,10 +51,8 @@ Json shares_json(const std::vector<NamedShare>& shares) {
   });
 }
 
-}  // namespace
-
-Json diagnosis_json(const Diagnosis& diagnosis) {
-  Json candidates = json_array(diagnosis.candidates, [&](const CandidateFinding& finding) {
+Json candidates_json(const std::vector<CandidateFinding>& candidates) {
+  return json_array(candidates, [&](const CandidateFinding& finding) {
     return Json::object()
         .set("effect", finding.effect)
         .set("explained_fraction", finding.explained_fraction)
@@ -64,6 +62,21 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
         .set("lead", finding.lead)
         .set("parameters", parameters_json(finding.term()));
   });
+}
+
+// What is missing, and what else could be.
+void set_verdict(Json& result, const Diagnosis& diagnosis) {
+  result.set("verdict", name_of(diagnosis.verdict));
+  result.set("effect", diagnosis.effect.empty() ? Json() : Json(diagnosis.effect));
+  result.set("confusable", diagnosis.confusable);
+  const bool proposed = diagnosis.experiment && !diagnosis.experiment->sentence.empty();
+  result.set("experiment", proposed ? Json(diagnosis.experiment->sentence) : Json());
+  const bool recordable = proposed && !diagnosis.experiment->profile.empty();
+  result.set("experiment_profile", recordable ? Json(diagnosis.experiment->profile) : Json());
+  result.set("candidates", candidates_json(diagnosis.candidates));
+  Json untestable = json_array(diagnosis.untestable, [&](const Untestable& effect) {
+    return Json::object().set("effect", effect.effect).set("needs", effect.needs);
+  });
   Json explanations =
       json_array(diagnosis.explanations, [&](const Diagnosis::Explanation& explanation) {
         return Json::object()
@@ -71,28 +84,12 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
             .set("probability", explanation.probability)
             .set("explained_fraction", explanation.explained_fraction);
       });
-  Json untestable = json_array(diagnosis.untestable, [&](const Untestable& effect) {
-    return Json::object().set("effect", effect.effect).set("needs", effect.needs);
-  });
-  Json result = Json::object();
-  result.set("verdict", name_of(diagnosis.verdict));
-  if (diagnosis.effect.empty()) {
-    result.set("effect", Json());
-  } else {
-    result.set("effect", diagnosis.effect);
-  }
-  result.set("confusable", diagnosis.confusable);
-  const bool proposed = diagnosis.experiment && !diagnosis.experiment->sentence.empty();
-  result.set("experiment", proposed ? Json(diagnosis.experiment->sentence) : Json());
-  const bool recordable = proposed && !diagnosis.experiment->profile.empty();
-  result.set("experiment_profile", recordable ? Json(diagnosis.experiment->profile) : Json());
-  result.set("candidates", std::move(candidates)).set("untestable", std::move(untestable));
-  result.set("explanations", std::move(explanations)).set("tests", diagnosis.tests);
-  result.set("fast", fast_json(diagnosis));
-  result.set("where", Json::object()
-                          .set("variable", diagnosis.variable)
-                          .set("variables", shares_json(diagnosis.variables))
-                          .set("segments", shares_json(diagnosis.segments)));
+  result.set("untestable", std::move(untestable)).set("explanations", std::move(explanations));
+  result.set("tests", diagnosis.tests);
+}
+
+// How large what is left is, beside the noise.
+void set_residual(Json& result, const Diagnosis& diagnosis) {
   result.set("residual_rms_dph", diagnosis.residual_rms_dph);
   const std::optional<BoardError>& given = diagnosis.as_given;
   result.set("as_given", given
@@ -108,6 +105,19 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
                           .set("slow_dph", diagnosis.noise.wander_dph())
                           .set("freedom", diagnosis.noise.freedom)
                           .set("from_quiet_parts", diagnosis.noise.from_quiet_parts));
+}
+
+}  // namespace
+
+Json diagnosis_json(const Diagnosis& diagnosis) {
+  Json result = Json::object();
+  set_verdict(result, diagnosis);
+  result.set("fast", fast_json(diagnosis));
+  result.set("where", Json::object()
+                          .set("variable", diagnosis.variable)
+                          .set("variables", shares_json(diagnosis.variables))
+                          .set("segments", shares_json(diagnosis.segments)));
+  set_residual(result, diagnosis);
   result.set("random_walk", diagnosis.walk.chance > 0
                                 ? Json::object()
                                       .set("coefficient", diagnosis.walk.coefficient)

@@ -149,6 +149,34 @@ void print_paper(const std::vector<Study>& studies) {
   print_medians(studies);
 }
 
+namespace {
+
+Json held_out_json(const std::vector<double>& truth_rms_dph,
+                   const std::vector<double>* drift_dph = nullptr) {
+  Json held_out = Json::array();
+  for (std::size_t i = 0; i < kHeldOutProfiles.size(); ++i) {
+    Json profile = Json::object().set("profile", kHeldOutProfiles[i]);
+    if (drift_dph != nullptr) profile.set("drift_dph", (*drift_dph)[i]);
+    held_out.push(profile.set("truth_error_rms_dph", truth_rms_dph[i]));
+  }
+  return held_out;
+}
+
+Json medians_json(const std::vector<Study>& studies) {
+  return json_array(medians_of(studies), [](const ModelMedians& model) {
+    return Json::object()
+        .set("name", model.name)
+        .set("std_dph", model.std_dph)
+        .set("drift_dph", model.drift_dph)
+        .set("truth_error_rms_dph", model.truth_rms_dph)
+        .set("std_cut", model.cut)
+        .set("std_cut_of_bound", model.cut_of_bound)
+        .set("held_out", held_out_json(model.held_out_truth_rms_dph, &model.held_out_drift_dph));
+  });
+}
+
+}  // namespace
+
 Json paper_json(const std::vector<Study>& studies) {
   const Study& first = studies.front();
   Json segments = json_array(
@@ -158,41 +186,17 @@ Json paper_json(const std::vector<Study>& studies) {
         .set("name", denoiser.name)
         .set("truth_error_rms_dph", denoiser.truth_rms_dph);
   });
-  Json models = Json::array();
-  for (const ModelMedians& model : medians_of(studies)) {
-    Json held_out = Json::array();
-    for (std::size_t i = 0; i < kHeldOutProfiles.size(); ++i) {
-      held_out.push(Json::object()
-                        .set("profile", kHeldOutProfiles[i])
-                        .set("drift_dph", model.held_out_drift_dph[i])
-                        .set("truth_error_rms_dph", model.held_out_truth_rms_dph[i]));
-    }
-    models.push(Json::object()
-                    .set("name", model.name)
-                    .set("std_dph", model.std_dph)
-                    .set("drift_dph", model.drift_dph)
-                    .set("truth_error_rms_dph", model.truth_rms_dph)
-                    .set("std_cut", model.cut)
-                    .set("std_cut_of_bound", model.cut_of_bound)
-                    .set("held_out", std::move(held_out)));
-  }
   Json result = Json::object();
   result.set("gyros", studies.size()).set("rows", first.run.segments.size());
   result.set("raw_std_dph", first.raw.std_dph).set("noise_floor_dph", first.run.noise_floor_dph);
   result.set("std_cut_bound", first.bound());
   result.set("std_cut_printed_bp", kPrintedBpCut).set("std_cut_printed_pso_bp", kPrintedPsoBpCut);
   result.set("tables", std::move(segments)).set("denoisers", std::move(denoisers));
-  result.set("medians", std::move(models));
+  result.set("medians", medians_json(studies));
   const FloorMedians floors = floors_of(studies);
-  Json floors_held_out = Json::array();
-  for (std::size_t i = 0; i < kHeldOutProfiles.size(); ++i) {
-    floors_held_out.push(Json::object()
-                             .set("profile", kHeldOutProfiles[i])
-                             .set("truth_error_rms_dph", floors.held_out_dph[i]));
-  }
   result.set("noise_alone", Json::object()
                                 .set("truth_error_rms_dph", floors.own_dph)
-                                .set("held_out", std::move(floors_held_out)));
+                                .set("held_out", held_out_json(floors.held_out_dph)));
   return result;
 }
 

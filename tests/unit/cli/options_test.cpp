@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/arguments.hpp"
+#include "cli/fit_options.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::cli {
@@ -110,6 +111,35 @@ TEST(Options, AreReadAsTheirTypes) {
   EXPECT_EQ(sample.effects.value(), (std::vector<std::string>{"a", "b"}));
   EXPECT_TRUE(sample.force.given());
   EXPECT_EQ(sample.arguments, std::vector<std::string>{"word"});
+}
+
+// Who asks for nothing gets the same fit from the command line and from the library.
+TEST(Options, OfAFitHaveTheDefaultsOfItsRequest) {
+  struct FitSample : Command {
+    FitSample() : Command("sample", {"", 0, 1}, "", "") {}
+    int run() const override { return 0; }
+    FitOptions fit{this};
+  } sample;
+  parse(sample, {"--effects", "bias"});
+  const workflow::FitRequest own = sample.fit.request({}, {});
+  const workflow::FitRequest usual;
+  EXPECT_EQ(own.average_s, usual.average_s);
+  EXPECT_EQ(own.derivative_tau_s, usual.derivative_tau_s);
+  EXPECT_EQ(own.network_inputs, usual.network_inputs);
+  EXPECT_EQ(own.hidden, usual.hidden);
+  EXPECT_EQ(own.trainer, usual.trainer);
+  EXPECT_EQ(own.activation, usual.activation);
+  EXPECT_EQ(own.row_denoising, usual.row_denoising);
+  EXPECT_EQ(own.board_denoiser.wavelet, usual.board_denoiser.wavelet);
+  EXPECT_EQ(own.board_denoiser.levels, usual.board_denoiser.levels);
+  EXPECT_EQ(own.board_denoiser.rule, usual.board_denoiser.rule);
+  EXPECT_EQ(own.board_denoiser.hard, usual.board_denoiser.hard);
+  EXPECT_EQ(own.training.seed, usual.training.seed);
+  EXPECT_EQ(own.training.epochs, usual.training.epochs);
+  EXPECT_EQ(own.training.goal, usual.training.goal);
+  EXPECT_EQ(own.training.learning_rate, usual.training.learning_rate);
+  EXPECT_EQ(own.training.particles, usual.training.particles);
+  EXPECT_EQ(own.training.iterations, usual.training.iterations);
 }
 
 TEST(Options, SayWhatTheyTake) {
