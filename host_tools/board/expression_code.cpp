@@ -13,7 +13,6 @@
 namespace fogcomp {
 namespace {
 
-using Kind = ExpressionNode::Kind;
 using Op = fog::ExpressionOp;
 
 constexpr int kUsedBits = 30;  // of a value: one is spare
@@ -171,49 +170,49 @@ class Compiler {
     const ExpressionNode& now = expression_.nodes[index];
     if (now.constant) return constant(constants_[index]);
     switch (now.kind) {
-      case Kind::signal:
+      case NodeKind::signal:
         return signal(now.signal);
-      case Kind::add:
-      case Kind::subtract:
-      case Kind::least:
-      case Kind::most:
+      case NodeKind::add:
+      case NodeKind::subtract:
+      case NodeKind::minimum:
+      case NodeKind::maximum:
         return sum(now);
-      case Kind::multiply: {
+      case NodeKind::multiply: {
         const Value left = node(now.left);
         return product(left, node(now.right));
       }
-      case Kind::divide:
+      case NodeKind::divide:
         return quotient(now);
-      case Kind::power:
+      case NodeKind::power:
         return power(node(now.left), constants_[now.right]);
-      case Kind::negate: {
+      case NodeKind::negate: {
         const Value x = node(now.left);
         emit(Op::negate);
         return {-x.most, -x.least, x.error, x.fraction};
       }
-      case Kind::absolute: {
+      case NodeKind::absolute: {
         const Value x = node(now.left);
         emit(Op::absolute);
         const bool crosses = x.least < 0 && x.most > 0;
         const double least = crosses ? 0 : std::min(std::abs(x.least), std::abs(x.most));
         return {least, x.size(), x.error, x.fraction};
       }
-      case Kind::sine:
-      case Kind::cosine:
+      case NodeKind::sine:
+      case NodeKind::cosine:
         return wave(now);
-      case Kind::exponential:
+      case NodeKind::exponential:
         return exponential(now.left);
-      case Kind::hyperbolic_tangent: {
+      case NodeKind::hyperbolic_tangent: {
         const Value x = in_format(node(now.left), kTanhFraction);
         emit(Op::tanh);
         return {std::tanh(x.least), std::tanh(x.most), x.error + kTanhError, kWaveFraction};
       }
-      case Kind::lag:
+      case NodeKind::lag:
         return lag(now);
-      case Kind::play:
+      case NodeKind::play:
         return play(now);
-      case Kind::number:
-      case Kind::parameter:
+      case NodeKind::number:
+      case NodeKind::parameter:
         break;
     }
     return constant(constants_[index]);
@@ -234,11 +233,11 @@ class Compiler {
     const Value a = trial(now.left);
     const Value b = trial(now.right);
     Value result;
-    if (now.kind == Kind::add) {
+    if (now.kind == NodeKind::add) {
       result = {a.least + b.least, a.most + b.most, 0, 0};
-    } else if (now.kind == Kind::subtract) {
+    } else if (now.kind == NodeKind::subtract) {
       result = {a.least - b.most, a.most - b.least, 0, 0};
-    } else if (now.kind == Kind::least) {
+    } else if (now.kind == NodeKind::minimum) {
       result = {std::min(a.least, b.least), std::min(a.most, b.most), 0, 0};
     } else {
       result = {std::max(a.least, b.least), std::max(a.most, b.most), 0, 0};
@@ -248,11 +247,11 @@ class Compiler {
         {a.fraction, b.fraction, fraction_for(std::max({a.size(), b.size(), result.size()}))});
     const Value left = in_format(node(now.left), fraction);
     const Value right = in_format(node(now.right), fraction);
-    const bool chooses = now.kind == Kind::least || now.kind == Kind::most;
-    emit(now.kind == Kind::add        ? Op::add
-         : now.kind == Kind::subtract ? Op::subtract
-         : now.kind == Kind::least    ? Op::least
-                                      : Op::most);
+    const bool chooses = now.kind == NodeKind::minimum || now.kind == NodeKind::maximum;
+    emit(now.kind == NodeKind::add        ? Op::add
+         : now.kind == NodeKind::subtract ? Op::subtract
+         : now.kind == NodeKind::minimum  ? Op::least
+                                          : Op::most);
     result.error = chooses ? std::max(left.error, right.error) : left.error + right.error;
     result.fraction = fraction;
     return result;
@@ -316,7 +315,7 @@ class Compiler {
   Value wave(const ExpressionNode& now) {
     Value x = node(now.left);
     if (x.fraction < 0) refuse("an angle could become larger than 2^30");
-    emit(now.kind == Kind::sine ? Op::sine : Op::cosine, x.fraction);
+    emit(now.kind == NodeKind::sine ? Op::sine : Op::cosine, x.fraction);
     return {-1, 1, x.error + kSineError + x.size() * half_lsb(30) + half_lsb(30), kWaveFraction};
   }
 

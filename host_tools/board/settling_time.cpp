@@ -15,8 +15,7 @@ double slowest_lag_s(const EffectTerm& term) {
     const Expression& expression = term.expression->expression;
     const std::vector<double> constants = expression.constants(term.parameters);
     for (const ExpressionNode& node : expression.nodes) {
-      if (node.kind == ExpressionNode::Kind::lag)
-        slowest = std::max(slowest, constants[node.right]);
+      if (node.kind == NodeKind::lag) slowest = std::max(slowest, constants[node.right]);
     }
     return slowest;
   }

@@ -11,22 +11,20 @@
 namespace fogcomp {
 namespace {
 
-using Kind = ExpressionNode::Kind;
-
 struct FunctionName {
   const char* name;
-  Kind kind;
+  NodeKind kind;
   int arguments;
 };
-constexpr std::array<FunctionName, 9> kFunctions{{{"sin", Kind::sine, 1},
-                                                  {"cos", Kind::cosine, 1},
-                                                  {"exp", Kind::exponential, 1},
-                                                  {"tanh", Kind::hyperbolic_tangent, 1},
-                                                  {"abs", Kind::absolute, 1},
-                                                  {"min", Kind::least, 2},
-                                                  {"max", Kind::most, 2},
-                                                  {"lag", Kind::lag, 2},
-                                                  {"play", Kind::play, 2}}};
+constexpr std::array<FunctionName, 9> kFunctions{{{"sin", NodeKind::sine, 1},
+                                                  {"cos", NodeKind::cosine, 1},
+                                                  {"exp", NodeKind::exponential, 1},
+                                                  {"tanh", NodeKind::hyperbolic_tangent, 1},
+                                                  {"abs", NodeKind::absolute, 1},
+                                                  {"min", NodeKind::minimum, 2},
+                                                  {"max", NodeKind::maximum, 2},
+                                                  {"lag", NodeKind::lag, 2},
+                                                  {"play", NodeKind::play, 2}}};
 
 constexpr std::size_t kMostNodes = 100;
 constexpr int kMostDepth = 50;  // of parentheses and signs
@@ -114,26 +112,27 @@ class Parser {
     result_.nodes.push_back(node);
     return result_.nodes.size() - 1;
   }
-  std::size_t add(Kind kind, std::size_t left, std::size_t right, std::size_t place) {
+  std::size_t add(NodeKind kind, std::size_t left, std::size_t right, std::size_t place) {
     ExpressionNode node;
     node.kind = kind;
     node.left = left;
     node.right = right;
     node.constant = result_.nodes[left].constant && result_.nodes[right].constant;
-    const bool needs_constant = kind == Kind::power || kind == Kind::lag || kind == Kind::play;
+    const bool needs_constant =
+        kind == NodeKind::power || kind == NodeKind::lag || kind == NodeKind::play;
     if (needs_constant && !result_.nodes[right].constant) {
-      fail_at(place, kind == Kind::power ? "an exponent must not depend on a signal"
-                                         : "the second argument must not depend on a signal");
+      fail_at(place, kind == NodeKind::power ? "an exponent must not depend on a signal"
+                                             : "the second argument must not depend on a signal");
     }
     const ExpressionNode& second = result_.nodes[right];
-    const bool positive = second.kind == Kind::number ? second.value > 0
-                          : second.kind == Kind::parameter
+    const bool positive = second.kind == NodeKind::number ? second.value > 0
+                          : second.kind == NodeKind::parameter
                               ? result_.parameters[second.parameter].least > 0
                               : true;
-    if (!positive && (kind == Kind::lag || kind == Kind::play)) {
+    if (!positive && (kind == NodeKind::lag || kind == NodeKind::play)) {
       fail_at(place, "a time constant or radius must be above 0");
     }
-    if (node.constant && (kind == Kind::lag || kind == Kind::play)) {
+    if (node.constant && (kind == NodeKind::lag || kind == NodeKind::play)) {
       fail_at(place, "the first argument must depend on a signal");
     }
     return add(node, place);
@@ -144,9 +143,9 @@ class Parser {
     for (;;) {
       const std::size_t place = at_;
       if (take('+')) {
-        left = add(Kind::add, left, product(), place);
+        left = add(NodeKind::add, left, product(), place);
       } else if (take('-')) {
-        left = add(Kind::subtract, left, product(), place);
+        left = add(NodeKind::subtract, left, product(), place);
       } else {
         return left;
       }
@@ -157,9 +156,9 @@ class Parser {
     for (;;) {
       const std::size_t place = at_;
       if (take('*')) {
-        left = add(Kind::multiply, left, sign(), place);
+        left = add(NodeKind::multiply, left, sign(), place);
       } else if (take('/')) {
-        left = add(Kind::divide, left, sign(), place);
+        left = add(NodeKind::divide, left, sign(), place);
       } else {
         return left;
       }
@@ -171,13 +170,13 @@ class Parser {
     if (++depth_ > kMostDepth) fail("too many signs and parentheses");
     const std::size_t operand = sign();
     --depth_;
-    return add(Kind::negate, operand, operand, place);
+    return add(NodeKind::negate, operand, operand, place);
   }
   std::size_t power() {
     const std::size_t base = primary();
     const std::size_t place = at_;
     // To the right: a^b^c is a^(b^c), and -a^b is -(a^b).
-    return take('^') ? add(Kind::power, base, sign(), place) : base;
+    return take('^') ? add(NodeKind::power, base, sign(), place) : base;
   }
   std::size_t primary() {
     skip_space();
@@ -210,7 +209,7 @@ class Parser {
     const auto found = std::find_if(known.begin(), known.end(),
                                     [&](const auto& one) { return one.name == parameter.name; });
     ExpressionNode node;
-    node.kind = Kind::parameter;
+    node.kind = NodeKind::parameter;
     node.constant = true;
     node.parameter = static_cast<std::size_t>(found - known.begin());
     if (found != known.end()) {
@@ -246,7 +245,7 @@ class Parser {
       list += std::string(one.symbol) + ", ";
       if (word != one.symbol) continue;
       ExpressionNode node;
-      node.kind = Kind::signal;
+      node.kind = NodeKind::signal;
       node.signal = one.input;
       return add(node, place);
     }
@@ -282,39 +281,39 @@ class Parser {
 
 }  // namespace
 
-double apply(ExpressionNode::Kind kind, double left, double right) {
+double apply(NodeKind kind, double left, double right) {
   switch (kind) {
-    case Kind::add:
+    case NodeKind::add:
       return left + right;
-    case Kind::subtract:
+    case NodeKind::subtract:
       return left - right;
-    case Kind::multiply:
+    case NodeKind::multiply:
       return left * right;
-    case Kind::divide:
+    case NodeKind::divide:
       return left / right;
-    case Kind::power:
+    case NodeKind::power:
       return std::pow(left, right);
-    case Kind::negate:
+    case NodeKind::negate:
       return -left;
-    case Kind::sine:
+    case NodeKind::sine:
       return std::sin(left);
-    case Kind::cosine:
+    case NodeKind::cosine:
       return std::cos(left);
-    case Kind::exponential:
+    case NodeKind::exponential:
       return std::exp(left);
-    case Kind::hyperbolic_tangent:
+    case NodeKind::hyperbolic_tangent:
       return std::tanh(left);
-    case Kind::absolute:
+    case NodeKind::absolute:
       return std::abs(left);
-    case Kind::least:
+    case NodeKind::minimum:
       return std::min(left, right);
-    case Kind::most:
+    case NodeKind::maximum:
       return std::max(left, right);
-    case Kind::number:
-    case Kind::parameter:
-    case Kind::signal:
-    case Kind::lag:
-    case Kind::play:
+    case NodeKind::number:
+    case NodeKind::parameter:
+    case NodeKind::signal:
+    case NodeKind::lag:
+    case NodeKind::play:
       break;
   }
   return left;
@@ -325,9 +324,9 @@ std::vector<double> Expression::constants(const std::vector<double>& parameter_v
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const ExpressionNode& node = nodes[i];
     if (!node.constant) continue;
-    if (node.kind == Kind::number) {
+    if (node.kind == NodeKind::number) {
       values[i] = node.value;
-    } else if (node.kind == Kind::parameter) {
+    } else if (node.kind == NodeKind::parameter) {
       values[i] = parameter_values[node.parameter];
     } else {
       values[i] = apply(node.kind, values[node.left], values[node.right]);
@@ -338,7 +337,7 @@ std::vector<double> Expression::constants(const std::vector<double>& parameter_v
 
 bool Expression::uses(fog::Input input) const {
   return std::any_of(nodes.begin(), nodes.end(), [input](const ExpressionNode& node) {
-    return node.kind == Kind::signal && node.signal == input;
+    return node.kind == NodeKind::signal && node.signal == input;
   });
 }
 
@@ -347,15 +346,15 @@ bool Expression::is_period(std::size_t parameter) const {
   std::vector<bool> divides(nodes.size());  // by what holds it
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const ExpressionNode& node = nodes[i];
-    if (node.kind == Kind::number || node.kind == Kind::signal) continue;
-    if (node.kind == Kind::parameter) {
+    if (node.kind == NodeKind::number || node.kind == NodeKind::signal) continue;
+    if (node.kind == NodeKind::parameter) {
       holds[i] = node.parameter == parameter;
       continue;
     }
     holds[i] = holds[node.left] || holds[node.right];
     divides[i] = divides[node.left] || divides[node.right] ||
-                 (node.kind == Kind::divide && holds[node.right]);
-    if ((node.kind == Kind::sine || node.kind == Kind::cosine) && divides[i]) return true;
+                 (node.kind == NodeKind::divide && holds[node.right]);
+    if ((node.kind == NodeKind::sine || node.kind == NodeKind::cosine) && divides[i]) return true;
   }
   return false;
 }
@@ -363,7 +362,7 @@ bool Expression::is_period(std::size_t parameter) const {
 fog::InputMask Expression::needs() const {
   fog::InputMask used = 0;
   for (const ExpressionNode& node : nodes) {
-    if (node.kind == Kind::signal) used |= bit_of(node.signal);
+    if (node.kind == NodeKind::signal) used |= bit_of(node.signal);
   }
   return fog::beside_temperature(used);
 }

@@ -9,29 +9,31 @@
 
 namespace fogcomp {
 
+/// What a node computes.
+enum class NodeKind : std::uint8_t {
+  number,     // value
+  parameter,  // index into Expression::parameters
+  signal,
+  add,
+  subtract,
+  multiply,
+  divide,
+  power,  // right: constant
+  negate,
+  sine,
+  cosine,
+  exponential,
+  hyperbolic_tangent,
+  absolute,
+  minimum,
+  maximum,
+  lag,   // right: time constant in s, constant
+  play,  // right: radius, constant
+};
+
 /// One operation. Operands are nodes before it.
 struct ExpressionNode {
-  enum class Kind : std::uint8_t {
-    number,     // value
-    parameter,  // index into Expression::parameters
-    signal,
-    add,
-    subtract,
-    multiply,
-    divide,
-    power,  // right: constant
-    negate,
-    sine,
-    cosine,
-    exponential,
-    hyperbolic_tangent,
-    absolute,
-    least,
-    most,
-    lag,   // right: time constant in s, constant
-    play,  // right: radius, constant
-  };
-  Kind kind = Kind::number;
+  NodeKind kind = NodeKind::number;
   std::size_t left = 0;
   std::size_t right = 0;
   double value = 0;
@@ -41,7 +43,7 @@ struct ExpressionNode {
 };
 
 /// The value of an operation on numbers; of signals, lags and plays, `left`.
-double apply(ExpressionNode::Kind kind, double left, double right);
+double apply(NodeKind kind, double left, double right);
 
 /// A parameter of an expression, to be identified.
 struct ExpressionParameter {

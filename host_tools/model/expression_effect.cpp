@@ -7,8 +7,6 @@
 
 namespace fogcomp {
 
-using Kind = ExpressionNode::Kind;
-
 ExpressionEffect::ExpressionEffect(ExpressionTerm term, const std::vector<double>& parameters,
                                    double block_s)
     : term_(std::move(term)),
@@ -24,13 +22,13 @@ double ExpressionEffect::evaluate(const fog::Signals<RealNumbers>& signals, bool
     const double left = values_[node.left];
     const double right = values_[node.right];
     double& state = states_[i];
-    if (node.kind == Kind::signal) {
+    if (node.kind == NodeKind::signal) {
       const SignalRange& range = term_.ranges[static_cast<std::size_t>(node.signal)];
       values_[i] = std::clamp(value_of(node.signal, signals, block_s_), range.least, range.most);
-    } else if (node.kind == Kind::lag) {
+    } else if (node.kind == NodeKind::lag) {
       state = restart ? left : state + (left - state) * RealNumbers::decay(block_s_ / right);
       values_[i] = state;
-    } else if (node.kind == Kind::play) {
+    } else if (node.kind == NodeKind::play) {
       state = restart ? left : std::clamp(state, left - right, left + right);
       values_[i] = state;
     } else {
