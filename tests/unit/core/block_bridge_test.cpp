@@ -19,7 +19,7 @@ Means block_of(std::int32_t raw, std::int32_t number) {
   means.temperature = fog::Temperature::from_raw(raw);
   means.input_rate = fog::Rate::from_raw(-raw);
   means.elapsed = fog::Elapsed::from_raw(number);
-  means[Input::magnetic] = fog::ExtensionValue::from_raw(2 * raw);
+  means[Input::magnetic] = fog::ExtensionValue::from_raw(raw);
   return means;
 }
 
@@ -32,7 +32,7 @@ TEST(BlockBridge, IsAStraightLineInEverythingThatIsMeasured) {
     const Means& means = bridge.next();
     EXPECT_EQ(means.temperature.raw(), 1000 + 1000 * i);
     EXPECT_EQ(means.input_rate.raw(), -1000 - 1000 * i);
-    EXPECT_EQ(means[Input::magnetic].raw(), 2000 + 2000 * i);
+    EXPECT_EQ(means[Input::magnetic].raw(), 1000 + 1000 * i);
     EXPECT_EQ(means.elapsed.raw(), 7 + i);
   }
   EXPECT_EQ(bridge.left(), 0U);
