@@ -14,10 +14,12 @@
 #include "batch/summary.hpp"
 #include "cli/arguments.hpp"
 #include "cli/gyro_calibration.hpp"
+#include "findings/batch_findings.hpp"
+#include "findings/json.hpp"
 #include "model/effect_list.hpp"
-#include "report/batch_report.hpp"
+#include "report/page.hpp"
+#include "report/terminal.hpp"
 #include "support/input_error.hpp"
-#include "support/json.hpp"
 #include "support/output_file.hpp"
 #include "support/progress.hpp"
 #include "support/text.hpp"
@@ -191,45 +193,13 @@ GyroResult result_of(const Batch& batch, const GyroFolder& gyro, const Work& wor
   return missing;
 }
 
-batch::Summary write_tables(const Batch& batch, const Work& work,
-                            const std::vector<batch::Limit>& limits) {
+batch::Summary write_table(const Batch& batch, const Work& work,
+                           const std::vector<batch::Limit>& limits) {
   std::vector<GyroResult> results;
   for (const GyroFolder& gyro : batch.gyros) results.push_back(result_of(batch, gyro, work));
   batch::Summary summary = summarise(std::move(results), limits);
   write_file(batch.output + kTables[0], csv_text(summary));
-  write_file(batch.output + kTables[1],
-             report::batch_report(summary, batch.input, batch.output, batch.reports).html());
   return summary;
-}
-
-void print_json(const batch::Summary& summary, const Work& work, const std::string& output) {
-  Json gyros = json_array(summary.gyros, [&](const batch::Summary::Gyro& gyro) {
-    return Json::object()
-        .set("gyro", gyro.result.gyro)
-        .set("outcome", name_of(gyro.outcome))
-        .set("reason", gyro.reason);
-  });
-  Json result = Json::object();
-  result.set("table", output + "/gyros.csv").set("index", output + "/index.html");
-  result.set("pass", summary.count(Outcome::pass)).set("fail", summary.count(Outcome::fail));
-  result.set("error", summary.count(Outcome::error));
-  result.set("calibrated", work.done).set("already_done", work.already);
-  result.set("gyros", std::move(gyros));
-  std::puts(result.text().c_str());
-}
-
-void print_text(const batch::Summary& summary, const Work& work, const std::string& output) {
-  constexpr std::size_t kMostListed = 20;
-  std::size_t listed = 0;
-  for (const batch::Summary::Gyro& gyro : summary.gyros) {
-    if (gyro.outcome == Outcome::pass || ++listed > kMostListed) continue;
-    std::printf("  %-16s %-6s %s\n", gyro.result.gyro.c_str(), name_of(gyro.outcome),
-                gyro.reason.c_str());
-  }
-  if (listed > kMostListed) std::printf("  ... and %zu more\n", listed - kMostListed);
-  std::printf("%s (%zu calibrated now, %zu before)\n", headline(summary).c_str(), work.done,
-              work.already);
-  std::printf("written: %s/gyros.csv, %s/index.html\n", output.c_str(), output.c_str());
 }
 
 struct BatchCommand : Command {
@@ -295,11 +265,16 @@ int BatchCommand::run() const {
                 counted(work.done, "gyro").c_str(), work.already, work.errors);
     return work.errors == 0 ? 0 : 1;
   }
-  const batch::Summary summary = write_tables(batch, work, kept);
+  const batch::Summary summary = write_table(batch, work, kept);
+  const findings::Document document =
+      findings::batch_findings(summary, batch.input, batch.output, batch.reports);
+  write_file(batch.output + kTables[1], report::page(document));
   if (json.given()) {
-    print_json(summary, work, batch.output);
+    std::puts(findings::batch_json(summary, batch.output, work.done, work.already).text().c_str());
   } else {
-    print_text(summary, work, batch.output);
+    std::printf("%s%zu calibrated now, %zu before\nwritten: %s/gyros.csv, %s/index.html\n",
+                report::terminal(document).c_str(), work.done, work.already, batch.output.c_str(),
+                batch.output.c_str());
   }
   return summary.count(Outcome::pass) == summary.gyros.size() ? 0 : 1;
 }

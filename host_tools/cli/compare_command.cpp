@@ -3,12 +3,12 @@
 #include <cstdio>
 
 #include "cli/command.hpp"
-#include "cli/compare_json.hpp"
-#include "cli/compare_text.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
-#include "report/compare_report.hpp"
+#include "findings/compare_findings.hpp"
+#include "findings/json.hpp"
+#include "report/terminal.hpp"
 #include "workflow/compare.hpp"
 
 namespace fogcomp::cli {
@@ -47,11 +47,12 @@ int CompareCommand::run() const {
   request.reading = recording.value();
   request.runs = {arguments.begin() + 1, arguments.end()};
   const std::vector<ModelOnRuns> judged = workflow::compare(request, Watch().observer());
-  if (page.wanted()) page.write(report::compare_report(judged));
+  const findings::Document document = findings::compare_findings(judged);
+  if (page.wanted()) page.write(document);
   if (json.given()) {
-    std::puts(compare_json(judged).text().c_str());
+    std::puts(findings::compare_json(judged).text().c_str());
   } else {
-    std::fputs(compare_text(judged, details.given()).c_str(), stdout);
+    std::fputs(report::terminal(document, details.given()).c_str(), stdout);
   }
   return 0;
 }

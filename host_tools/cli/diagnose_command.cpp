@@ -3,13 +3,12 @@
 #include <cstdio>
 
 #include "cli/command.hpp"
-#include "cli/diagnosis_json.hpp"
-#include "cli/diagnosis_text.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
-#include "report/diagnose_report.hpp"
-#include "support/text.hpp"
+#include "findings/diagnose_findings.hpp"
+#include "findings/json.hpp"
+#include "report/terminal.hpp"
 #include "workflow/diagnose.hpp"
 
 namespace fogcomp::cli {
@@ -59,18 +58,18 @@ int DiagnoseCommand::run() const {
   ReportFile page(report);
   const workflow::DiagnoseOutcome found = workflow::diagnose(request(), Watch().observer());
   const bool loop_wanted = max_effects.value() > 0;
-  if (page.wanted()) {
-    page.write(report::diagnose_report(found.ladder, loop_wanted, found.data, arguments));
-  }
+  std::vector<std::string> files = found.runs;
+  files.insert(files.begin(), arguments[0]);
+  const findings::Document document =
+      findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
+  if (page.wanted()) page.write(document);
   if (json.given()) {
-    const Json object =
-        loop_wanted ? ladder_json(found.ladder) : diagnosis_json(found.ladder.first);
+    const Json object = loop_wanted ? findings::ladder_json(found.ladder)
+                                    : findings::diagnosis_json(found.ladder.first);
     std::puts(object.text().c_str());
-    return 0;
+  } else {
+    std::fputs(report::terminal(document).c_str(), stdout);
   }
-  const std::string runs = join(found.runs, " ");
-  std::fputs(diagnosis_text(found.ladder.first, arguments[0], runs).c_str(), stdout);
-  if (loop_wanted) std::fputs(ladder_text(found.ladder).c_str(), stdout);
   return 0;
 }
 

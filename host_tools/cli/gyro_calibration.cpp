@@ -4,8 +4,9 @@
 
 #include "batch/fingerprint.hpp"
 #include "cli/watch.hpp"
+#include "findings/compare_findings.hpp"
 #include "model/model_file.hpp"
-#include "report/compare_report.hpp"
+#include "report/page.hpp"
 #include "support/output_file.hpp"
 
 namespace fogcomp::cli {
@@ -44,7 +45,7 @@ batch::GyroResult calibrate(const batch::GyroFolder& gyro, workflow::Calibration
   events.fitted = [&](const Model& model) { save_model(model, request.model_file); };
   events.judged = [&](const ModelOnRuns& hold_outs) {
     if (!page || hold_outs.runs.empty()) return;
-    write_file(folder + "/report.html", report::compare_report({hold_outs}).html());
+    write_file(folder + "/report.html", report::page(findings::compare_findings({hold_outs})));
     add_output(result, folder, "report.html");
   };
   const workflow::CalibrationOutcome outcome = calibrate(request, events, on_stderr());

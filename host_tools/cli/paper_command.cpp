@@ -3,10 +3,11 @@
 #include <cstdio>
 
 #include "cli/arguments.hpp"
-#include "cli/paper_text.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
-#include "report/paper_report.hpp"
+#include "findings/json.hpp"
+#include "findings/paper_findings.hpp"
+#include "report/terminal.hpp"
 #include "research/figures.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
@@ -55,11 +56,12 @@ int PaperCommand::run() const {
   ReportFile page(report);
   const std::vector<Study> studies = workflow::paper(request, Watch().observer());
   if (figures.given()) write_figures(studies.front(), figures.value());
-  if (page.wanted()) page.write(report::paper_report(studies));
+  const findings::Document document = findings::paper_findings(studies);
+  if (page.wanted()) page.write(document);
   if (json.given()) {
-    std::puts(paper_json(studies).text().c_str());
+    std::puts(findings::paper_json(studies).text().c_str());
   } else {
-    print_paper(studies);
+    std::fputs(report::terminal(document).c_str(), stdout);
   }
   return 0;
 }

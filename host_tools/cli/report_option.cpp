@@ -2,14 +2,16 @@
 
 #include <cstdio>
 
+#include "report/page.hpp"
+
 namespace fogcomp::cli {
 
 ReportFile::ReportFile(const ReportOption& option) {
   if (option.given()) file_.emplace(option.value());
 }
 
-void ReportFile::fill(const report::Report& report) {
-  file_->write(report.html());
+void ReportFile::fill(const findings::Document& document) {
+  file_->write(report::page(document));
   file_->flush();
 }
 
@@ -19,8 +21,8 @@ void ReportFile::commit() {
   std::fprintf(stderr, "report: %s\n", file_->path().c_str());
 }
 
-void ReportFile::write(const report::Report& report) {
-  fill(report);
+void ReportFile::write(const findings::Document& document) {
+  fill(document);
   commit();
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "cli/option.hpp"
-#include "report/report.hpp"
+#include "findings/document.hpp"
 #include "support/output_file.hpp"
 
 namespace fogcomp::cli {
@@ -22,9 +22,9 @@ class ReportFile {
   explicit ReportFile(const ReportOption& option);
   bool wanted() const { return file_.has_value(); }
   /// The page; it gets its name with the command's other output, or by write() alone.
-  void fill(const report::Report& report);
+  void fill(const findings::Document& document);
   void commit();
-  void write(const report::Report& report);
+  void write(const findings::Document& document);
 
  private:
   std::optional<OutputFile> file_;

@@ -21,12 +21,4 @@ TrainerSettings TrainingOptions::value() const {
   return settings;
 }
 
-std::string network_verdict(const FitResult& fit) {
-  if (!fit.network_judged) return "";
-  const OutOfSample& judged = *fit.network_judged;
-  const std::string figures = out_of_sample_words(judged);
-  return judged.helps() ? "network: helps out of sample: " + figures
-                        : "network: nothing left that it can learn: " + figures + ": none kept";
-}
-
 }  // namespace fogcomp::cli

@@ -49,7 +49,4 @@ struct TrainingOptions : OptionGroup {
   static std::string trainer_summaries();
 };
 
-/// Whether a network was judged worth keeping, in a line; "" where none was judged.
-std::string network_verdict(const FitResult& fit);
-
 }  // namespace fogcomp::cli

@@ -114,11 +114,12 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::string rounded(double value) {
-  constexpr double kShown = 0.00005;
+  constexpr int kMaxDecimals = 6;
   const double size = std::fabs(value);
-  if (size < kShown) return "0.0000";  // and never "-0.0000"
-  const int order = std::isfinite(value) ? static_cast<int>(std::floor(std::log10(size))) : 0;
-  return format("%.*f", std::clamp(3 - order, 0, 4), value);
+  if (!std::isfinite(value)) return "-";
+  if (size < 0.5e-6) return "0";  // and never "-0"
+  const int order = static_cast<int>(std::floor(std::log10(size)));
+  return format("%.*f", std::clamp(3 - order, 0, kMaxDecimals), value);
 }
 
 std::string signed_rounded(double value) {

@@ -22,8 +22,8 @@ std::string_view trim(std::string_view text);
 /// The whole of `text` as a finite number, else nothing.
 std::optional<double> parse_number(std::string_view text);
 
-/// A figure in deg/h as people read it: four significant digits, and four decimals at most (0.0543,
-/// 1.893, 1919).
+/// A figure in deg/h as people read it: four significant digits, no finer than the 1e-6 that a
+/// recording holds (0.05432, 1.893, 1919); "-" where it is not finite.
 std::string rounded(double value);
 /// The same with its sign, as an offset or a step has it: "+0.1860".
 std::string signed_rounded(double value);

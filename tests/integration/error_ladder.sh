@@ -48,7 +48,7 @@ grep -q '^hidden logsig 4 ' network2.model || fail "no network of 4"
 # A network to which the effects leave nothing is not kept, and that is said; forced, it is.
 complete=bias,bias_temperature,temperature_rate,temperature_rate_product,warm_up,polarization_ripple:period2=?
 "$fogcomp" fit run1.csv -o alone.model --effects "$complete" --network 4 >alone.txt
-grep -q '^network: nothing left that it can learn.*none kept; --force-network keeps it$' alone.txt || fail "$(cat alone.txt)"
+grep -q '^  network: nothing left that it can learn.*none kept; --force-network keeps it$' alone.txt || fail "$(cat alone.txt)"
 grep -q '^hidden' alone.model && fail "a network that does not help was kept"
 "$fogcomp" fit run1.csv -o kept.model --effects "$complete" --network 4 --force-network >/dev/null
 grep -q '^hidden logsig 4 ' kept.model || fail "--force-network kept none"
@@ -69,7 +69,7 @@ grep -qE '####.*1 fit bias' history.txt && grep -q 'forced: did not help' histor
 # Two models and two runs side by side: every segment has a figure of each.
 "$fogcomp" compare static.model run1.csv run2.csv --model rate.model >both.txt
 [[ $(grep -c '^  all ' both.txt) == 2 ]] || fail "$(cat both.txt)"
-grep -qE 'before \| static\.model +rate\.model' both.txt || fail "$(cat both.txt)"
+grep -qE 'by a constant alone +by rate\.model +by static\.model' both.txt || fail "$(cat both.txt)"
 "$fogcomp" compare static.model run1.csv run2.csv --model rate.model --json >both.json
 [[ $(value both.json models 1 model) == rate.model ]] || fail "second model"
 for run in 0 1; do

@@ -1,13 +1,24 @@
-#include "report/report.hpp"
+#include "report/page.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "report/plot_json.hpp"
+#include "report/terminal.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::report {
 namespace {
+
+using findings::Curve;
+using findings::Document;
+using findings::Look;
+using findings::Plot;
+using findings::Shown;
+using findings::Table;
+using findings::Text;
+using findings::verbatim;
 
 std::size_t count(const std::string& text, const std::string& word) {
   std::size_t found = 0;
@@ -17,22 +28,25 @@ std::size_t count(const std::string& text, const std::string& word) {
   return found;
 }
 
-// Everything that a report takes, with `name` wherever a name from outside can stand.
-Report full_report(const std::string& name) {
+// Everything that a document takes, with `name` wherever a name from outside can stand.
+Document full_document(const std::string& name) {
   const Text text = verbatim(name);
-  Report report(name, text);
-  report.next(text, name);
-  report.section(text);
-  report.file_section(name);
-  report.sentence(text);
-  report.listing(name);
-  report.table({{text}, {{text, text}}, {name}});
-  Bars bars;
-  bars.quantity = text;
-  bars.rows = {{text, {{1, "model", text}}, text}};
-  bars.caption = text;
-  bars.keys = {{text, "model"}};
-  report.bars(bars);
+  Document document(name, text);
+  document.next(text, name);
+  document.heading(text);
+  document.sentence(text);
+  document.file_heading(name);
+  document.listing(name);
+  Table table;
+  table.caption = table.notes = text;
+  table.columns = {text, text};
+  table.rows = {{text, text}};
+  table.rows[0].link = name;
+  document.table(table);
+  table.quantity = text;
+  table.columns = {text, {text, "model"}, {text, "residual"}, text};
+  table.rows = {{text, {text, 1}, {text, 2}, text}};
+  document.table(table);
   Plot plot;
   plot.title = plot.x_label = plot.y_label = plot.caption = text;
   plot.curves = {{text, "model", {1, 2}}};
@@ -40,87 +54,147 @@ Report full_report(const std::string& name) {
   plot.x_names = {text};
   plot.levels = {{text, 1}};
   plot.bands = {{text, 0, 1, "heating"}};
-  report.plot(plot);
-  return report;
+  document.plot(plot);
+  return document;
 }
 
 // What a file may be called.
 const char* const kHostile = "</script><script>alert(1)</script>&\"x.csv";
 
-TEST(Report, NamesOfFilesCannotBecomeMarkup) {
-  const std::string plain = full_report("run.csv").html();
-  const std::string hostile = full_report(kHostile).html();
+TEST(Page, NamesOfFilesCannotBecomeMarkup) {
+  const std::string plain = page(full_document("run.csv"));
+  const std::string hostile = page(full_document(kHostile));
   for (const char* tag : {"<script", "</script", "<td", "<figure"}) {
     EXPECT_EQ(count(hostile, tag), count(plain, tag)) << tag;
   }
   EXPECT_EQ(count(hostile, "alert(1)</"), 0U);
 }
 
-TEST(Report, NamesOfFilesStayAsTheyAre) {
-  const std::string page = full_report("run_degC+-2deg_chi^2.csv").html();
-  const std::string as_long = full_report("run_number_12345678x.csv").html();
-  EXPECT_EQ(count(page, "run_degC+-2deg_chi^2.csv"), count(as_long, "run_number_12345678x.csv"));
-  for (const char* sign : {"_°C", "±2", "χ²"}) EXPECT_EQ(count(page, sign), 0U) << sign;
+TEST(Page, NamesOfFilesStayAsTheyAre) {
+  const std::string html = page(full_document("run_degC+-2deg_chi^2.csv"));
+  const std::string as_long = page(full_document("run_number_12345678x.csv"));
+  EXPECT_EQ(count(html, "run_degC+-2deg_chi^2.csv"), count(as_long, "run_number_12345678x.csv"));
+  for (const char* sign : {"_°C", "±2", "χ²"}) EXPECT_EQ(count(html, sign), 0U) << sign;
 }
 
-TEST(Report, AFileIsHeadedByItsNameWithThePathBeneath) {
-  Report report("subject", "Found.");
-  report.file_section("/lab/2024/run.csv", " (holdout)");
-  report.file_section("plain.csv");
-  const std::string page = report.html();
-  EXPECT_EQ(count(page, "<h2>run.csv (holdout)</h2>"), 1U);
-  EXPECT_EQ(count(page, "<p class=\"path\">/lab/2024/run.csv</p>"), 1U);
-  EXPECT_EQ(count(page, "<h2>plain.csv</h2>"), 1U);
-  EXPECT_EQ(count(page, "<p class=\"path\">"), 1U);
+TEST(Page, AFileIsHeadedByItsNameWithThePathBeneath) {
+  Document document("subject", "found");
+  document.file_heading("/lab/2024/run.csv", " (holdout)");
+  document.sentence("first");
+  document.file_heading("plain.csv");
+  document.sentence("second");
+  const std::string html = page(document);
+  EXPECT_EQ(count(html, "<h2>run.csv (holdout)</h2>"), 1U);
+  EXPECT_EQ(count(html, "<p class=\"path\">/lab/2024/run.csv</p>"), 1U);
+  EXPECT_EQ(count(html, "<h2>plain.csv</h2>"), 1U);
+  EXPECT_EQ(count(html, "<p class=\"path\">"), 1U);
 }
 
-TEST(Report, BarsHaveAnAxisWithANameAndAnEnd) {
-  Report report("subject", "Found.");
-  Bars bars;
-  bars.quantity = "rms left, deg/h";
-  bars.rows = {{"before", {{0.25, "measured", "0.25"}}}};
-  report.bars(bars);
-  bars.quantity = "probability";
-  bars.full = 1;
-  report.bars(bars);
-  const std::string page = report.html();
-  EXPECT_EQ(count(page, "<span>0</span><span class=\"quantity\">rms left, °/h</span><span>0.2500<"),
+Table table_of_rms(const char* name, double full) {
+  Table table;
+  table.quantity = name;
+  table.full = full;
+  table.columns = {"step", {"rms left", "residual"}, "note"};
+  table.rows = {{"before", {"0.25", 0.25}, "as it was"}, {"after", {"0.125", 0.125}, ""}};
+  return table;
+}
+
+TEST(Page, BarsHaveAnAxisWithANameAndAnEnd) {
+  Document document("subject", "found");
+  document.table(table_of_rms("rms left, deg/h", 0));
+  document.table(table_of_rms("probability", 1));
+  const std::string html = page(document);
+  EXPECT_EQ(count(html, "<span>0</span><span class=\"quantity\">rms left, °/h</span><span>0.2500<"),
             1U);
-  EXPECT_EQ(count(page, "<span>0</span><span class=\"quantity\">probability</span><span>1<"), 1U);
-  EXPECT_EQ(count(page, "width:100.0%"), 1U);
-  EXPECT_EQ(count(page, "width:25.0%"), 1U);
+  EXPECT_EQ(count(html, "<span>0</span><span class=\"quantity\">probability</span><span>1<"), 1U);
+  EXPECT_EQ(count(html, "width:100.0%"), 1U);
+  EXPECT_EQ(count(html, "width:25.0%"), 1U);
+  EXPECT_EQ(count(html, "<div class=\"note\">note as it was</div>"), 2U);
 }
 
-TEST(Report, AColumnWithASentenceMayBeBrokenAndFiguresMayNot) {
-  Report report("subject", "Found.");
-  report.table(
-      {{"gyro", "outcome", "reason"},
-       {{"G1", "fail", "holdout_drift_dph is 0.2, which is above 0.1"}, {"G2", "pass", ""}}});
-  const std::string page = report.html();
-  EXPECT_EQ(count(page, "<td class=\"words\">"), 2U);
-  EXPECT_EQ(count(page, "<th class=\"words\">reason"), 1U);
-  EXPECT_EQ(count(page, "<td>fail</td>"), 1U);
+TEST(Page, AColumnWithASentenceMayBeBrokenAndFiguresMayNot) {
+  Document document("subject", "found");
+  Table table;
+  table.columns = {"gyro", "outcome", "reason"};
+  table.rows = {{"G1", "fail", "holdout_drift_dph is 0.2, which is above 0.1"}, {"G2", "pass", ""}};
+  document.table(table);
+  const std::string html = page(document);
+  EXPECT_EQ(count(html, "<td class=\"words\">"), 2U);
+  EXPECT_EQ(count(html, "<th class=\"words\">reason"), 1U);
+  EXPECT_EQ(count(html, "<td>fail</td>"), 1U);
 }
 
-TEST(Report, NamesInAnotherEncodingLeaveThePageUtf8) {
+TEST(Page, LeavesOutHeadingsWithNothingBeneath) {
+  Document document("subject", "found");
+  document.heading("Empty");
+  document.table({});
+  document.heading("Figures");
+  document.table(table_of_rms("rms", 0), Shown::in_details);
+  document.heading("Words");
+  document.sentence("something");
+  const std::string html = page(document);
+  EXPECT_EQ(count(html, "<h2>"), 1U);
+  EXPECT_EQ(count(html, "<p>Something.</p>"), 1U);
+}
+
+TEST(Page, NamesInAnotherEncodingLeaveThePageUtf8) {
   const Text name = verbatim("60\xB0");
-  Report report("Z\xFCrich.csv", name);
-  report.table({{name}, {{name}}});
+  Document document("Z\xFCrich.csv", name);
+  Table table;
+  table.columns = {name};
+  table.rows = {Table::Row{name}};
+  document.table(table);
   Plot plot;
   plot.title = name;
   plot.x = {0, 1};
   plot.curves = {{name, "model", {1, 2}}};
-  report.plot(plot);
-  EXPECT_EQ(valid_utf8(report.html()), report.html());
+  document.plot(plot);
+  EXPECT_EQ(valid_utf8(page(document)), page(document));
 }
 
-TEST(Report, NothingInThePageNamesAPlaceToLoadFrom) {
-  Report report("subject", "Found.");
-  const std::string page = report.html();
+TEST(Page, NothingInThePageNamesAPlaceToLoadFrom) {
+  Document document("subject", "found");
+  const std::string html = page(document);
   for (const char* attribute : {" src=", " href=", "@import", "url("}) {
-    EXPECT_EQ(count(page, attribute), 0U) << attribute;
+    EXPECT_EQ(count(html, attribute), 0U) << attribute;
   }
-  EXPECT_EQ(count(page, "default-src 'none'"), 1U);
+  EXPECT_EQ(count(html, "default-src 'none'"), 1U);
+}
+
+TEST(Terminal, SaysFirstWhatWasFoundAndWhatToDo) {
+  Document document("fogcomp fit run.csv", "the model leaves 0.05 deg/h rms");
+  document.next("ask which effect is missing", "fogcomp diagnose gyro.model run.csv");
+  document.sentence("5 rows");
+  document.heading("Error ladder");
+  document.table(table_of_rms("rms left, deg/h", 0));
+  EXPECT_EQ(terminal(document),
+            "the model leaves 0.05 deg/h rms\n"
+            "  next: fogcomp diagnose gyro.model run.csv\n"
+            "  5 rows\n"
+            "\n"
+            "Error ladder\n"
+            "  step    rms left  note\n"
+            "  before      0.25  as it was\n"
+            "  after      0.125\n");
+}
+
+TEST(Terminal, ShowsWhatAPageDrawsOnlyInDetails) {
+  Document document("subject", "found");
+  document.heading("Drawn");
+  document.table(table_of_rms("rms", 0), Shown::in_details);
+  document.sentence("on a page", Shown::on_page);
+  EXPECT_EQ(terminal(document), "found\n");
+  EXPECT_EQ(count(terminal(document, true), "Drawn\n  step"), 1U);
+}
+
+TEST(Terminal, AlignsByCharactersNotBytes) {
+  Document document("subject", "found");
+  Table table;
+  table.columns = {"segment", "mean"};
+  table.rows = {{verbatim("Z\xC3\xBCrich"), "1"}, {"soak", "22"}};
+  document.table(table);
+  EXPECT_EQ(terminal(document),
+            "found\n\n  segment  mean\n  Z\xC3\xBCrich      1\n  soak       22\n");
 }
 
 TEST(PlotJson, RoundsFarBelowAPixel) {

@@ -62,12 +62,12 @@ TEST(Rounded, HasTheDigitsThatDeserveIt) {
   EXPECT_EQ(fogcomp::rounded(-13565.5863), "-13566");
   EXPECT_EQ(fogcomp::rounded(15.04107), "15.04");
   EXPECT_EQ(fogcomp::rounded(1.89321), "1.893");
-  EXPECT_EQ(fogcomp::rounded(0.054321), "0.0543");
-  EXPECT_EQ(fogcomp::rounded(0.0012345), "0.0012");
+  EXPECT_EQ(fogcomp::rounded(0.054321), "0.05432");
+  EXPECT_EQ(fogcomp::rounded(0.0012346), "0.001235");
   EXPECT_EQ(fogcomp::signed_rounded(0.186), "+0.1860");
   EXPECT_EQ(fogcomp::signed_rounded(-2.5), "-2.500");
-  EXPECT_EQ(fogcomp::rounded(2e-16), "0.0000");
-  EXPECT_EQ(fogcomp::rounded(-0.0), "0.0000");
+  EXPECT_EQ(fogcomp::rounded(2e-16), "0");
+  EXPECT_EQ(fogcomp::rounded(-0.0), "0");
 }
 
 TEST(Counted, HasASingularAndAPlural) {

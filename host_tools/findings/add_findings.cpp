@@ -1,0 +1,111 @@
+#include "findings/add_findings.hpp"
+
+#include "findings/figures.hpp"
+#include "findings/network_words.hpp"
+#include "findings/run_plots.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+Text remark(const Addition::RunError& run) {
+  return run.holdout ? " (holdout)" : "";
+}
+
+void add_errors(Document& document, const Addition& addition) {
+  Table table;
+  table.caption =
+      words(format("what is left of each run, means of %g s, the model refitted to the same runs "
+                   "before and after",
+                   addition.model.average_s));
+  table.columns = {"run",          {"before", "measured"}, {"after", "residual"},
+                   "drift before", "drift after",          "floor",
+                   "remark"};
+  table.quantity = "rms left, deg/h";
+  table.floor = addition.runs[0].noise_floor_dph.value_or(0);
+  std::vector<std::string> files;
+  for (const Addition::RunError& run : addition.runs) files.push_back(run.file);
+  const std::vector<std::string> names = short_names(files);
+  for (std::size_t i = 0; i < addition.runs.size(); ++i) {
+    const Addition::RunError& run = addition.runs[i];
+    const auto drift = [&](double rms_dph) {
+      return run.noise_floor_dph ? number(floor_removed(rms_dph, *run.noise_floor_dph)) : Text("-");
+    };
+    std::vector<std::string> remarks;
+    if (run.after.outliers > 0) remarks.push_back(counted(run.after.outliers, "row") + " left out");
+    if (run.outside_temperature > 0) {
+      remarks.push_back(percent(run.outside_temperature) + " outside the trained temperatures");
+    }
+    table.rows.push_back({verbatim(names[i]) + remark(run),
+                          {number(run.rms_before_dph), run.rms_before_dph},
+                          {number(run.rms_after_dph), run.rms_after_dph},
+                          drift(run.rms_before_dph),
+                          drift(run.rms_after_dph),
+                          dph(run.noise_floor_dph),
+                          words(join(remarks, ", "))});
+  }
+  document.heading("Before and after");
+  document.table(std::move(table));
+  for (const HalfTest& half : addition.halves) document.sentence(words(half_words(half)));
+}
+
+Text before_and_after(const Addition::RunError& run) {
+  return "Rms " + number(run.rms_before_dph) + " deg/h before, " + number(run.rms_after_dph) +
+         " after.";
+}
+
+void add_run(Document& document, const Addition::RunError& run, const std::string& group) {
+  const std::vector<double> degc = run.after.rows.temperatures_degc();
+  const std::vector<double> before = run.before.residuals_dph();
+  const std::vector<double> after = run.after.residuals_dph();
+  const TimeAxis axis = time_axis(run.after, group);
+  document.file_heading(run.file, remark(run));
+  Plot residual = time_plot("Residual.", "residual, deg/h", axis,
+                            {{"before", "measured", before}, {"after", "residual", after}});
+  residual.caption = before_and_after(run);
+  document.plot(residual);
+  document.plot(temperature_plot(axis, degc));
+  const std::vector<Branch> branch = branches(degc);
+  if (!ever_moves(branch)) return;
+  const auto over_temperature = [&](const Text& title, const std::vector<double>& values) {
+    document.plot(branch_plot(title, "temperature, degC", "residual, deg/h", degc, values, branch));
+  };
+  over_temperature("Residual over temperature, before.", before);
+  over_temperature("Residual over temperature, after.", after);
+}
+
+}  // namespace
+
+Document add_findings(const Addition& addition, const std::string& model,
+                      const std::string& written) {
+  const EffectTerm& term = addition.model.terms[addition.changed];
+  std::vector<std::string> names;
+  for (const EffectTerm& one : addition.model.terms) names.push_back(one.name);
+  std::string runs;
+  for (const Addition::RunError& run : addition.runs) {
+    if (!run.holdout) runs += " " + run.file;
+  }
+  Document document(
+      "fogcomp add " + model + " " + term.name + runs,
+      words(std::string(addition.accepted ? "accepted: " : "refused: ") + addition.reason, names));
+  if (written.empty()) {
+    document.next("nothing was written; ask what else it could be",
+                  "fogcomp diagnose " + model + runs);
+  } else {
+    document.next("look again at what the new model leaves", "fogcomp diagnose " + written + runs);
+  }
+  for (const std::string& warning : addition.fit.identified.warnings) {
+    document.sentence("note: " + words(warning, names));
+  }
+  if (addition.fit.network_judged) document.sentence(words(network_verdict(addition.fit)));
+  Model changed;
+  changed.terms = {term};
+  document.listing(describe(changed));
+  add_errors(document, addition);
+  for (std::size_t i = 0; i < addition.runs.size(); ++i) {
+    add_run(document, addition.runs[i], format("run %zu", i));
+  }
+  return document;
+}
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,61 @@
+#include "findings/json.hpp"
+
+#include "findings/network_words.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+Json halves_json(const std::vector<HalfTest>& halves) {
+  return json_array(halves, [&](const HalfTest& half) {
+    return Json::object()
+        .set("identified_on", half.identified_on)
+        .set("determined", half.determined)
+        .set("rms_before_dph", half.rms_before_dph)
+        .set("rms_after_dph", half.rms_after_dph);
+  });
+}
+
+Json runs_json(const std::vector<Addition::RunError>& runs) {
+  return json_array(runs, [&](const Addition::RunError& run) {
+    return Json::object()
+        .set("file", run.file)
+        .set("holdout", run.holdout)
+        .set("rms_before_dph", run.rms_before_dph)
+        .set("rms_after_dph", run.rms_after_dph)
+        .set("outliers", run.after.outliers)
+        .set("noise_floor_dph", run.noise_floor_dph ? Json(*run.noise_floor_dph) : Json())
+        .set("outside_temperature", run.outside_temperature);
+  });
+}
+
+}  // namespace
+
+Json add_json(const Addition& addition, const std::string& written) {
+  const EffectTerm& term = addition.model.terms[addition.changed];
+  Json parameters = Json::object();
+  set_parameters(parameters, term);
+  Json coefficients = Json::object();
+  set_coefficients(coefficients, term);
+  const OutOfSample& judged = addition.out_of_sample;
+  Json notes = addition.fit.identified.warnings;
+  if (addition.fit.training && !addition.model.network.present()) {
+    notes.push(network_verdict(addition.fit));
+  }
+  Json result = Json::object();
+  result.set("effect", term.name)
+      .set("accepted", addition.accepted)
+      .set("reason", addition.reason)
+      .set("out_of_sample_rms_before_dph", judged.rms_before_dph)
+      .set("out_of_sample_rms_after_dph", judged.rms_after_dph)
+      .set("out_of_sample_gain", judged.gain)
+      .set("chance_of_walk", addition.chance_of_walk ? Json(*addition.chance_of_walk) : Json())
+      .set("runs", runs_json(addition.runs))
+      .set("halves", halves_json(addition.halves))
+      .set("parameters", std::move(parameters))
+      .set("coefficients", std::move(coefficients))
+      .set("notes", std::move(notes))
+      .set("model", written.empty() ? Json() : Json(written));
+  return result;
+}
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,104 @@
+#include "findings/allan_plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "support/units.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+// sigma^2 of one term at tau, in hours.
+struct Term {
+  const char* label;
+  const char* colour;
+  const std::optional<NoiseCoefficient>& coefficient;
+  double (*square)(double coefficient, double tau_h);
+};
+
+std::vector<Term> terms_of(const NoiseCoefficients& noise) {
+  return {
+      {"quantization Q, slope -1", "part4", noise.quantization_deg,
+       [](double q, double tau) { return 3 * q * q / (tau * tau); }},
+      {"angle random walk N, slope -1/2", "part3", noise.angle_random_walk_dprh,
+       [](double n, double tau) { return n * n / tau; }},
+      {"bias instability B, slope 0", "part5", noise.bias_instability_dph,
+       [](double b, double) { return b * b * 2 / kPi * std::log(2.0); }},
+      {"rate random walk K, slope +1/2", "part6", noise.rate_random_walk_dphrh,
+       [](double k, double tau) { return k * k * tau / 3; }},
+      {"rate ramp R, slope +1", "part7", noise.rate_ramp_dphh,
+       [](double r, double tau) { return r * r * tau * tau / 2; }},
+  };
+}
+
+// A slope is drawn where it is seen: not far below the curve.
+constexpr double kLeastOfSum = 0.02;
+
+Text seen(const std::vector<Curve>& slopes) {
+  const Text bars = " Bars: one standard deviation.";
+  if (slopes.empty()) return "No slope of IEEE Std 952 stands out." + bars;
+  Text text = "These data show ";
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    text += (i > 0 ? " and " : "") + slopes[i].label;
+  }
+  return text + ": dashed." + bars;
+}
+
+}  // namespace
+
+namespace {
+
+// Of each coefficient that was found, over these times.
+std::vector<Curve> slopes_of(const NoiseCoefficients& fitted, const std::vector<double>& tau_s) {
+  std::vector<Curve> slopes;
+  for (const Term& term : terms_of(fitted)) {
+    if (!term.coefficient) continue;
+    Curve slope{term.label, term.colour, {}, tau_s, {}, Look::dashed};
+    for (const double tau : tau_s) {
+      slope.y.push_back(std::sqrt(term.square(term.coefficient->value, tau / kSecondsPerHour)));
+    }
+    slopes.push_back(std::move(slope));
+  }
+  return slopes;
+}
+
+}  // namespace
+
+Plot allan_plot(const std::vector<AllanCurve>& curves, const NoiseCoefficients& fitted) {
+  Plot plot;
+  plot.kind = Plot::Kind::log_log;
+  plot.title = "Allan deviation in soaks.";
+  plot.x_label = "averaging time, s";
+  plot.y_label = "Allan deviation, deg/h";
+  for (const AllanCurve& curve : curves) {
+    Curve points{curve.label, curve.colour, {}, {}, {}, Look::points};
+    for (const AllanPoint& point : curve.points) {
+      points.x.push_back(point.tau_s);
+      points.y.push_back(point.sigma);
+      points.sigma.push_back(point.one_sigma);
+    }
+    plot.curves.push_back(std::move(points));
+  }
+  std::vector<double> sum(plot.curves.back().x.size());
+  const std::vector<double> tau_s = plot.curves.back().x;
+  std::vector<Curve> slopes = slopes_of(fitted, tau_s);
+  for (const Curve& slope : slopes) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += slope.y[i] * slope.y[i];
+  }
+  plot.caption = seen(slopes);
+  if (slopes.empty()) return plot;
+  for (double& square : sum) square = std::sqrt(square);
+  for (Curve& slope : slopes) {
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      if (slope.y[i] < kLeastOfSum * sum[i]) slope.y[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  if (slopes.size() > 1) {
+    plot.curves.push_back({"their sum", "mark", sum, tau_s, {}, Look::line});
+  }
+  for (Curve& slope : slopes) plot.curves.push_back(std::move(slope));
+  return plot;
+}
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "findings/plot.hpp"
+#include "noise/allan.hpp"
+#include "noise/noise_coefficients.hpp"
+
+namespace fogcomp::findings {
+
+/// An Allan deviation in deg/h, and the colour that it has in the other plots.
+struct AllanCurve {
+  Text label;
+  std::string colour;
+  const std::vector<AllanPoint>& points;
+};
+
+/// Allan deviations with their standard deviations; through the last one the fitted slopes of IEEE
+/// Std 952, those that the data show, and their sum.
+Plot allan_plot(const std::vector<AllanCurve>& curves, const NoiseCoefficients& fitted);
+
+}  // namespace fogcomp::findings

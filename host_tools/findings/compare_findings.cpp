@@ -1,0 +1,71 @@
+#include "findings/compare_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "findings/compare_words.hpp"
+#include "findings/run_section.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+// The run that a model serves worst.
+const ModelOnRun& worst_of(const ModelOnRuns& model) {
+  const auto drift = [](const ModelOnRun& run) {
+    return floor_removed(run.comparison.whole.rms_dph, run.comparison.noise_floor_dph.value_or(0));
+  };
+  return *std::max_element(
+      model.runs.begin(), model.runs.end(),
+      [&](const ModelOnRun& a, const ModelOnRun& b) { return drift(a) < drift(b); });
+}
+
+double worst_rms_dph(const ModelOnRuns& model) {
+  return worst_of(model).comparison.whole.rms_dph;
+}
+
+// The model whose worst run is best comes first; the others in the order of the command line.
+std::vector<const ModelOnRuns*> best_first(const std::vector<ModelOnRuns>& models) {
+  std::vector<const ModelOnRuns*> order;
+  for (const ModelOnRuns& model : models) order.push_back(&model);
+  const auto best = std::min_element(order.begin(), order.end(), [](const auto* a, const auto* b) {
+    return worst_rms_dph(*a) < worst_rms_dph(*b);
+  });
+  std::rotate(order.begin(), best, best + 1);
+  return order;
+}
+
+Text found(const std::vector<const ModelOnRuns*>& models) {
+  const ModelOnRuns& best = *models[0];
+  std::vector<std::string> files;
+  for (const ModelOnRuns* model : models) files.push_back(model->file);
+  const Comparison& worst = worst_of(best).comparison;
+  Text text = verbatim(short_names(files)[0]) + (models.size() > 1 ? " is best: " : ": ");
+  if (best.runs.size() > 1) {
+    text += "at worst, on " + verbatim(short_names({worst.file})[0]) + ", ";
+  }
+  return text + words(error_words(worst));
+}
+
+}  // namespace
+
+Document compare_findings(const std::vector<ModelOnRuns>& models) {
+  const ModelOnRuns& first = models[0];
+  std::string subject = "fogcomp compare " + first.file + run_files(first);
+  for (std::size_t i = 1; i < models.size(); ++i) subject += " --model " + models[i].file;
+  const std::vector<const ModelOnRuns*> ranked = best_first(models);
+  const ModelOnRuns& best = *ranked[0];
+  Document document(subject, found(ranked));
+  if (std::any_of(best.runs.begin(), best.runs.end(), leaves_drift)) {
+    document.next("ask which effect is missing", "fogcomp diagnose " + best.file + run_files(best));
+  } else {
+    document.next("nothing above the noise floor is left on these runs: make the board's header",
+                  "fogcomp export " + best.file + " -o fog_model.h");
+  }
+  for (std::size_t run = 0; run < first.runs.size(); ++run) {
+    add_run(document, ranked, run, Shown::everywhere);
+  }
+  return document;
+}
+
+}  // namespace fogcomp::findings

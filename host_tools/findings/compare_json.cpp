@@ -1,0 +1,180 @@
+#include "findings/json.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fogcomp::findings {
+namespace {
+
+// One member of every element, as an array.
+template <class Element, class Member>
+std::vector<double> members(const std::vector<Element>& elements, Member member) {
+  std::vector<double> values;
+  for (const Element& element : elements) values.push_back(static_cast<double>(member(element)));
+  return values;
+}
+
+std::optional<double> drift(double rms_dph, const std::optional<double>& floor_dph) {
+  if (!floor_dph) return std::nullopt;
+  return floor_removed(rms_dph, *floor_dph);
+}
+
+Json segment_json(const Comparison::SegmentError& segment, const std::optional<double>& floor_dph) {
+  Json object = Json::object();
+  object.set("name", segment.name)
+      .set("rows", segment.rows.size())
+      .set("mean_dph", segment.mean_dph)
+      .set("std_dph", segment.std_dph)
+      .set("rms_dph", segment.rms_dph)
+      .set("raw_mean_dph", segment.raw_mean_dph)
+      .set("raw_std_dph", segment.raw_std_dph)
+      .set("raw_rms_dph", segment.raw_rms_dph)
+      .set("drift_left_dph", drift(segment.rms_dph, floor_dph));
+  return object;
+}
+
+Json effects_json(const std::vector<EffectShare>& effects) {
+  return json_array(effects, [&](const EffectShare& effect) {
+    return Json::object()
+        .set("effect", effect.name)
+        .set("mean_dph", effect.mean_dph)
+        .set("std_dph", effect.std_dph)
+        .set("share", effect.share);
+  });
+}
+
+Json test_json(const ResidualAnalysis& analysis, const ClassTest& test) {
+  Json object = Json::object();
+  object.set("structured", test.structured())
+      .set("score", test.score)
+      .set("share_of_excess", analysis.share_of_excess(test));
+  return object;
+}
+
+Json dependence_json(const ResidualAnalysis& analysis, const Dependence& dependence) {
+  using Bin = ResidualBin;
+  Json object = test_json(analysis, dependence.test);
+  object.set("at", members(dependence.bins, [](const Bin& bin) { return bin.at; }))
+      .set("mean_dph", members(dependence.bins, [](const Bin& bin) { return bin.mean_dph; }))
+      .set("sigma_dph", members(dependence.bins, [](const Bin& bin) { return bin.sigma_dph; }))
+      .set("rows", members(dependence.bins, [](const Bin& bin) { return bin.rows; }));
+  return object;
+}
+
+Json loop_json(const ResidualAnalysis& analysis) {
+  const Loop& loop = analysis.history;
+  const LoopBin* const widest = loop.widest();
+  Json object = test_json(analysis, loop.test);
+  object.set("loop_width_dph", widest != nullptr ? Json(std::abs(widest->width_dph())) : Json())
+      .set("loop_sigma_dph", widest != nullptr ? Json(widest->sigma_dph) : Json())
+      .set("loop_at_degc", widest != nullptr ? Json(widest->at_degc) : Json())
+      .set("at", members(loop.bins, [](const LoopBin& bin) { return bin.at_degc; }))
+      .set("heating_dph", members(loop.bins, [](const LoopBin& bin) { return bin.heating_dph; }))
+      .set("cooling_dph", members(loop.bins, [](const LoopBin& bin) { return bin.cooling_dph; }))
+      .set("sigma_dph", members(loop.bins, [](const LoopBin& bin) { return bin.sigma_dph; }));
+  return object;
+}
+
+Json structure_json(const ResidualAnalysis& analysis) {
+  Json offset = test_json(analysis, analysis.offset);
+  offset.set("sigma_dph", analysis.offset_sigma_dph);
+  Json object = Json::object();
+  object.set("excess_dph2", analysis.excess_dph2)
+      .set("temperature_degc", dependence_json(analysis, analysis.temperature))
+      .set("temperature_rate", dependence_json(analysis, analysis.rate))
+      .set("time_s", dependence_json(analysis, analysis.time))
+      .set("history", loop_json(analysis))
+      .set("offset", std::move(offset));
+  return object;
+}
+
+Json autocorrelation_json(const ResidualAnalysis& analysis) {
+  using Lag = LagCorrelation;
+  Json object = Json::object();
+  object.set("lag_s", members(analysis.autocorrelation, [](const Lag& lag) { return lag.lag_s; }))
+      .set("correlation",
+           members(analysis.autocorrelation, [](const Lag& lag) { return lag.correlation; }))
+      .set("white_band", analysis.white_band);
+  return object;
+}
+
+Json allan_json(const ResidualAnalysis& analysis) {
+  const auto sigma = [](const AllanPoint& point) { return point.sigma; };
+  const auto one_sigma = [](const AllanPoint& point) { return point.one_sigma; };
+  Json object = Json::object();
+  object
+      .set("tau_s",
+           members(analysis.raw_allan, [](const AllanPoint& point) { return point.tau_s; }))
+      .set("raw_dph", members(analysis.raw_allan, sigma))
+      .set("residual_dph", members(analysis.residual_allan, sigma))
+      .set("raw_one_sigma_dph", members(analysis.raw_allan, one_sigma))
+      .set("residual_one_sigma_dph", members(analysis.residual_allan, one_sigma));
+  return object;
+}
+
+Json outside_json(const OutsideTraining& outside) {
+  Json object = Json::object();
+  object.set("temperature", outside.temperature)
+      .set("temperature_rate", outside.temperature_rate)
+      .set("sooner", outside.sooner)
+      .set("later", outside.later);
+  return object;
+}
+
+Json run_json(const ModelOnRun& run) {
+  const Comparison& comparison = run.comparison;
+  const Comparison::SegmentError& whole = comparison.whole;
+  Json segments = json_array(comparison.segments, [&](const Comparison::SegmentError& segment) {
+    return segment_json(segment, comparison.noise_floor_dph);
+  });
+  Json object = Json::object();
+  object.set("file", comparison.file)
+      .set("rows", comparison.size())
+      .set("outliers", comparison.outliers)
+      .set("row_s", comparison.rows.row_s)
+      .set("raw_mean_dph", whole.raw_mean_dph)
+      .set("raw_std_dph", whole.raw_std_dph)
+      .set("raw_rms_dph", whole.raw_rms_dph)
+      .set("residual_mean_dph", whole.mean_dph)
+      .set("residual_rms_dph", whole.rms_dph)
+      .set("residual_rms_without_delay_dph", run.error.without_delay_dph)
+      .set("residual_std_dph", whole.std_dph)
+      .set("noise_floor_dph", comparison.noise_floor_dph)
+      .set("below_noise_floor", is_below_floor(comparison))
+      .set("drift_before_dph", drift(whole.raw_std_dph, comparison.noise_floor_dph))
+      .set("drift_left_dph", drift(whole.rms_dph, comparison.noise_floor_dph))
+      .set("segments", std::move(segments))
+      .set("effects", effects_json(comparison.effects))
+      .set("structure", structure_json(run.analysis))
+      .set("autocorrelation", autocorrelation_json(run.analysis))
+      .set("allan", allan_json(run.analysis))
+      .set("outside_training", outside_json(comparison.outside));
+  return object;
+}
+
+Json model_json(const ModelOnRuns& model, Json object) {
+  Json runs = Json::array();
+  double outside = 0;
+  double rows = 0;
+  for (const ModelOnRun& run : model.runs) {
+    runs.push(run_json(run));
+    const auto run_rows = static_cast<double>(run.comparison.size());
+    outside += run.comparison.outside.temperature * run_rows;
+    rows += run_rows;
+  }
+  object.set("runs", std::move(runs)).set("extrapolated_fraction", rows > 0 ? outside / rows : 0);
+  return object;
+}
+
+}  // namespace
+
+Json compare_json(const std::vector<ModelOnRuns>& models) {
+  Json result = model_json(models[0], Json::object());
+  Json all = json_array(models, [&](const ModelOnRuns& model) {
+    return model_json(model, Json::object().set("model", model.file));
+  });
+  result.set("models", std::move(all));
+  return result;
+}
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,109 @@
+#include "findings/compare_words.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "noise/outlier_rows.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+struct Part {
+  std::string text;
+  double share = 0;
+};
+
+std::vector<Part> parts_of(const ResidualAnalysis& analysis, const Comparison& comparison) {
+  std::vector<Part> found;
+  const auto look_at = [&](const ClassTest& test, const std::string& name,
+                           const std::string& note = "") {
+    if (!test.structured()) return;
+    const auto share = analysis.share_of_excess(test);
+    const std::string part = share ? format(" %.0f %%", 100 * *share) : "";
+    found.push_back({name + part + note, share.value_or(0)});
+  };
+  look_at(analysis.temperature.test, "temperature");
+  look_at(analysis.rate.test, "temperature rate");
+  if (const LoopBin* widest = analysis.history.widest()) {
+    look_at(
+        analysis.history.test, "history",
+        format(" (heating less cooling %s +- %.2g at %.0f degC)",
+               signed_rounded(widest->width_dph()).c_str(), widest->sigma_dph, widest->at_degc));
+  }
+  look_at(analysis.offset, "constant offset",
+          format(" (%s +- %.2g)", signed_rounded(comparison.whole.mean_dph).c_str(),
+                 analysis.offset_sigma_dph));
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Part& a, const Part& b) { return a.share > b.share; });
+  look_at(analysis.time.test, "time");
+  return found;
+}
+
+}  // namespace
+
+std::string error_words(const Comparison& comparison) {
+  if (!comparison.noise_floor_dph) {
+    return format("residual %s (too short to know its noise floor)",
+                  rounded(comparison.whole.rms_dph).c_str());
+  }
+  const double floor = *comparison.noise_floor_dph;
+  return format("residual %s against a floor of %s: drift left %s, was %s",
+                rounded(comparison.whole.rms_dph).c_str(), rounded(floor).c_str(),
+                rounded(floor_removed(comparison.whole.rms_dph, floor)).c_str(),
+                rounded(floor_removed(comparison.whole.raw_std_dph, floor)).c_str());
+}
+
+std::string structure_words(const ModelOnRun& run) {
+  const std::vector<Part> found = parts_of(run.analysis, run.comparison);
+  constexpr std::size_t kLeastRows = 50;
+  if (run.comparison.size() < kLeastRows) return "too few rows to say on what it depends";
+  if (found.empty()) {
+    return "nothing in it depends on temperature, temperature rate, time or history beyond noise";
+  }
+  std::string list;
+  for (const Part& part : found) list += (list.empty() ? "" : ", ") + part.text;
+  if (!run.analysis.excess_dph2) return "at the noise floor, yet it depends on " + list;
+  return "of what is above the floor: " + list + (found.size() > 1 ? "; these overlap" : "");
+}
+
+std::vector<std::string> remarks(const ModelOnRun& run) {
+  const Comparison& comparison = run.comparison;
+  std::vector<std::string> found;
+  if (comparison.outliers > 0)
+    found.push_back(outlier_words(comparison.outliers, comparison.rows.row_s));
+  if (run.error.delay_matters()) found.push_back(delay_words(run.error));
+  if (is_below_floor(comparison)) {
+    found.push_back(format(
+        "the floor is above the residual, so it is none: from row to row (%.3g s) this recording "
+        "changes by more than noise, as with a line near a period of two rows or an input "
+        "that moves; look again with another --average",
+        comparison.rows.row_s));
+  }
+  return found;
+}
+
+std::vector<std::string> range_warnings(const Comparison& comparison, const Model& model) {
+  const OutsideTraining& outside = comparison.outside;
+  std::vector<std::string> warnings;
+  const auto warn = [&](double part, const std::string& what) {
+    if (part > 0) warnings.push_back(format("%.1f %% of the rows ", 100 * part) + what);
+  };
+  warn(outside.temperature,
+       format("lie outside the trained %.1f to %.1f degC, where the board holds the drift",
+              model.least_degc, model.most_degc));
+  const Range rate = model.rate_range_degc_per_min.value_or(Range{});
+  warn(outside.temperature_rate,
+       format("have ramps beyond the trained %.2f to %.2f degC/min", rate.least, rate.most));
+  const Range time = model.time_range_s.value_or(Range{});
+  warn(outside.sooner, format("come sooner after power-on than the trained %.0f s: warm-up that "
+                              "the model never saw",
+                              time.least));
+  warn(outside.later,
+       format("come later after power-on than the trained %.0f s, and the model has an effect of "
+              "that time",
+              time.most));
+  return warnings;
+}
+
+}  // namespace fogcomp::findings

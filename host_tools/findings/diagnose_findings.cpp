@@ -1,0 +1,342 @@
+#include "findings/diagnose_findings.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "compare/comparison.hpp"
+#include "findings/figures.hpp"
+#include "findings/labels.hpp"
+#include "findings/run_plots.hpp"
+#include "model/input_value.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+// What the reader named in the recordings and on the command line.
+std::vector<std::string> names_from_outside(const DiagnosisData& data,
+                                            const std::vector<std::string>& files) {
+  std::vector<std::string> names = files;
+  for (const Segment& segment : data.segments()) names.push_back(segment.name);
+  for (const EffectTerm& term : data.offered()) names.push_back(term.name);
+  return names;
+}
+
+void add_next(Document& document, const DiagnosisWords& said, Verdict verdict,
+              const std::string& model) {
+  if (!said.command.empty()) {
+    document.next("add it; it is kept only if it helps out of sample", said.command);
+  } else if (!said.next.empty()) {
+    document.next(words(said.next), "");
+  } else if (verdict == Verdict::none) {
+    document.next("make the board's header", "fogcomp export " + model + " -o fog_model.h");
+  }
+}
+
+Text probability_text(double probability) {
+  return words(format("%.3f", probability));
+}
+
+// What is missing may be several effects together.
+void add_explanations(Document& document, const Diagnosis& diagnosis) {
+  document.heading("What together explains it", Shown::on_page);
+  Table table;
+  table.caption = "sets of effects that compete to be all that is missing";
+  table.columns = {"set", {"probability", "residual"}, "explains"};
+  table.keys = {{"the likeliest", "model"}, {"others", "residual"}};
+  table.quantity = "probability";
+  table.full = 1;
+  for (const Diagnosis::Explanation& one : diagnosis.explanations) {
+    Table::Row row{verbatim(join(one.effects, " and ")),
+                   {probability_text(one.probability), one.probability},
+                   words(percent(one.explained_fraction))};
+    if (&one == diagnosis.explanations.data()) row.colour = "model";
+    table.rows.push_back(std::move(row));
+  }
+  document.table(std::move(table), Shown::on_page);
+}
+
+bool is_named(const Diagnosis& diagnosis, const std::string& effect) {
+  const std::vector<std::string>& rivals = diagnosis.confusable;
+  return effect == diagnosis.effect ||
+         std::find(rivals.begin(), rivals.end(), effect) != rivals.end();
+}
+
+// On a terminal the likeliest, and whatever the user offered.
+void add_candidates(Document& document, const Diagnosis& diagnosis) {
+  constexpr std::size_t kLikeliest = 6;
+  Table table;
+  table.columns = {"candidate", "largest",   {"among them", "residual"},
+                   "explains",  "rms after", "shape"};
+  table.quantity = "probability";
+  table.full = 1;
+  table.keys = {{"named", "model"}, {"others", "residual"}};
+  table.notes =
+      "largest: probability that it is the largest of the effects that are missing, in this order; "
+      "among them: that it is one of them; explains: of what is above the noise, alone; rms after: "
+      "deg/h, with it alone added";
+  for (const CandidateFinding& finding : diagnosis.candidates) {
+    Table::Row row{verbatim(finding.effect),
+                   probability_text(finding.lead),
+                   {probability_text(finding.probability), finding.probability},
+                   words(percent(finding.explained_fraction)),
+                   number(finding.rms_after_dph),
+                   words(shape_words(finding.term()))};
+    if (is_named(diagnosis, finding.effect)) row.colour = "model";
+    row.minor = table.rows.size() >= kLikeliest && !finding.is_expression();
+    table.rows.push_back(std::move(row));
+  }
+  document.heading("Each effect", Shown::on_page);
+  document.table(std::move(table));
+}
+
+void add_untestable(Document& document, const Diagnosis& diagnosis) {
+  std::string list;
+  for (const Untestable& one : diagnosis.untestable) {
+    list += (list.empty() ? "" : ", ") + one.effect + " (needs " + one.needs + ")";
+  }
+  if (list.empty()) return;
+  document.sentence(words("not to be seen in these recordings: " + list));
+}
+
+void add_ladder(Document& document, const Ladder& ladder, const std::vector<std::string>& names) {
+  document.heading("Error ladder");
+  Table table;
+  table.caption = "everything refitted at each step";
+  table.columns = {"step", {"rms left", "residual"}};
+  table.quantity = "rms left, deg/h";
+  table.floor = ladder.first.noise_floor_dph;
+  const double first_dph = ladder.first.residual_rms_dph;
+  Table::Row first{"the model, refitted", {number(first_dph), first_dph}};
+  first.colour = "measured";
+  table.rows.push_back(std::move(first));
+  for (const Ladder::Step& step : ladder.steps) {
+    table.rows.push_back(
+        {words(step_words(step), names), {number(step.rms_after_dph), step.rms_after_dph}});
+  }
+  document.table(std::move(table));
+  document.sentence(words(end_words(ladder), names));
+}
+
+// What the segments are called: several runs may have the same.
+std::vector<Text> segment_names(const DiagnosisData& data, const std::vector<std::string>& runs) {
+  const std::vector<std::string> files = short_names(runs);
+  const Rows& rows = data.series().rows();
+  std::vector<Text> names;
+  for (const Segment& segment : data.segments()) {
+    const std::size_t run = rows.run_at(segment.rows.first);
+    names.push_back((files.size() > 1 ? verbatim(files[run]) + ", " : Text()) +
+                    verbatim(segment.name));
+  }
+  return names;
+}
+
+void add_shares(Document& document, const Text& caption, const std::vector<Text>& names,
+                const std::vector<NamedShare>& shares) {
+  Table table;
+  table.caption = caption;
+  table.columns = {"", {"share", "residual"}};
+  table.quantity = "share, %";
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    table.rows.push_back({names.at(i), {words(percent(shares[i].share)), 100 * shares[i].share}});
+  }
+  document.table(std::move(table), Shown::on_page);
+}
+
+void add_where(Document& document, const Diagnosis& diagnosis, const DiagnosisData& data,
+               const std::vector<std::string>& runs) {
+  if (diagnosis.verdict == Verdict::none) return;
+  document.heading("Where it sits", Shown::on_page);
+  add_shares(document, "what smooth functions describe, by segment", segment_names(data, runs),
+             diagnosis.segments);
+  std::vector<Text> variables;
+  for (const NamedShare& share : diagnosis.variables) {
+    variables.push_back(variable_label(share.name));
+  }
+  add_shares(document, "how much of it each variable alone could describe; the best is 100 %",
+             variables, diagnosis.variables);
+}
+
+// The rows of one recording, as columns.
+struct Run {
+  RowRange range;
+  std::vector<double> time_s;
+  std::vector<double> temperature_degc;
+  std::vector<double> first_dph;
+  std::vector<double> last_dph;
+  std::vector<RowRange> stretches;  // counted from the run's first row
+  std::vector<Segment> segments;
+};
+
+template <class Value>
+std::vector<double> column(const Rows& rows, RowRange range, Value value) {
+  std::vector<double> values;
+  for (std::size_t row = range.first; row < range.end; ++row) {
+    values.push_back(value(rows.signals[row]));
+  }
+  return values;
+}
+
+std::vector<double> part(const Eigen::VectorXd& all, RowRange range) {
+  return {all.data() + range.first, all.data() + range.end};
+}
+
+Run columns_of(const DiagnosisData& data, RowRange range, const Ladder& ladder) {
+  const Rows& rows = data.series().rows();
+  Run run;
+  run.range = range;
+  for (std::size_t row = range.first; row < range.end; ++row) {
+    const std::size_t own = row - range.first;
+    if (!rows.follows(row)) run.stretches.push_back({own, own});
+    run.stretches.back().end = own + 1;
+    run.time_s.push_back(rows.time_s[row]);
+  }
+  run.temperature_degc =
+      column(rows, range, [](const auto& signals) { return signals.temperature; });
+  run.first_dph = part(ladder.first.residual_dph, range);
+  run.last_dph = part(ladder.last.residual_dph, range);
+  for (const Segment& segment : data.segments()) {
+    if (segment.rows.first >= range.first && segment.rows.end <= range.end) {
+      run.segments.push_back(segment);
+    }
+  }
+  return run;
+}
+
+// What the effect that is proposed would take out of the residual, everything refitted; about its
+// mean, as the runs' own biases are refitted too. Empty where none is proposed.
+std::vector<double> would_take_out(const Diagnosis& diagnosis, const DiagnosisData& data,
+                                   RowRange range) {
+  const CandidateFinding* const finding = diagnosis.find(effect_to_add(diagnosis));
+  if (finding == nullptr) return {};
+  const Eigen::VectorXd change =
+      data.series().drift_dph(finding->completed) - data.series().drift_dph(diagnosis.terms);
+  std::vector<double> values = part(change, range);
+  const double mean =
+      std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  for (double& value : values) value -= mean;
+  return values;
+}
+
+// One quantity that the residual may depend on.
+struct Variable {
+  std::string name;  ///< as Diagnosis::variables has it
+  Text title;
+  Text label;
+  std::vector<double> values;
+};
+
+// Those that the residual depends on most come first.
+std::vector<Variable> variables_of(const Rows& rows, const Run& run, const Diagnosis& diagnosis) {
+  std::vector<Variable> all;
+  if (ever_moves(branches(run.temperature_degc))) {
+    all.push_back({"temperature_degc", "temperature", "temperature, degC", run.temperature_degc});
+    all.push_back(
+        {"temperature_rate", "temperature rate", "temperature rate, degC/min",
+         column(rows, run.range, [](const auto& signals) { return signals.temperature_rate; })});
+  }
+  for (const fog::Input input : kOptionalInputs) {
+    std::vector<double> values = column(rows, run.range, [input](const auto& signals) {
+      return optional_input(input, signals.block);
+    });
+    if (!varies(values)) continue;
+    all.push_back(
+        {description_of(input).column, input_name(input), input_label(input), std::move(values)});
+  }
+  const auto share_of = [&](const std::string& name) {
+    for (const NamedShare& one : diagnosis.variables) {
+      if (one.name == name) return one.share;
+    }
+    return 0.0;
+  };
+  const auto share = [&](const Variable& variable) {  // a loop shows over temperature
+    const bool loop = variable.name == "temperature_degc";
+    return std::max(share_of(variable.name), loop ? share_of("temperature history") : 0);
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const Variable& a, const Variable& b) { return share(a) > share(b); });
+  return all;
+}
+
+void add_over_variables(Document& document, const Rows& rows, const Run& run,
+                        const Ladder& ladder) {
+  const std::vector<Branch> branch = branches(run.temperature_degc);
+  const auto add = [&](const Variable& variable, const char* when, const std::vector<double>& y) {
+    ResidualRows residual;
+    residual.residual_dph = y;
+    residual.time_s = run.time_s;
+    residual.stretches = run.stretches;
+    residual.noise = ladder.first.noise;
+    constexpr std::size_t kBins = 15;
+    const Dependence dependence = dependence_on(variable.values, residual, kBins);
+    Plot plot = branch_plot("Residual over " + variable.title + when + ".", variable.label,
+                            "residual, deg/h", variable.values, y, branch);
+    plot.caption = dependence.test.structured()
+                       ? "It depends on this beyond noise."
+                       : "Nothing in it depends on this alone beyond noise.";
+    plot.curves.push_back(bin_means(dependence.bins));
+    if (variable.name == "temperature_degc") {
+      add_loop(plot, loop_over(variable.values, residual, kBins));
+    }
+    document.plot(plot);
+  };
+  for (const Variable& variable : variables_of(rows, run, ladder.first)) {
+    add(variable, "", run.first_dph);
+    if (!ladder.steps.empty()) add(variable, ", after the ladder", run.last_dph);
+  }
+}
+
+void add_run(Document& document, const Run& run, const Ladder& ladder, const DiagnosisData& data,
+             const std::string& group) {
+  const TimeAxis axis{run.time_s, starts_of(run.stretches), group, run.segments};
+  std::vector<Trace> residuals;
+  if (ladder.steps.empty()) {
+    residuals.push_back({"residual", "residual", run.first_dph});
+  } else {
+    residuals.push_back({"before", "measured", run.first_dph});
+    residuals.push_back({"after the ladder", "residual", run.last_dph});
+  }
+  const std::vector<double> taken_out = would_take_out(ladder.first, data, run.range);
+  const std::string effect = effect_to_add(ladder.first);
+  if (!taken_out.empty()) {
+    residuals.push_back({verbatim(effect) + " would take out", "model", taken_out});
+  }
+  Plot residual = time_plot("Residual, the model refitted.", "residual, deg/h", axis, residuals);
+  if (!taken_out.empty()) {
+    residual.caption =
+        "On top, what " + verbatim(effect) + " would take out, all coefficients solved for anew.";
+  }
+  document.plot(residual);
+  document.plot(temperature_plot(axis, run.temperature_degc));
+  add_over_variables(document, data.series().rows(), run, ladder);
+}
+
+}  // namespace
+
+Document diagnose_findings(const Ladder& ladder, bool loop_wanted, const DiagnosisData& data,
+                           const std::vector<std::string>& files) {
+  const std::string& model = files[0];
+  const std::vector<std::string> files_of_runs(files.begin() + 1, files.end());
+  const std::string runs = join(files_of_runs, " ");
+  const Diagnosis& diagnosis = ladder.first;
+  const DiagnosisWords said = words_of(diagnosis, model, runs);
+  const std::vector<std::string> names = names_from_outside(data, files);
+  Document document("fogcomp diagnose " + model + " " + runs, words(said.verdict, names));
+  add_next(document, said, diagnosis.verdict, model);
+  document.sentence(words(said.certainty, names));
+  for (const std::string& line : said.findings) document.sentence(words(line, names));
+  for (const std::string& line : said.limits) document.sentence(words(line, names));
+  add_explanations(document, diagnosis);
+  add_candidates(document, diagnosis);
+  add_untestable(document, diagnosis);
+  if (loop_wanted) add_ladder(document, ladder, names);
+  add_where(document, diagnosis, data, files_of_runs);
+  const std::vector<RowRange> ranges = data.series().rows().runs();
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    document.file_heading(files_of_runs[i]);
+    add_run(document, columns_of(data, ranges[i], ladder), ladder, data, format("run %zu", i));
+  }
+  return document;
+}
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,147 @@
+#include "findings/json.hpp"
+
+#include "findings/json.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+Json parameters_json(const EffectTerm& term) {
+  Json parameters = Json::object();
+  set_parameters(parameters, term);
+  set_coefficients(parameters, term);
+  return parameters;
+}
+
+Json network_json(const std::optional<NetworkLearnt>& network) {
+  if (!network) return Json();
+  Json learnt = json_array(network->effects, [&](const NetworkLearnt::Share& share) {
+    return Json::object()
+        .set("effect", share.term.name)
+        .set("share", share.share)
+        .set("parameters", parameters_json(share.term));
+  });
+  Json result = Json::object();
+  result.set("rms_dph", network->rms_dph).set("beyond_effects", network->beyond_effects);
+  result.set("learnt", std::move(learnt));
+  return result;
+}
+
+Json fast_json(const Diagnosis& diagnosis) {
+  Json result = Json::object();
+  switch (diagnosis.fast_kind) {
+    case FastKind::none:
+      return Json();
+    case FastKind::line:
+      result.set("kind", "line").set("period_s", diagnosis.fast.line_period_s);
+      break;
+    case FastKind::band:
+      result.set("kind", "band").set("period_s", diagnosis.fast.band_period_s);
+      break;
+    case FastKind::two_levels:
+      result.set("kind", "two_levels").set("height_dph", diagnosis.jumps.height_dph);
+      result.set("dwell_s", diagnosis.jumps.dwell_s);
+      break;
+  }
+  return result;
+}
+
+Json shares_json(const std::vector<NamedShare>& shares) {
+  return json_array(shares, [&](const NamedShare& share) {
+    return Json::object().set("name", share.name).set("share", share.share);
+  });
+}
+
+Json candidates_json(const std::vector<CandidateFinding>& candidates) {
+  return json_array(candidates, [&](const CandidateFinding& finding) {
+    return Json::object()
+        .set("effect", finding.effect)
+        .set("explained_fraction", finding.explained_fraction)
+        .set("rms_after_dph", finding.rms_after_dph)
+        .set("evidence", finding.evidence)
+        .set("probability", finding.probability)
+        .set("lead", finding.lead)
+        .set("parameters", parameters_json(finding.term()));
+  });
+}
+
+// What is missing, and what else could be.
+void set_verdict(Json& result, const Diagnosis& diagnosis) {
+  result.set("verdict", name_of(diagnosis.verdict));
+  result.set("effect", diagnosis.effect.empty() ? Json() : Json(diagnosis.effect));
+  result.set("confusable", diagnosis.confusable);
+  const bool proposed = diagnosis.experiment && !diagnosis.experiment->sentence.empty();
+  result.set("experiment", proposed ? Json(diagnosis.experiment->sentence) : Json());
+  const bool recordable = proposed && !diagnosis.experiment->profile.empty();
+  result.set("experiment_profile", recordable ? Json(diagnosis.experiment->profile) : Json());
+  result.set("candidates", candidates_json(diagnosis.candidates));
+  Json untestable = json_array(diagnosis.untestable, [&](const Untestable& effect) {
+    return Json::object().set("effect", effect.effect).set("needs", effect.needs);
+  });
+  Json explanations =
+      json_array(diagnosis.explanations, [&](const Diagnosis::Explanation& explanation) {
+        return Json::object()
+            .set("effects", explanation.effects)
+            .set("probability", explanation.probability)
+            .set("explained_fraction", explanation.explained_fraction);
+      });
+  result.set("untestable", std::move(untestable)).set("explanations", std::move(explanations));
+  result.set("tests", diagnosis.tests);
+}
+
+// How large what is left is, beside the noise.
+void set_residual(Json& result, const Diagnosis& diagnosis) {
+  result.set("residual_rms_dph", diagnosis.residual_rms_dph);
+  const std::optional<BoardError>& given = diagnosis.as_given;
+  result.set("as_given", given
+                             ? Json::object()
+                                   .set("residual_rms_dph", given->rms_dph)
+                                   .set("residual_rms_without_delay_dph", given->without_delay_dph)
+                             : Json());
+  result.set("outliers", diagnosis.outliers);
+  result.set("noise_floor_dph", diagnosis.noise_floor_dph);
+  result.set("unexplained_fraction", diagnosis.unexplained_fraction);
+  result.set("noise", Json::object()
+                          .set("white_dph", diagnosis.noise.white_dph())
+                          .set("slow_dph", diagnosis.noise.wander_dph())
+                          .set("freedom", diagnosis.noise.freedom)
+                          .set("from_quiet_parts", diagnosis.noise.from_quiet_parts));
+}
+
+}  // namespace
+
+Json diagnosis_json(const Diagnosis& diagnosis) {
+  Json result = Json::object();
+  set_verdict(result, diagnosis);
+  result.set("fast", fast_json(diagnosis));
+  result.set("where", Json::object()
+                          .set("variable", diagnosis.variable)
+                          .set("variables", shares_json(diagnosis.variables))
+                          .set("segments", shares_json(diagnosis.segments)));
+  set_residual(result, diagnosis);
+  result.set("random_walk", diagnosis.walk.chance > 0
+                                ? Json::object()
+                                      .set("coefficient", diagnosis.walk.coefficient)
+                                      .set("chance", diagnosis.walk.chance)
+                                : Json());
+  result.set("network", network_json(diagnosis.network));
+  result.set("chance", diagnosis.chance).set("notes", diagnosis.notes);
+  return result;
+}
+
+Json ladder_json(const Ladder& ladder) {
+  Json steps = json_array(ladder.steps, [&](const Ladder::Step& step) {
+    return Json::object()
+        .set("effect", step.effect)
+        .set("removed", step.removed)
+        .set("alternatives", step.alternatives)
+        .set("rms_before_dph", step.rms_before_dph)
+        .set("rms_after_dph", step.rms_after_dph);
+  });
+  Json result = diagnosis_json(ladder.first);
+  result.set("added", ladder.added()).set("ladder", std::move(steps));
+  result.set("left_alone", ladder.left_alone.empty() ? Json() : Json(ladder.left_alone));
+  result.set("last", diagnosis_json(ladder.last));
+  return result;
+}
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,311 @@
+#include "findings/diagnosis_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "model/catalogue.hpp"
+#include "model/shape_limits.hpp"
+#include "noise/outlier_rows.hpp"
+#include "support/text.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+constexpr double kSlowCycle_s = 7200;  // no machine of a laboratory is that slow
+
+std::string percent(double share) {
+  return format("%.0f %%", 100 * share);
+}
+
+std::string joined(const std::vector<std::string>& names, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : format(" %s ", last);
+    text += names[i];
+  }
+  return text;
+}
+
+// How to name an effect to `add`, with what it takes to grow one that is there already.
+std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
+  const CandidateFinding* finding = diagnosis.find(effect);
+  const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
+                                [&](const EffectTerm& term) { return term.name == effect; });
+  if (own == diagnosis.terms.end() || finding == nullptr) return effect;
+  const CatalogueEntry& entry = find_effect(effect);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    if (finding->term().parameters[i] == own->parameters[i]) continue;
+    return format("%s:%s=%.4g", effect.c_str(), entry.parameters[i].name,
+                  finding->term().parameters[i]);
+  }
+  return effect;
+}
+
+// The command that adds it. An expression has no quotes in it.
+std::string add_command_line(const Diagnosis& diagnosis, const std::string& effect,
+                             const std::string& model, const std::string& runs) {
+  const CandidateFinding* finding = diagnosis.find(effect);
+  if (finding == nullptr || !finding->is_expression()) {
+    return "fogcomp add " + model + " " + to_add(diagnosis, effect) + " " + runs;
+  }
+  const Expression& expression = finding->term().expression->expression;
+  return "fogcomp add " + model + " " + runs + " --effect-expr '" + expression.name + " = " +
+         expression.text + "'";
+}
+
+std::string walk_words(const Diagnosis& diagnosis) {
+  return format(
+      "a random walk of the bias of %.2g deg/h/sqrt(h) explains as well as any effect: the "
+      "programme once more, or a recording at rest with --static, would tell",
+      diagnosis.walk.coefficient);
+}
+
+// One sentence, then how certain it is.
+namespace {
+
+// What is said, and what is said behind it.
+using Headline = std::pair<std::string, std::string>;
+
+Headline missing_words(const Diagnosis& diagnosis) {
+  const std::vector<std::string> together = effects_together(diagnosis);
+  if (!together.empty()) {
+    return {"several effects together are missing: " + joined(together, "and"),
+            "each alone hardly helps"};
+  }
+  const CandidateFinding* finding = diagnosis.find(diagnosis.effect);
+  const std::string described = shape_words(finding->term());
+  return {format("missing effect: %s (%s)", diagnosis.effect.c_str(),
+                 info_of(finding->term()).title.c_str()),
+          format("probability %.2f%s", finding->probability,
+                 described.empty() ? "" : ("; " + described).c_str())};
+}
+
+Headline unknown_words(const Diagnosis& diagnosis) {
+  if (diagnosis.fast_kind != FastKind::none) {
+    return {
+        std::string("something is missing that no effect of the catalogue explains: ") +
+            (diagnosis.fast_kind == FastKind::two_levels ? "jumps between two levels" : "cycles"),
+        ""};
+  }
+  if (diagnosis.walk.may_be_all()) {
+    return {"slow changes are left, which no effect explains better than noise",
+            "they are what " + walk_words(diagnosis)};
+  }
+  const std::string surely = effect_to_add(diagnosis);
+  if (!surely.empty()) {
+    return {surely + " is missing, and something more that no effect of the catalogue explains (" +
+                percent(diagnosis.unexplained_fraction) + " of all)",
+            ""};
+  }
+  const bool offered =
+      std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                  [](const CandidateFinding& finding) { return finding.is_expression(); });
+  return {"something is missing that no effect of the catalogue" +
+              std::string(offered ? " and no expression offered" : "") + " explains (" +
+              percent(diagnosis.unexplained_fraction) + " of it is left unexplained)",
+          ""};
+}
+
+}  // namespace
+
+std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
+  switch (diagnosis.verdict) {
+    case Verdict::none:
+      if (diagnosis.walk.may_be_all()) {
+        return {"nothing is missing that these recordings can show",
+                "slow changes of less than a fifth of a row's noise are left, which " +
+                    walk_words(diagnosis)};
+      }
+      return {"nothing is missing: what is left is noise, as far as these recordings can show", ""};
+    case Verdict::missing_effect:
+      return missing_words(diagnosis);
+    case Verdict::ambiguous:
+      return {"an effect is missing; these recordings cannot tell which of",
+              joined(diagnosis.confusable, "or")};
+    case Verdict::unknown:
+      break;
+  }
+  return unknown_words(diagnosis);
+}
+
+std::string size_words(const Diagnosis& diagnosis) {
+  std::string text = format("the model leaves %.4g deg/h rms; the noise floor is %.4g",
+                            diagnosis.residual_rms_dph, diagnosis.noise_floor_dph);
+  const std::string effect = effect_to_add(diagnosis);
+  if (const CandidateFinding* finding = diagnosis.find(effect)) {
+    text += format("; with %s %.4g", effect.c_str(), finding->rms_after_dph);
+  }
+  return text;
+}
+
+// Why `compare` has another figure, where it has: it shows the model as it is.
+std::string as_given_words(const Diagnosis& diagnosis) {
+  constexpr double kTellsApart = 0.01;
+  if (!diagnosis.as_given) return "";
+  const BoardError& given = *diagnosis.as_given;
+  const double apart = std::abs(given.rms_dph - diagnosis.residual_rms_dph);
+  if (apart <= kTellsApart * given.rms_dph) return "";
+  return "that is refitted to these runs and without the board's delay; of the model as it is, " +
+         delay_words(given);
+}
+
+std::string where_words(const Diagnosis& diagnosis) {
+  std::vector<NamedShare> segments = diagnosis.segments;
+  std::stable_sort(segments.begin(), segments.end(),
+                   [](const auto& a, const auto& b) { return a.share > b.share; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, segments.size()); ++i) {
+    if (segments[i].share < 0.1) break;
+    text += (text.empty() ? "it sits in " : ", ") + segments[i].name + " (" +
+            percent(segments[i].share) + ")";
+  }
+  if (!diagnosis.variable.empty()) {
+    text += (text.empty() ? "it depends most on " : "; it depends most on ") + diagnosis.variable;
+  }
+  return text;
+}
+
+// What no function of the inputs describes.
+std::string fast_words(const Diagnosis& diagnosis) {
+  switch (diagnosis.fast_kind) {
+    case FastKind::none:
+      break;
+    case FastKind::line:
+      if (diagnosis.fast.line_period_s > kSlowCycle_s) {
+        return format("it repeats every %.3g h: look for the day, the room, its air conditioning",
+                      diagnosis.fast.line_period_s / kSecondsPerHour);
+      }
+      return format("it repeats every %.3g s: look for a cooler, a compressor, a control loop",
+                    diagnosis.fast.line_period_s);
+    case FastKind::band:
+      return format("there is more than noise around periods of %.3g s, %.0f %% above it",
+                    diagnosis.fast.band_period_s, 100 * diagnosis.fast.band_excess);
+    case FastKind::two_levels:
+      return format(
+          "the bias jumps to and fro between two levels %.3g deg/h apart, each held for %.2g s on "
+          "average: look at light source, detector and electronics",
+          diagnosis.jumps.height_dph, diagnosis.jumps.dwell_s);
+  }
+  return "";
+}
+
+// What the network, which the diagnosis leaves out, had learnt.
+std::string network_words(const Diagnosis& diagnosis) {
+  constexpr double kSaysNothing = 0.05;   // difference of shares that says nothing
+  constexpr double kNextToNothing = 0.1;  // of the noise floor
+  if (!diagnosis.network) return "";
+  const NetworkLearnt& network = *diagnosis.network;
+  std::string text = format("the network, left out here, adds %.4g deg/h rms", network.rms_dph);
+  if (network.rms_dph < kNextToNothing * diagnosis.noise_floor_dph) {
+    return text + ": next to nothing";
+  }
+  text += ", " + percent(network.beyond_effects) + " of it beyond the model's own effects: ";
+  if (network.effects.empty() || network.effects[0].share < kLearntShare) {
+    text += "nothing of the catalogue explains what it had learnt";
+    if (network.effects.empty()) return text;
+    return text + " (at most " + percent(network.effects[0].share) + ", " +
+           network.effects[0].term.name + ")";
+  }
+  // Of those that explain it alike, the one that the verdict names.
+  NetworkLearnt::Share best = network.effects[0];
+  for (const NetworkLearnt::Share& share : network.effects) {
+    const bool as_well = share.share > network.effects[0].share - kSaysNothing;
+    if (as_well && share.term.name == diagnosis.effect) best = share;
+  }
+  text += "it had learnt " + best.term.name + " (explains " + percent(best.share);
+  std::vector<std::string> alike;
+  for (const NetworkLearnt::Share& share : network.effects) {
+    const bool as_well =
+        share.share > best.share - kSaysNothing && share.term.name != best.term.name;
+    if (as_well) alike.push_back(share.term.name);
+  }
+  if (!alike.empty()) text += "; so would " + joined(alike, "or");
+  return text + "): add the effect and train a smaller network";
+}
+
+void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::string& model,
+              const std::string& runs) {
+  const std::string effect = effect_to_add(diagnosis);
+  const std::vector<std::string> together = effects_together(diagnosis);
+  if (!together.empty()) {
+    words.next = "fit again with " + joined(together, "and") +
+                 " among the --effects: `add` takes one effect at a time, which hardly helps";
+  } else if (!effect.empty() && is_event(diagnosis.find(effect)->term())) {
+    words.next = "fit again with " + effect + " among the --effects: it finds steps and masks them";
+  } else if (!effect.empty()) {
+    words.command = add_command_line(diagnosis, effect, model, runs) + " -o NEW.model";
+  } else if (diagnosis.verdict == Verdict::unknown && diagnosis.fast_kind == FastKind::none &&
+             !diagnosis.walk.may_be_all()) {
+    words.next =
+        "let a formula of your own compete: --effect-expr 'NAME = T*T*dTdt' "
+        "(host_tools/README.md, Expressions)";
+  }
+}
+
+}  // namespace
+
+std::string shape_words(const EffectTerm& term) {
+  std::string text;
+  const TermInfo info = info_of(term);
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    const TermInfo::Parameter& parameter = info.parameters[i];
+    if (is_left_at_zero(term, i)) continue;
+    text += (text.empty() ? "" : ", ") +
+            format("%s %.3g", parameter.name.c_str(), term.parameters[i]) +
+            (parameter.unit.empty() ? "" : " " + parameter.unit);
+  }
+  return text;
+}
+
+DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
+                        const std::string& runs) {
+  DiagnosisWords words;
+  std::tie(words.verdict, words.certainty) = verdict_words(diagnosis);
+  words.findings.push_back(size_words(diagnosis));
+  const std::string as_given = as_given_words(diagnosis);
+  if (!as_given.empty()) words.findings.push_back(as_given);
+  if (diagnosis.verdict != Verdict::none) {
+    const std::string where = where_words(diagnosis);
+    if (!where.empty()) words.findings.push_back(where);
+    const std::string fast = fast_words(diagnosis);
+    if (!fast.empty()) words.findings.push_back(fast);
+    if (diagnosis.experiment && !diagnosis.experiment->sentence.empty()) {
+      words.findings.push_back("to tell: " + diagnosis.experiment->sentence);
+    }
+    add_next(words, diagnosis, model, runs);
+  }
+  if (diagnosis.outliers > 0)
+    words.limits.push_back(outlier_words(diagnosis.outliers, diagnosis.row_s));
+  words.limits.push_back(format("chance that noise alone looks like this: %.2g", diagnosis.chance));
+  const std::string network = network_words(diagnosis);
+  if (!network.empty()) words.limits.push_back(network);
+  for (const std::string& note : diagnosis.notes) words.limits.push_back("note: " + note);
+  if (const CandidateFinding* finding = diagnosis.find(effect_to_add(diagnosis))) {
+    for (const ShapeDoubt& doubt : shape_doubts(finding->term())) {
+      words.limits.push_back("note: " + doubt.sentence);
+    }
+  }
+  return words;
+}
+
+std::string step_words(const Ladder::Step& step) {
+  std::string what = (step.removed ? "- " : "+ ") + step.effect;
+  if (step.removed) what += " (no longer needed)";
+  if (!step.alternatives.empty()) what += " (or " + joined(step.alternatives, "or") + ")";
+  return what;
+}
+
+std::string end_words(const Ladder& ladder) {
+  if (ladder.steps.empty()) return "nothing to add";
+  if (!ladder.left_alone.empty()) {
+    return ladder.left_alone +
+           " would bring so little more that it may be the inexactness of what is there: not added";
+  }
+  const auto [verdict, certainty] = verdict_words(ladder.last);
+  return "at the end: " + verdict + (certainty.empty() ? "" : "\n  " + certainty);
+}
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/ladder.hpp"
+
+namespace fogcomp::findings {
+
+/// What a diagnosis found, for people, without figures that belong in tables.
+struct DiagnosisWords {
+  std::string verdict;                ///< the finding itself
+  std::string certainty;              ///< of the verdict, or between which effects; may be ""
+  std::vector<std::string> findings;  ///< how much it is, where it sits, which test would tell
+  std::string next;                   ///< what to do, where no command does it; may be ""
+  std::string command;                ///< or the command line that does it; may be ""
+  std::vector<std::string> limits;    ///< what limits the answer
+};
+
+/// `model` and `runs` as on the command line.
+DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
+                        const std::string& runs);
+
+/// A step of the loop: "+ temperature_rate (or shupe)".
+std::string step_words(const Ladder::Step& step);
+/// Why the loop came to its end.
+std::string end_words(const Ladder& ladder);
+
+/// The shape of an effect: "radius 5.2 degC".
+std::string shape_words(const EffectTerm& term);
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,44 @@
+#include "findings/document.hpp"
+
+#include <algorithm>
+
+namespace fogcomp::findings {
+
+bool Table::has_bars() const {
+  return std::any_of(columns.begin(), columns.end(),
+                     [](const Column& column) { return !column.colour.empty(); });
+}
+
+bool Table::is_of_words(std::size_t column) const {
+  constexpr std::size_t kLongestFigure = 24;
+  return column > 0 && std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
+           return column < row.cells.size() &&
+                  row.cells[column].text.plain().size() > kLongestFigure;
+         });
+}
+
+void Document::heading(Text text, Shown shown) {
+  parts_.push_back({Heading{std::move(text)}, shown});
+}
+
+void Document::file_heading(const std::string& path, const Text& remark) {
+  parts_.push_back({Heading{verbatim(short_names({path})[0]) + remark, path}});
+}
+
+void Document::sentence(Text text, Shown shown) {
+  if (!text.empty()) parts_.push_back({Sentence{std::move(text)}, shown});
+}
+
+void Document::listing(std::string text, Shown shown) {
+  parts_.push_back({Listing{std::move(text)}, shown});
+}
+
+void Document::table(Table table, Shown shown) {
+  if (!table.rows.empty()) parts_.push_back({std::move(table), shown});
+}
+
+void Document::plot(Plot plot) {
+  if (!plot.curves.empty()) parts_.push_back({std::move(plot), Shown::on_page});
+}
+
+}  // namespace fogcomp::findings

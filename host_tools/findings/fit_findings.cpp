@@ -1,0 +1,142 @@
+#include "findings/fit_findings.hpp"
+
+#include <algorithm>
+
+#include "findings/figures.hpp"
+#include "findings/network_words.hpp"
+#include "findings/run_section.hpp"
+#include "noise/outlier_rows.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+using workflow::FitOutcome;
+
+Text found(const FitOutcome& fit) {
+  Text text = "the model leaves " + number(fit.model.residual_rms_dph) +
+              " deg/h rms, a constant alone " + number(fit.result.raw_std_dph);
+  if (const auto floor = fit.model.history.back().noise_floor_dph) {
+    text += "; noise alone would leave " + number(*floor);
+  }
+  return text;
+}
+
+// What the fit is made of and what was left out of it.
+void add_rows(Document& document, const FitOutcome& fit) {
+  const Identification& identified = fit.result.identified;
+  const NoiseModel& noise = identified.noise;
+  document.sentence(
+      words(counted(static_cast<std::size_t>(fit.rows), "row") + format(" of %g s", fit.row_s)));
+  if (const std::size_t refused = fit.refused_rows()) {
+    document.sentence(
+        words(counted(refused, "row") + " of the recordings left out by the board's rules"));
+  }
+  if (identified.outliers > 0) {
+    document.sentence(words(outlier_words(identified.outliers, fit.row_s)));
+  }
+  Text text = "noise of a row " + number(noise.white_dph()) + " white";
+  if (!noise.components.empty()) text += ", " + number(noise.wander_dph()) + " slow";
+  document.sentence(
+      text + " deg/h (" +
+      (noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak") +
+      words(format("); misfit %.2f", identified.misfit)));
+  document.sentence(
+      words(format("of the error, the board's delay (block means, derivative filter) makes %.2g "
+                   "deg/h rms",
+                   fit.delay_rms_dph)));
+}
+
+void add_steps(Document& document, const FitOutcome& fit) {
+  const Identification& identified = fit.result.identified;
+  for (std::size_t i = 0; i < identified.steps.size(); ++i) {
+    const FoundStep& step = identified.steps[i];
+    document.sentence(words(format("bias step of %s +- %.2g deg/h at %.6g +- %.2g s (",
+                                   signed_rounded(step.size_dph).c_str(), step.size_sigma_dph,
+                                   step.time_s, step.time_sigma_s)) +
+                      verbatim(fit.step_places[i]) + ")");
+  }
+  if (identified.masked > 0) {
+    document.sentence(words(counted(identified.masked, "row") + " left out, in which a step lies"));
+  }
+  if (fit.searched_steps && identified.steps.empty()) {
+    document.sentence("no bias step stands out of the noise (chi^2 above 60)");
+  }
+}
+
+void add_model(Document& document, const FitOutcome& fit) {
+  const Identification& identified = fit.result.identified;
+  document.heading("Model");
+  document.listing(describe(fit.model));
+  for (std::size_t i = 0; i < fit.model.terms.size(); ++i) {
+    document.sentence(
+        verbatim(fit.model.terms[i].name) +
+        words(format(" would show from a peak of %.2g deg/h on", identified.visible_dph[i])));
+  }
+  for (const PhysicalLag& lag : fit.physical_lags)
+    document.sentence(words(physical_lag_words(lag)));
+  for (std::size_t run = 0; run < identified.run_offsets_dph.size(); ++run) {
+    document.sentence(words(format("recording %zu lies %s deg/h from the first", run + 2,
+                                   signed_rounded(identified.run_offsets_dph[run]).c_str())));
+  }
+  for (const std::string& warning : identified.warnings) {
+    document.sentence(words("note: " + warning));
+  }
+}
+
+// A list of effects that can be broken into lines.
+std::string spaced(const std::string& list) {
+  return join(split(list, ','), ", ");
+}
+
+void add_ladder(Document& document, const FitOutcome& fit) {
+  const std::vector<HistoryEntry>& history = fit.model.history;
+  Table table;
+  table.caption = "what is left of the data of the fit";
+  table.columns = {"step", {"rms left", "residual"}};
+  table.quantity = "rms left, deg/h";
+  table.floor = history.back().noise_floor_dph.value_or(0);
+  const double before_dph = history.front().rms_before_dph;
+  Table::Row constant{"by a constant alone", {number(before_dph), before_dph}};
+  constant.colour = "measured";
+  table.rows.push_back(std::move(constant));
+  for (const HistoryEntry& step : history) {
+    table.rows.push_back(
+        {verbatim(spaced(step.action)), {number(step.rms_after_dph), step.rms_after_dph}});
+  }
+  document.heading("Error ladder");
+  document.table(std::move(table));
+  if (const std::optional<double> determined = fit.determined_weights()) {
+    document.sentence(
+        words(format("of the network's weights the data determine %.1f", *determined)));
+  }
+  if (fit.result.network_judged) {
+    document.sentence(words(network_verdict(fit.result) +
+                            (fit.network_dropped() ? "; --force-network keeps it" : "")));
+  }
+}
+
+}  // namespace
+
+Document fit_findings(const FitOutcome& fit, const ModelOnRuns& model) {
+  Document document("fogcomp fit" + run_files(model) + " -o " + model.file, found(fit));
+  if (std::any_of(model.runs.begin(), model.runs.end(), leaves_drift)) {
+    document.next("ask which effect is missing",
+                  "fogcomp diagnose " + model.file + run_files(model));
+  } else {
+    document.next(
+        "nothing above the noise floor is left; compare the model with a run that it was not "
+        "fitted to",
+        "");
+  }
+  add_rows(document, fit);
+  add_steps(document, fit);
+  add_model(document, fit);
+  add_ladder(document, fit);
+  for (std::size_t run = 0; run < model.runs.size(); ++run) {
+    add_run(document, {&model}, run, Shown::on_page);
+  }
+  return document;
+}
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,68 @@
+#include "findings/json.hpp"
+
+#include "findings/network_words.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+using workflow::FitOutcome;
+
+Json terms_json(const Model& model) {
+  return json_array(model.terms, [&](const EffectTerm& term) {
+    return Json::object()
+        .set("effect", term.name)
+        .set("parameters", term.parameters)
+        .set("parameter_sigma", term.parameter_sigma)
+        .set("coefficients_dph", term.coefficients_dph)
+        .set("sigma_dph", term.sigma_dph);
+  });
+}
+
+Json steps_json(const FitOutcome& fit) {
+  Json steps = Json::array();
+  for (std::size_t i = 0; i < fit.result.identified.steps.size(); ++i) {
+    const FoundStep& step = fit.result.identified.steps[i];
+    steps.push(Json::object()
+                   .set("place", fit.step_places[i])
+                   .set("time_s", step.time_s)
+                   .set("time_sigma_s", step.time_sigma_s)
+                   .set("size_dph", step.size_dph)
+                   .set("size_sigma_dph", step.size_sigma_dph));
+  }
+  return steps;
+}
+
+}  // namespace
+
+Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
+  const Identification& identified = fit.result.identified;
+  Json notes = identified.warnings;
+  if (fit.network_dropped()) notes.push(network_verdict(fit.result));
+  Json result = Json::object();
+  result.set("model", output).set("rows", static_cast<std::size_t>(fit.rows));
+  result.set("refused_rows", fit.refused_rows());
+  result.set("raw_std_dph", fit.result.raw_std_dph)
+      .set("residual_rms_dph", fit.model.residual_rms_dph);
+  result.set("misfit", identified.misfit).set("outliers", identified.outliers);
+  result.set("noise_white_dph", identified.noise.white_dph());
+  result.set("noise_slow_dph", identified.noise.wander_dph());
+  result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
+  result.set("delay_rms_dph", fit.delay_rms_dph);
+  result.set("physical_lags", json_array(fit.physical_lags, [](const PhysicalLag& lag) {
+               return Json::object()
+                   .set("effect", lag.effect)
+                   .set("parameter", lag.parameter)
+                   .set("value_s", lag.value_s)
+                   .set("sigma_s", lag.sigma_s);
+             }));
+  result.set("steps", steps_json(fit)).set("masked_rows", identified.masked);
+  result.set("effects", terms_json(fit.model));
+  result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
+  const std::optional<double> determined = fit.determined_weights();
+  result.set("network_effective_parameters", determined ? Json(*determined) : Json());
+  const std::optional<OutOfSample>& judged = fit.result.network_judged;
+  result.set("network_gain", judged ? Json(judged->gain) : Json());
+  return result;
+}
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,250 @@
+#include "findings/info_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/comparison.hpp"
+#include "findings/allan_plot.hpp"
+#include "findings/figures.hpp"
+#include "findings/run_plots.hpp"
+#include "model/effect_list.hpp"
+#include "noise/outlier_rows.hpp"
+#include "recording/rate_resolution.hpp"
+#include "recording/stream_reader.hpp"
+#include "support/text.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+constexpr double kInstabilityToFloor = 0.664;  // sqrt(2 ln 2 / pi)
+
+struct Finding {
+  Text found;
+  Text next;
+  std::string command;
+};
+
+std::optional<double> drift_of(const BiasSummary& bias, const RunSummary& summary) {
+  if (!bias.std_dph || !summary.noise_floor_dph) return std::nullopt;
+  return floor_removed(*bias.std_dph, *summary.noise_floor_dph);
+}
+
+Finding find(const Recording& recording, const RunSummary& summary) {
+  const std::optional<double> drift = drift_of(summary.bias, summary);
+  if (!drift) {
+    return {"the recording is too short to tell drift from noise",
+            "record for longer: a day in a chamber shows what temperature does", ""};
+  }
+  const Text error = words(format("means of %.4g s scatter by ", summary.average_s)) +
+                     number(*summary.bias.std_dph) + " deg/h (std), noise alone would make " +
+                     number(*summary.noise_floor_dph);
+  const bool ramps =
+      std::any_of(summary.segments.begin(), summary.segments.end(),
+                  [](const SegmentSummary& segment) { return segment.kind != SegmentKind::soak; });
+  if (!ramps) {
+    return {"the temperature stands still: " + error,
+            "this run shows noise and warm-up only; record one in which the temperature moves", ""};
+  }
+  return {number(*drift) + " deg/h of drift: " + error,
+          "fit physical effects to it, then look at what they leave",
+          "fogcomp fit " + recording.file + " -o gyro.model --effects " + kFirstEffects};
+}
+
+std::string duration(double seconds) {
+  if (seconds < 120) return format("%.4g s", seconds);
+  if (seconds < 2 * kSecondsPerHour) return format("%.1f min", seconds / 60);
+  return format("%.2f h", seconds / kSecondsPerHour);
+}
+
+// What was read, and what was left out of it.
+void add_extent(Document& document, const Recording& recording) {
+  std::string text = counted(recording.rows(), "row");
+  if (recording.period_s > 0) {
+    const double length_s = recording.time_s.back() - recording.time_s.front();
+    text += format(" at %.6g Hz, %s", 1 / recording.period_s,
+                   duration(length_s + recording.period_s).c_str());
+  }
+  const std::size_t gaps = recording.stretch_starts.size() - 1;
+  if (gaps > 0) text += ", " + counted(gaps, "gap");
+  if (recording.bad_rows > 0) text += ", " + counted(recording.bad_rows, "bad row") + " left out";
+  document.sentence(words(text));
+  if (recording.refused_rows > 0) {
+    document.sentence(
+        words(counted(recording.refused_rows, "row") + " left out by the board's rules"));
+  }
+  if (recording.capture) document.sentence(words(describe(*recording.capture)));
+  if (recording.rows() > 1 && !rate_resolution(recording).moves()) {
+    document.sentence("note: the rate does not move; is the gyro on and connected?");
+  }
+}
+
+void add_bias(Document& document, const RunSummary& summary) {
+  const BiasSummary& bias = summary.bias;
+  Table table;
+  table.columns = {"bias (rate less input rate)", "deg/h"};
+  table.rows = {
+      {"mean", number(bias.mean_dph)},
+      {words(format("std of %.4g s means", summary.average_s)), dph(bias.std_dph)},
+      {"noise floor of such a mean", dph(summary.noise_floor_dph)},
+      {"drift, sqrt(std^2 - floor^2)", dph(drift_of(bias, summary))},
+  };
+  document.table(std::move(table));
+  if (summary.outliers > 0) {
+    document.sentence(words(outlier_words(summary.outliers, summary.average_s)));
+  }
+}
+
+void add_segments(Document& document, const RunSummary& summary) {
+  Table table;
+  table.columns = {"segment", "mean, deg/h", "drift, deg/h", "std, deg/h",
+                   "degC",    "degC/min",    "from, h",      "length, h"};
+  for (const SegmentSummary& segment : summary.segments) {
+    table.rows.push_back(
+        {verbatim(segment.name), number(segment.bias.mean_dph),
+         dph(drift_of(segment.bias, summary)), dph(segment.bias.std_dph),
+         verbatim(format("%.2f..%.2f", segment.temperature_min_degc, segment.temperature_max_degc)),
+         verbatim(format("%.3f", segment.temperature_rate_degc_per_min)),
+         verbatim(format("%.2f", segment.start_s / kSecondsPerHour)),
+         verbatim(format("%.2f", segment.duration_s / kSecondsPerHour))});
+  }
+  document.heading("Segments");
+  document.table(std::move(table));
+}
+
+std::vector<Segment> summary_segments(const RunSummary& summary) {
+  std::vector<Segment> segments;
+  for (const SegmentSummary& one : summary.segments) {
+    segments.push_back({one.name, one.kind, one.start_s, one.start_s + one.duration_s, {}});
+  }
+  return segments;
+}
+
+void add_over_time(Document& document, const Recording& recording, const RunSummary& summary) {
+  const Recording& blocks = summary.blocks;
+  if (blocks.rows() < 2) return;
+  const std::vector<double> bias = bias_dph(blocks);
+  const TimeAxis axis{blocks.time_s, blocks.stretch_starts, "run", summary_segments(summary)};
+  document.heading("Over time");
+  Plot means = time_plot(words(format("Bias, means of %.4g s.", summary.average_s)), "bias, deg/h",
+                         axis, {{"bias", "residual", bias}});
+  means.caption = "Mean " + number(summary.bias.mean_dph) + " deg/h, std " +
+                  dph(summary.bias.std_dph) + "; noise alone would make " +
+                  dph(summary.noise_floor_dph) + ".";
+  document.plot(means);
+  document.plot(temperature_plot(axis, blocks.temperature_degc));
+  if (recording.rows() == blocks.rows()) return;
+  const TimeAxis samples{recording.time_s, recording.stretch_starts, "run", axis.segments};
+  const std::vector<double> sample_bias = bias_dph(recording);
+  Plot every = time_plot("Samples.", "bias, deg/h", samples, {{"sample", "second", sample_bias}});
+  every.caption = "Std " + dph(summary.bias.sample_std_dph) + " deg/h.";
+  document.plot(every);
+}
+
+// Decimals that show a figure of this size with `digits` digits.
+int decimals_for(double size, int digits) {
+  if (!(size > 0)) return digits;
+  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 12);
+}
+
+// As many digits as its uncertainty leaves.
+Text to_digits_of(double value, double uncertainty) {
+  return verbatim(format("%.*f", decimals_for(uncertainty, 2), value));
+}
+
+// What the lowest point of the curve still says where no flat part is seen.
+Text instability_bound(const std::vector<AllanPoint>& curve) {
+  const auto lowest =
+      std::min_element(curve.begin(), curve.end(), [](const AllanPoint& a, const AllanPoint& b) {
+        return a.sigma + a.one_sigma < b.sigma + b.one_sigma;
+      });
+  const double bound = (lowest->sigma + 2 * lowest->one_sigma) / kInstabilityToFloor;
+  return "below " + to_digits_of(bound, bound);
+}
+
+void add_coefficients(Document& document, const RunSummary& summary) {
+  Table table;
+  table.caption = "noise coefficients (IEEE Std 952)";
+  table.columns = {"coefficient", "value", "+- (95 %)", "unit"};
+  const auto add = [&](const char* name, const std::optional<NoiseCoefficient>& one,
+                       const Text& otherwise, const char* unit) {
+    table.rows.push_back({name, one ? to_digits_of(one->value, one->half_width_95) : otherwise,
+                          one ? to_digits_of(one->half_width_95, one->half_width_95) : Text(),
+                          unit});
+  };
+  const NoiseCoefficients& noise = summary.noise;
+  add("Q  quantization", noise.quantization_deg, "not shown", "deg");
+  add("N  angle random walk", noise.angle_random_walk_dprh, "not shown", "deg/sqrt(h)");
+  add("B  bias instability", noise.bias_instability_dph, instability_bound(summary.allan), "deg/h");
+  add("K  rate random walk", noise.rate_random_walk_dphrh, "not shown", "deg/h/sqrt(h)");
+  add("R  rate ramp", noise.rate_ramp_dphh, "not shown", "deg/h/h");
+  document.table(std::move(table));
+}
+
+void add_noise(Document& document, const RunSummary& summary) {
+  document.heading("Noise");
+  if (summary.allan.empty()) {
+    document.sentence(
+        "no soak is long enough for an Allan deviation; on a ramp it would show drift, not noise");
+    return;
+  }
+  document.plot(allan_plot({{"bias", "residual", summary.allan}}, summary.noise));
+  Table table;
+  table.caption = words("overlapping Allan deviation in " + duration(summary.soak_s) + " of soaks");
+  table.columns = {"tau, s", "sigma, deg/h", "+- (1 sigma)"};
+  for (const AllanPoint& point : summary.allan) {
+    table.rows.push_back({verbatim(format("%.6g", point.tau_s)),
+                          to_digits_of(point.sigma, point.one_sigma),
+                          to_digits_of(point.one_sigma, point.one_sigma)});
+  }
+  document.table(std::move(table), Shown::in_details);
+  add_coefficients(document, summary);
+}
+
+void add_over_temperature(Document& document, const RunSummary& summary) {
+  const Recording& blocks = summary.blocks;
+  const TemperatureSensitivity& sensitivity = summary.sensitivity;
+  const std::vector<Branch> branch = branches(blocks.temperature_degc);
+  document.heading("Over temperature");
+  if (ever_moves(branch)) {
+    Plot plot = branch_plot("Bias over temperature.", "temperature, degC", "bias, deg/h",
+                            blocks.temperature_degc, bias_dph(blocks), branch);
+    if (sensitivity.hysteresis_dph) {
+      plot.caption = "Heating and cooling lie up to " + number(*sensitivity.hysteresis_dph) +
+                     words(format(" deg/h apart, at %.0f degC.", *sensitivity.hysteresis_at_degc));
+    }
+    document.plot(plot);
+  }
+  Table table;
+  table.columns = {"sensitivity", "value", "unit"};
+  const auto add = [&](const Text& name, const std::optional<double>& value, const Text& unit) {
+    table.rows.push_back({name, value ? to_digits_of(*value, *value / 10) : Text("not shown"),
+                          value ? unit : Text()});
+  };
+  add("bias to temperature", sensitivity.bias_dph_per_degc,
+      words(format("deg/h/degC (worst soak, from %.0f degC)",
+                   sensitivity.reference_degc.value_or(0))));
+  add("to temperature rate, heating", sensitivity.heating_dph_per_degc_per_min, "deg/h/(degC/min)");
+  add("to temperature rate, cooling", sensitivity.cooling_dph_per_degc_per_min, "deg/h/(degC/min)");
+  add("hysteresis, widest loop", sensitivity.hysteresis_dph,
+      words(format("deg/h (at %.0f degC)", sensitivity.hysteresis_at_degc.value_or(0))));
+  document.table(std::move(table));
+}
+
+}  // namespace
+
+Document info_findings(const Recording& recording, const RunSummary& summary) {
+  const Finding finding = find(recording, summary);
+  Document document("fogcomp info " + recording.file, finding.found);
+  document.next(finding.next, finding.command);
+  add_extent(document, recording);
+  add_bias(document, summary);
+  if (recording.rows() == 1) return document;
+  add_segments(document, summary);
+  add_over_time(document, recording, summary);
+  add_over_temperature(document, summary);
+  add_noise(document, summary);
+  return document;
+}
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "compare/run_summary.hpp"
+#include "findings/document.hpp"
+#include "recording/recording.hpp"
+
+namespace fogcomp::findings {
+
+/// What `fogcomp info` prints, with plots. `recording` is what `summary` was made of.
+Document info_findings(const Recording& recording, const RunSummary& summary);
+
+}  // namespace fogcomp::findings

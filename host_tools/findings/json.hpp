@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "batch/summary.hpp"
+#include "compare/model_on_runs.hpp"
+#include "compare/run_summary.hpp"
+#include "diagnosis/ladder.hpp"
+#include "fit/add_effect.hpp"
+#include "research/study.hpp"
+#include "support/json.hpp"
+#include "workflow/fit.hpp"
+
+/// What `--json` prints: every figure of a finding, by the names that scripts rely on.
+namespace fogcomp::findings {
+
+Json info_json(const Recording& recording, const RunSummary& summary);
+
+/// `output`: the model file that was written.
+Json fit_json(const workflow::FitOutcome& fit, const std::string& output);
+
+/// The first model's runs at the top; all under "models".
+Json compare_json(const std::vector<ModelOnRuns>& models);
+
+Json diagnosis_json(const Diagnosis& diagnosis);
+/// The diagnosis of the model as given, the steps of the loop, and the diagnosis at its end.
+Json ladder_json(const Ladder& ladder);
+
+/// `written`: the model file that was written, "" for none.
+Json add_json(const Addition& addition, const std::string& written);
+
+Json paper_json(const std::vector<Study>& studies);
+
+/// `output`: folder of the results. `calibrated`, `already_done`: gyros, now and before.
+Json batch_json(const batch::Summary& summary, const std::string& output, std::size_t calibrated,
+                std::size_t already_done);
+
+/// Shape parameters and coefficients by their names, coefficients in their own units.
+void set_parameters(Json& object, const EffectTerm& term);
+void set_coefficients(Json& object, const EffectTerm& term);
+
+}  // namespace fogcomp::findings

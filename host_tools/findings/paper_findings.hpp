@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "findings/document.hpp"
+#include "research/gyros.hpp"
+
+namespace fogcomp::findings {
+
+/// The reference paper's figures 1, 3, 4, 8, 9, 10 and Tables 1 to 3 on the first gyro beside what
+/// is printed there, and medians over all. Throws InputError where the study left out bp or pso-bp.
+Document paper_findings(const std::vector<Study>& studies);
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,167 @@
+#include "findings/run_plots.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "findings/figures.hpp"
+#include "findings/thinning.hpp"
+#include "support/text.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+std::vector<const std::vector<double>*> columns_of(const std::vector<Trace>& traces) {
+  std::vector<const std::vector<double>*> columns;
+  for (const Trace& trace : traces) columns.push_back(&trace.values);
+  return columns;
+}
+
+const char* shade_of(SegmentKind kind) {
+  switch (kind) {
+    case SegmentKind::ramp_up:
+      return "heating";
+    case SegmentKind::ramp_down:
+      return "cooling";
+    case SegmentKind::soak:
+      break;
+  }
+  return "";
+}
+
+Plot plot_over_time(const Text& title, const Text& y_label, const TimeAxis& axis,
+                    const std::vector<double>& time_s) {
+  Plot plot;
+  plot.title = title;
+  plot.x_label = "time since power-on, h";
+  plot.y_label = y_label;
+  plot.group = axis.group;
+  for (const double time : time_s) plot.x.push_back(time / kSecondsPerHour);
+  for (const Segment& segment : axis.segments) {
+    plot.bands.push_back({verbatim(segment.name), segment.start_s / kSecondsPerHour,
+                          segment.end_s / kSecondsPerHour, shade_of(segment.kind)});
+  }
+  return plot;
+}
+
+}  // namespace
+
+std::vector<std::size_t> starts_of(const std::vector<RowRange>& stretches) {
+  std::vector<std::size_t> starts;
+  for (const RowRange& stretch : stretches) starts.push_back(stretch.first);
+  return starts;
+}
+
+TimeAxis time_axis(const Comparison& comparison, const std::string& group) {
+  return {comparison.rows.time_s,
+          starts_of(comparison.rows.stretches()),
+          group,
+          {comparison.segments.begin(), comparison.segments.end()}};
+}
+
+std::string part_colour(std::size_t i) {
+  constexpr std::size_t kColours = 8;
+  return format("part%zu", i % kColours + 1);
+}
+
+Plot time_plot(const Text& title, const Text& y_label, const TimeAxis& axis,
+               const std::vector<Trace>& traces) {
+  Curves curves = min_and_max(axis.time_s, columns_of(traces), axis.stretch_starts);
+  Plot plot = plot_over_time(title, y_label, axis, curves.x);
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    Curve curve{traces[i].label, traces[i].colour, std::move(curves.y[i])};
+    curve.look = traces[i].look;
+    plot.curves.push_back(std::move(curve));
+  }
+  return plot;
+}
+
+Plot temperature_plot(const TimeAxis& axis, const std::vector<double>& temperature_degc) {
+  Plot plot = time_plot("Temperature.", "temperature, degC", axis,
+                        {{"temperature", "part5", temperature_degc}});
+  const auto [min, max] = std::minmax_element(temperature_degc.begin(), temperature_degc.end());
+  const auto soaks =
+      std::count_if(axis.segments.begin(), axis.segments.end(),
+                    [](const Segment& segment) { return segment.kind == SegmentKind::soak; });
+  const auto ramps = static_cast<std::ptrdiff_t>(axis.segments.size()) - soaks;
+  plot.caption =
+      words(format("%.1f to %.1f degC; soaks: %td, ramps: %td.", *min, *max, soaks, ramps));
+  return plot;
+}
+
+Plot stacked_plot(const Text& title, const Text& y_label, const TimeAxis& axis,
+                  const std::vector<Trace>& traces) {
+  Curves curves = column_means(axis.time_s, columns_of(traces), axis.stretch_starts);
+  Plot plot = plot_over_time(title, y_label, axis, curves.x);
+  plot.kind = Plot::Kind::stacked;
+  plot.caption = "Each less its mean over the run.";
+  std::vector<double> sum(curves.x.size());
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    const std::vector<double>& all = traces[i].values;
+    const double mean =
+        std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+    for (std::size_t row = 0; row < sum.size(); ++row) {
+      curves.y[i][row] -= mean;
+      sum[row] += curves.y[i][row];
+    }
+    plot.curves.push_back({traces[i].label, traces[i].colour, std::move(curves.y[i])});
+  }
+  plot.curves.push_back({"all together", "mark", std::move(sum), {}, {}, Look::dashed});
+  return plot;
+}
+
+Plot branch_plot(const Text& title, const Text& x_label, const Text& y_label,
+                 const std::vector<double>& x, const std::vector<double>& y,
+                 const std::vector<Branch>& branch) {
+  const std::size_t per_point = rows_per_point(x.size());
+  Plot plot;
+  plot.title = title;
+  plot.x_label = x_label;
+  plot.y_label = y_label;
+  const auto add = [&](const Text& label, const char* colour, Branch wanted) {
+    Cloud cloud = thinned(x, y, branch, wanted, per_point);
+    if (cloud.x.empty()) return;
+    plot.curves.push_back({label, colour, std::move(cloud.y), std::move(cloud.x), {}, Look::cloud});
+  };
+  add("heating", "heating", Branch::heating);
+  add("cooling", "cooling", Branch::cooling);
+  add(plot.curves.empty() ? "temperature at rest" : "before the first movement", "measured",
+      Branch::none);
+  return plot;
+}
+
+bool ever_moves(const std::vector<Branch>& branch) {
+  return std::any_of(branch.begin(), branch.end(), [](Branch one) { return one != Branch::none; });
+}
+
+Curve bin_means(const std::vector<ResidualBin>& bins) {
+  Curve means{"mean", "mark", {}};
+  for (const ResidualBin& bin : bins) {
+    means.x.push_back(bin.at);
+    means.y.push_back(bin.mean_dph);
+    means.sigma.push_back(bin.sigma_dph);
+  }
+  return means;
+}
+
+void add_loop(Plot& over_temperature, const Loop& loop) {
+  const LoopBin* const widest = loop.widest();
+  if (widest == nullptr) return;
+  Curve heating{"heating, mean", "heating", {}};
+  Curve cooling{"cooling, mean", "cooling", {}};
+  for (const LoopBin& bin : loop.bins) {
+    heating.x.push_back(bin.at_degc);
+    heating.y.push_back(bin.heating_dph);
+    cooling.x.push_back(bin.at_degc);
+    cooling.y.push_back(bin.cooling_dph);
+  }
+  over_temperature.curves.push_back(std::move(heating));
+  over_temperature.curves.push_back(std::move(cooling));
+  if (!loop.test.structured()) return;
+  over_temperature.caption += " Heating less cooling " + number(widest->width_dph()) + " +- " +
+                              number(widest->sigma_dph) + " deg/h at " +
+                              words(format("%.0f degC", widest->at_degc)) +
+                              ": a loop, which temperature alone cannot model.";
+}
+
+}  // namespace fogcomp::findings

@@ -1,0 +1,404 @@
+#include "findings/run_section.hpp"
+
+#include <algorithm>
+
+#include "findings/allan_plot.hpp"
+#include "findings/compare_words.hpp"
+#include "findings/figures.hpp"
+#include "findings/labels.hpp"
+#include "findings/run_plots.hpp"
+#include "noise/autocorrelation.hpp"
+#include "noise/noise_coefficients.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+using Models = std::vector<const ModelOnRuns*>;
+
+const Comparison& on_run(const ModelOnRuns& model, std::size_t run) {
+  return model.runs[run].comparison;
+}
+
+// One model has the name of what it is; several are told apart by their files.
+std::vector<Text> labels(const Models& models, const Text& alone) {
+  if (models.size() == 1) return {alone};
+  std::vector<std::string> files;
+  for (const ModelOnRuns* model : models) files.push_back(model->file);
+  std::vector<Text> labels;
+  for (const std::string& name : short_names(files)) labels.push_back(verbatim(name));
+  return labels;
+}
+
+// The best has the colour of a single one.
+std::string residual_colour(std::size_t model) {
+  return model == 0 ? "residual" : part_colour(model);
+}
+
+Look look_of(std::size_t model) {
+  return model == 0 ? Look::line : Look::faint;
+}
+
+std::optional<double> drift_left(const Comparison& comparison, double rms_dph) {
+  if (!comparison.noise_floor_dph) return std::nullopt;
+  return floor_removed(rms_dph, *comparison.noise_floor_dph);
+}
+
+// Inputs on which the residual depends, which structure_words() does not ask.
+Text input_words(const ModelOnRun& run) {
+  Text text;
+  for (std::size_t i = 0; i < run.analysis.inputs.size(); ++i) {
+    const ClassTest& test = run.analysis.inputs[i].test;
+    if (!test.structured()) continue;
+    const std::optional<double> share = run.analysis.share_of_excess(test);
+    text += "; it depends on the " + input_name(run.comparison.inputs[i].input) +
+            (share ? words(": " + percent(*share) + " of what is above the floor") : Text());
+  }
+  return text;
+}
+
+void add_words(Document& document, const Models& models, std::size_t run, Shown shown) {
+  const std::vector<Text> names = labels(models, "");
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const Text name = names[i] + (models.size() > 1 ? ": " : "");
+    const ModelOnRun& judged = models[i]->runs[run];
+    document.sentence(name + words(error_words(judged.comparison)), shown);
+    document.sentence(name + words(structure_words(judged)) + input_words(judged), shown);
+    for (const std::string& remark : remarks(judged))
+      document.sentence(name + words(remark), shown);
+    for (const std::string& warning : range_warnings(judged.comparison, models[i]->model)) {
+      document.sentence("warning: " + name + words(warning), shown);
+    }
+  }
+}
+
+void add_segments(Document& document, const Comparison& comparison, Shown shown) {
+  Table table;
+  table.columns = {"segment", "rms left", "drift left", "constant", "mean",
+                   "std",     "raw mean", "raw std",    "rows"};
+  table.notes = words(format(
+      "deg/h, means of %.4g s; rms left, mean, std: of the residual; drift left: sqrt(rms^2 - "
+      "floor^2); constant: rms that the model's mean over the run alone would leave; raw: before",
+      comparison.rows.row_s));
+  const auto add = [&](const Comparison::SegmentError& segment) {
+    if (segment.rows.size() == 0) return;
+    table.rows.push_back({verbatim(segment.name), number(segment.rms_dph),
+                          dph(drift_left(comparison, segment.rms_dph)),
+                          number(constant_rms_dph(comparison, segment)), number(segment.mean_dph),
+                          number(segment.std_dph), number(segment.raw_mean_dph),
+                          number(segment.raw_std_dph),
+                          verbatim(std::to_string(segment.rows.size()))});
+  };
+  for (const Comparison::SegmentError& segment : comparison.segments) add(segment);
+  add(comparison.whole);
+  document.table(std::move(table), shown);
+}
+
+// The same quantity segment by segment: left by a constant alone, then by each model.
+void add_before_and_after(Document& document, const Models& models, std::size_t run, Shown shown) {
+  const Comparison& best = on_run(*models[0], run);
+  Table table;
+  table.caption = "what is left of each segment";
+  table.columns = {"segment", {"by a constant alone", "measured"}};
+  table.quantity = "rms left, deg/h";
+  table.floor = best.noise_floor_dph.value_or(0);
+  const std::vector<Text> names = labels(models, "the model");
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    table.columns.push_back({"by " + names[i], residual_colour(i)});
+  }
+  const auto add = [&](std::size_t segment, bool whole) {
+    const auto of = [&](const ModelOnRuns& model) -> const Comparison::SegmentError& {
+      const Comparison& comparison = on_run(model, run);
+      return whole ? comparison.whole : comparison.segments[segment];
+    };
+    const Comparison::SegmentError& own = of(*models[0]);
+    if (own.rows.size() == 0) return;
+    const double before_dph = constant_rms_dph(best, own);
+    Table::Row row{verbatim(own.name), {number(before_dph), before_dph}};
+    for (const ModelOnRuns* model : models) {
+      const double rms_dph = of(*model).rms_dph;
+      row.cells.emplace_back(number(rms_dph), rms_dph);
+    }
+    table.rows.push_back(std::move(row));
+  };
+  for (std::size_t i = 0; i < best.segments.size(); ++i) add(i, false);
+  add(0, true);
+  document.table(std::move(table), shown);
+}
+
+// Where what is left is largest.
+Text worst_segment(const Comparison& comparison) {
+  const auto worst =
+      std::max_element(comparison.segments.begin(), comparison.segments.end(),
+                       [](const auto& a, const auto& b) { return a.rms_dph < b.rms_dph; });
+  if (comparison.segments.size() < 2 || worst->rows.size() == 0) return {};
+  return "Largest in " + verbatim(worst->name) + ": rms " + number(worst->rms_dph) + " deg/h.";
+}
+
+void add_over_time(Document& document, const Models& models, std::size_t run) {
+  const Comparison& best = on_run(*models[0], run);
+  const std::vector<double> degc = best.rows.temperatures_degc();
+  const std::vector<double> measured = best.measured_dph();
+  std::vector<std::vector<double>> drifts;
+  std::vector<std::vector<double>> residuals;
+  for (const ModelOnRuns* model : models) {
+    const Eigen::VectorXd& drift = on_run(*model, run).modelled_dph;
+    drifts.emplace_back(drift.begin(), drift.end());
+    residuals.push_back(on_run(*model, run).residuals_dph());
+  }
+  const bool several = models.size() > 1;
+  const std::vector<Text> drift_names = labels(models, "model");
+  const std::vector<Text> residual_names = labels(models, "residual");
+  std::vector<Trace> over{{"measured", "measured", measured}};
+  std::vector<Trace> left;
+  for (std::size_t i = models.size(); i-- > 0;) {  // the best on top
+    over.push_back({drift_names[i], several ? residual_colour(i) : "model", drifts[i], look_of(i)});
+    left.push_back({residual_names[i], residual_colour(i), residuals[i], look_of(i)});
+  }
+  const TimeAxis axis = time_axis(best, format("run %zu", run));
+  Plot rate = time_plot("Rate less input rate, the model on top.", "rate, deg/h", axis, over);
+  rate.caption = "Std of what is measured " + number(best.whole.raw_std_dph) + " deg/h.";
+  document.plot(rate);
+  document.plot(temperature_plot(axis, degc));
+  Plot residual = time_plot("Residual.", "residual, deg/h", axis, left);
+  residual.caption = (several ? residual_names[0] + ": rms " : Text("Rms ")) +
+                     number(best.whole.rms_dph) + " deg/h. " + worst_segment(best);
+  document.plot(residual);
+}
+
+void add_parts(Document& document, const ModelOnRuns& model, std::size_t run) {
+  const Comparison& comparison = on_run(model, run);
+  std::vector<Trace> parts;
+  for (std::size_t i = 0; i < comparison.effects.size(); ++i) {
+    constexpr double kConstant = 1e-9;  // deg/h: such a part has no share in any change
+    if (comparison.effects[i].std_dph < kConstant) continue;
+    parts.push_back(
+        {verbatim(comparison.effects[i].name), part_colour(parts.size()), comparison.parts_dph[i]});
+  }
+  if (!parts.empty()) {
+    document.plot(stacked_plot("What each part of the model does.", "drift, deg/h",
+                               time_axis(comparison, format("run %zu", run)), parts));
+  }
+  Table table;
+  table.caption = "what each part of the model does";
+  table.columns = {"part", "share of the raw variance", "std, deg/h", "mean, deg/h"};
+  table.notes =
+      "share: what comes back when a part alone is left out; parts that go together share, so the "
+      "shares need not add up to 100 %";
+  for (const EffectShare& effect : comparison.effects) {
+    table.rows.push_back({verbatim(effect.name), words(format("%.1f %%", 100 * effect.share)),
+                          number(effect.std_dph), number(effect.mean_dph)});
+  }
+  document.table(std::move(table), Shown::on_page);
+}
+
+// The same figures as a page's plots, for a terminal: a star marks what is beyond noise.
+Text star(bool beyond_noise) {
+  return beyond_noise ? "*" : "";
+}
+
+// The verdict in the same words for every variable.
+Text structure_text(const ResidualAnalysis& analysis, const ClassTest& test) {
+  if (!test.structured()) return "no more than noise";
+  const std::optional<double> share = analysis.share_of_excess(test);
+  return "structured" + (share ? words(", " + percent(*share) + " of the excess") : Text());
+}
+
+Table dependence_table(const ResidualAnalysis& analysis, const Dependence& dependence,
+                       const Text& variable) {
+  Table table;
+  table.caption = "residual over " + variable + ": " + structure_text(analysis, dependence.test);
+  table.columns = {"at", "rows", "mean", "+-", ""};
+  for (const ResidualBin& bin : dependence.bins) {
+    table.rows.push_back({verbatim(format("%.5g", bin.at)), verbatim(std::to_string(bin.rows)),
+                          number(bin.mean_dph), number(bin.sigma_dph),
+                          star(std::abs(bin.mean_dph) > 3 * bin.sigma_dph)});
+  }
+  return table;
+}
+
+Table loop_table(const ResidualAnalysis& analysis) {
+  Table table;
+  table.caption = "residual over history (branch of the last movement): " +
+                  structure_text(analysis, analysis.history.test);
+  table.columns = {"degC", "heating", "cooling", "width", "+-", ""};
+  for (const LoopBin& bin : analysis.history.bins) {
+    table.rows.push_back({verbatim(format("%.5g", bin.at_degc)), number(bin.heating_dph),
+                          number(bin.cooling_dph), number(bin.width_dph()), number(bin.sigma_dph),
+                          star(std::abs(bin.width_dph()) > 3 * bin.sigma_dph)});
+  }
+  return table;
+}
+
+Table autocorrelation_table(const ResidualAnalysis& analysis) {
+  Table table;
+  table.caption = words(format("autocorrelation of the residual; white noise stays within +-%.3f",
+                               analysis.white_band));
+  table.columns = {"lag, s", "correlation", ""};
+  for (const LagCorrelation& lag : analysis.autocorrelation) {
+    table.rows.push_back({verbatim(format("%.6g", lag.lag_s)),
+                          verbatim(format("%.3f", lag.correlation)),
+                          star(std::abs(lag.correlation) > analysis.white_band)});
+  }
+  return table;
+}
+
+Table allan_table(const ResidualAnalysis& analysis) {
+  Table table;
+  table.caption = "Allan deviation in soaks, deg/h";
+  table.columns = {"tau, s", "before", "after", "+-"};
+  for (std::size_t i = 0; i < analysis.raw_allan.size(); ++i) {
+    const AllanPoint& after = analysis.residual_allan[i];
+    table.rows.push_back({verbatim(format("%.6g", after.tau_s)),
+                          number(analysis.raw_allan[i].sigma), number(after.sigma),
+                          number(after.one_sigma)});
+  }
+  return table;
+}
+
+// What a page draws, as figures.
+void add_details(Document& document, const ModelOnRuns& model, std::size_t run) {
+  const ModelOnRun& judged = model.runs[run];
+  const ResidualAnalysis& analysis = judged.analysis;
+  std::vector<Table> tables{
+      dependence_table(analysis, analysis.temperature, "temperature, degC"),
+      dependence_table(analysis, analysis.rate, "temperature rate, degC/min"),
+      dependence_table(analysis, analysis.time, "time, s"),
+  };
+  for (std::size_t i = 0; i < analysis.inputs.size(); ++i) {
+    tables.push_back(dependence_table(analysis, analysis.inputs[i],
+                                      input_label(judged.comparison.inputs[i].input)));
+  }
+  tables.push_back(loop_table(analysis));
+  tables.push_back(allan_table(analysis));
+  tables.push_back(autocorrelation_table(analysis));
+  for (Table& table : tables) document.table(std::move(table), Shown::in_details);
+}
+
+// A plot of the residual over one quantity, and how much of it that quantity could explain.
+struct Dependent {
+  Plot plot;
+  double variance_dph2 = 0;
+};
+
+// What a test says of one quantity.
+Text dependence_text(const ResidualAnalysis& analysis, const ClassTest& test) {
+  if (!test.structured()) return "Nothing in it depends on this alone beyond noise.";
+  const std::optional<double> share = analysis.share_of_excess(test);
+  if (!share) return "It depends on this, though all of it lies at the noise floor.";
+  return "It depends on this: " + words(percent(*share)) + " of what lies above the noise floor.";
+}
+
+// What is left over everything that it could depend on; what it depends on most comes first.
+void add_dependences(Document& document, const ModelOnRuns& model, std::size_t run) {
+  const Comparison& comparison = on_run(model, run);
+  const ResidualAnalysis& analysis = model.runs[run].analysis;
+  const std::vector<double> residual = comparison.residuals_dph();
+  const std::vector<double> degc = comparison.rows.temperatures_degc();
+  const std::vector<double> rate = comparison.rows.temperature_rates_degc_per_min();
+  const std::vector<Branch> branch = branches(degc);
+  std::vector<Dependent> all;
+  const auto add = [&](const Text& title, const Text& label, const std::vector<double>& x,
+                       const ClassTest& test) {
+    Plot plot = branch_plot(title, label, "residual, deg/h", x, residual, branch);
+    plot.caption = dependence_text(analysis, test);
+    all.push_back({std::move(plot), test.structured() ? test.variance_dph2 : 0});
+  };
+  if (ever_moves(branch)) {
+    add("Residual over temperature.", "temperature, degC", degc, analysis.temperature.test);
+    add_loop(all.back().plot, analysis.history);
+    if (analysis.history.test.structured()) {
+      all.back().variance_dph2 =
+          std::max(all.back().variance_dph2, analysis.history.test.variance_dph2);
+    }
+    add("Residual over temperature rate.", "temperature rate, degC/min", rate, analysis.rate.test);
+    all.back().plot.curves.push_back(bin_means(analysis.rate.bins));
+  }
+  for (std::size_t i = 0; i < comparison.inputs.size(); ++i) {
+    const Comparison::VaryingInput& input = comparison.inputs[i];
+    add("Residual over " + input_name(input.input) + ".", input_label(input.input), input.values,
+        analysis.inputs[i].test);
+    all.back().plot.curves.push_back(bin_means(analysis.inputs[i].bins));
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Dependent& a, const Dependent& b) {
+    return a.variance_dph2 > b.variance_dph2;
+  });
+  for (const Dependent& one : all) document.plot(one.plot);
+}
+
+void add_allan(Document& document, const Models& models, std::size_t run) {
+  const ResidualAnalysis& best = models[0]->runs[run].analysis;
+  if (best.raw_allan.empty()) return;
+  const std::vector<Text> names = labels(models, "after");
+  std::vector<AllanCurve> curves{{"before", "measured", best.raw_allan}};
+  for (std::size_t i = models.size(); i-- > 0;) {
+    curves.push_back({names[i], residual_colour(i), models[i]->runs[run].analysis.residual_allan});
+  }
+  document.plot(allan_plot(curves, fit_noise_coefficients(best.residual_allan)));
+}
+
+void add_autocorrelation(Document& document, const Models& models, std::size_t run) {
+  constexpr std::size_t kLags = 100;
+  const std::vector<Text> names = labels(models, "residual");
+  Plot plot;
+  plot.title = "Autocorrelation of the residual.";
+  plot.x_label = "lag, s";
+  plot.y_label = "correlation";
+  for (std::size_t i = models.size(); i-- > 0;) {
+    const Comparison& comparison = on_run(*models[i], run);
+    const std::vector<double> residual = comparison.bridged(comparison.residuals_dph());
+    Curve curve{names[i], residual_colour(i), {}, {}, {}, look_of(i)};
+    for (std::size_t lag = 1; lag <= std::min(kLags, residual.size() / 4); ++lag) {
+      curve.x.push_back(static_cast<double>(lag) * comparison.rows.row_s);
+      curve.y.push_back(autocorrelation(residual, comparison.rows.stretches(), lag));
+    }
+    if (curve.x.size() < 2) return;
+    plot.curves.push_back(std::move(curve));
+  }
+  const double band = models[0]->runs[run].analysis.white_band;
+  const Curve& best = plot.curves.back();
+  plot.caption =
+      words(format("%.2f from one row to the next; white noise stays between the dashed "
+                   "lines, +-%.2f, 95 times in 100.",
+                   best.y[0], band));
+  plot.levels = {{"white noise", band}, {"", -band}};
+  document.plot(plot);
+}
+
+}  // namespace
+
+std::string run_files(const ModelOnRuns& model) {
+  std::string files;
+  for (const ModelOnRun& run : model.runs) files += " " + run.comparison.file;
+  return files;
+}
+
+bool leaves_drift(const ModelOnRun& run) {
+  return run.analysis.excess_dph2.has_value();
+}
+
+void add_run(Document& document, const Models& models, std::size_t run, Shown shown) {
+  const Comparison& best = on_run(*models[0], run);
+  const bool several = models.size() > 1;
+  document.file_heading(best.file);
+  add_words(document, models, run, shown);
+  if (several) {
+    document.sentence("the table, what the residual depends on, and the parts are of the best, " +
+                          labels(models, "")[0],
+                      Shown::on_page);
+  }
+  add_before_and_after(document, models, run, several ? shown : Shown::on_page);
+  add_segments(document, best, several ? Shown::on_page : shown);
+  if (best.size() < 2) return;
+  add_over_time(document, models, run);
+  add_dependences(document, *models[0], run);
+  add_parts(document, *models[0], run);
+  for (const ModelOnRuns* model : models) {
+    if (several) document.heading(verbatim(model->file), Shown::in_details);
+    add_details(document, *model, run);
+  }
+  add_allan(document, models, run);
+  add_autocorrelation(document, models, run);
+}
+
+}  // namespace fogcomp::findings

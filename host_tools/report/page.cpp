@@ -1,0 +1,312 @@
+#include "report/page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+
+#include "findings/figures.hpp"
+#include "report/embedded_page.hpp"
+#include "report/plot_json.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::report {
+namespace {
+
+using findings::Document;
+using findings::Heading;
+using findings::Listing;
+using findings::Plot;
+using findings::Sentence;
+using findings::Shown;
+using findings::Table;
+using findings::Text;
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+std::string escaped(std::string text) {
+  text = valid_utf8(text);
+  replace_all(text, "&", "&amp;");
+  replace_all(text, "<", "&lt;");
+  replace_all(text, ">", "&gt;");
+  replace_all(text, "\"", "&quot;");
+  return text;
+}
+
+std::string escaped(const Text& text) {
+  return escaped(text.typeset());
+}
+
+std::string element(const char* tag, const std::string& content) {
+  return format("<%s>%s</%s>\n", tag, content.c_str(), tag);
+}
+
+// As data for a script: nothing in it may end the element.
+std::string script_data(const Json& json) {
+  std::string text = json.text();
+  replace_all(text, "<", "\\u003c");
+  return text;
+}
+
+const std::string& file(const std::vector<EmbeddedFile>& files, const std::string& name) {
+  for (const EmbeddedFile& one : files) {
+    if (one.name == name) return one.text;
+  }
+  throw std::logic_error("no file '" + name + "' was compiled in");
+}
+
+// "left:12.3%", of the whole width
+std::string share_style(const char* property, double value, double most) {
+  const double share = most > 0 ? std::clamp(value / most, 0.0, 1.0) : 0;
+  return format("%s:%.1f%%", property, 100 * share);
+}
+
+// A row of a table. The first cell is its name.
+std::string row_element(const Table& table, const Table::Row& row) {
+  std::string html = "<tr>";
+  for (std::size_t column = 0; column < row.cells.size(); ++column) {
+    const char* const tag = column == 0 ? "th" : "td";
+    std::string content = escaped(row.cells[column].text);
+    if (column == 0 && !row.link.empty()) {
+      content = "<a href=\"" + escaped(row.link) + "\">" + content + "</a>";
+    }
+    html += format("<%s%s>%s</%s>", tag, table.is_of_words(column) ? " class=\"words\"" : "",
+                   content.c_str(), tag);
+  }
+  return html + "</tr>\n";
+}
+
+std::string head_element(const Table& table) {
+  std::string html = "<thead><tr>";
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    html += format("<th%s>%s</th>", table.is_of_words(column) ? " class=\"words\"" : "",
+                   escaped(table.columns[column].title).c_str());
+  }
+  return html + "</tr></thead>\n";
+}
+
+std::string table_element(const Table& table) {
+  std::string html;
+  if (!table.caption.empty()) html += element("p", escaped(table.caption.sentence()));
+  // A narrow screen scrolls it sideways; the keyboard too.
+  html += "<div class=\"scroll\" tabindex=\"0\"><table>\n" + head_element(table) + "<tbody>\n";
+  for (const Table::Row& row : table.rows) html += row_element(table, row);
+  html += "</tbody></table></div>\n";
+  if (!table.notes.empty()) html += element("p", escaped(table.notes.sentence()));
+  return html;
+}
+
+double full_length(const Table& table) {
+  double full = std::max(table.full, table.floor);
+  for (const Table::Row& row : table.rows) {
+    for (const Table::Cell& cell : row.cells) {
+      if (std::isfinite(cell.value)) full = std::max(full, cell.value);
+    }
+  }
+  return full;
+}
+
+std::string bar_element(const Table::Cell& cell, const std::string& colour, double full,
+                        double floor) {
+  std::string html = "<div class=\"bar\"><span class=\"track\"><span class=\"fill\" style=\"" +
+                     share_style("width", cell.value, full) + ";background:var(--" + colour +
+                     ")\"></span>";
+  if (floor > 0) {
+    html += "<span class=\"mark\" style=\"" + share_style("left", floor, full) + "\"></span>";
+  }
+  return html + "</span><span class=\"value\">" + escaped(cell.text) + "</span></div>";
+}
+
+// Below the bars: the scale and what it is of.
+std::string axis_element(const Text& quantity, double full) {
+  return "<div class=\"row axis\"><div></div><div class=\"bar\"><span "
+         "class=\"scale\"><span>0</span>"
+         "<span class=\"quantity\">" +
+         escaped(quantity) + "</span><span>" + escaped(findings::significant(full)) +
+         "</span></span><span class=\"value\"></span></div></div>\n";
+}
+
+// What the colours mean, where there are several.
+std::string key_elements(const Table& table) {
+  std::vector<Table::Column> keys = table.keys;
+  if (keys.empty()) {
+    std::copy_if(table.columns.begin(), table.columns.end(), std::back_inserter(keys),
+                 [](const Table::Column& column) { return !column.colour.empty(); });
+  }
+  if (keys.size() == 1) return "";
+  std::string html;
+  for (const Table::Column& key : keys) {
+    html += " <span class=\"key\" style=\"background:var(--" + key.colour + ")\"></span> " +
+            escaped(key.title);
+  }
+  return html;
+}
+
+// A row with bars: its name, the bars one below the other, and what the other columns say.
+std::string bars_row_element(const Table& table, const Table::Row& row, double full) {
+  std::string bars;
+  std::string note;
+  for (std::size_t column = 1; column < row.cells.size(); ++column) {
+    const Table::Cell& cell = row.cells[column];
+    const std::string& colour = table.columns[column].colour;
+    if (!colour.empty()) {
+      if (std::isfinite(cell.value)) {
+        bars += bar_element(cell, row.colour.empty() ? colour : row.colour, full, table.floor);
+      }
+    } else if (!cell.text.empty()) {
+      const Text& title = table.columns[column].title;
+      note += (note.empty() ? "" : "; ") + escaped(title) + (title.empty() ? "" : " ") +
+              escaped(cell.text);
+    }
+  }
+  std::string html = "<div class=\"row\"><div class=\"name\">" + escaped(row.cells[0].text) +
+                     "</div><div>" + bars + "</div>";
+  if (!note.empty()) html += "<div class=\"note\">" + note + "</div>";
+  return html + "</div>\n";
+}
+
+std::string bars_element(const Table& table) {
+  const double full = full_length(table);
+  const auto bars =
+      std::count_if(table.columns.begin(), table.columns.end(),
+                    [](const Table::Column& column) { return !column.colour.empty(); });
+  const bool notes = static_cast<std::size_t>(bars) + 1 < table.columns.size();
+  std::string html = format("<figure class=\"bars%s\">\n", notes ? " notes" : "");
+  const std::string caption = escaped(table.caption.sentence()) + key_elements(table);
+  if (!caption.empty()) html += element("figcaption", caption);
+  for (const Table::Row& row : table.rows) html += bars_row_element(table, row, full);
+  html += axis_element(table.quantity, full) + "</figure>\n";
+  if (!table.notes.empty()) html += element("p", escaped(table.notes.sentence()));
+  return html;
+}
+
+// How to read and handle the plots of any report, and what is drawn of long runs.
+constexpr const char* kHowToRead =
+    "Drag across a plot to zoom in time or in both directions, double-click to see all again; "
+    "click on a name in a legend to hide or show its curve. Shaded: red while the chamber heats, "
+    "blue while it cools. Heating and cooling in plots over another quantity: the direction in "
+    "which the temperature last moved; soaks count with the ramp before them. Of a curve of more "
+    "than 4000 rows, the minimum and maximum of each of 2000 intervals are drawn; clouds of more "
+    "than 2000 points are means of neighbouring rows.";
+
+// The document's parts one after the other as HTML, and its plots as data.
+class PageWriter {
+ public:
+  explicit PageWriter(bool draws) : draws_(draws) {}
+
+  void operator()(const Heading& heading) { heading_ = &heading; }
+  void operator()(const Sentence& sentence) {
+    begin();
+    body_ += element("p", escaped(sentence.text.sentence()));
+  }
+  void operator()(const Listing& listing) {
+    begin();
+    body_ += element("pre", escaped(listing.text));
+  }
+  void operator()(const Table& table) {
+    begin();
+    body_ += table.has_bars() ? bars_element(table) : table_element(table);
+  }
+  void operator()(const Plot& plot) {
+    const std::size_t number = plot_count_++;
+    if (!draws_) return;
+    begin();
+    const std::string caption = escaped(plot.caption);
+    body_ +=
+        "<figure class=\"plot\">\n" +
+        element("figcaption", "<strong>" + escaped(plot.title) + "</strong> " + caption) +
+        format("<div class=\"canvas\" data-plot=\"%zu\" role=\"img\" aria-label=\"%s\"></div>\n",
+               number, (escaped(plot.title) + " " + caption).c_str()) +
+        "</figure>\n";
+    plots_.push(plot_json(plot));
+  }
+  void write(const Document& document) {
+    const Document::Next& next = document.what_next();
+    if (!next.sentence.empty()) {
+      body_ += "<p class=\"next\"><strong>Next:</strong> " + escaped(next.sentence.sentence()) +
+               "</p>\n";
+    }
+    if (!next.command.empty())
+      body_ += "<pre class=\"command\">" + escaped(next.command) + "</pre>\n";
+    for (const Document::Part& part : document.parts()) {
+      if (part.shown != Shown::in_details) std::visit(*this, part.content);
+    }
+    if (in_section_) body_ += "</section>\n";
+  }
+
+  const std::string& body() const { return body_; }
+  const Json& plots() const { return plots_; }
+  std::size_t plot_count() const { return plot_count_; }
+
+ private:
+  // A heading stands only where something follows it.
+  void begin() {
+    if (heading_ == nullptr) return;
+    body_ += in_section_ ? "</section>\n<section>\n" : "<section>\n";
+    in_section_ = true;
+    body_ += element("h2", escaped(heading_->text));
+    const std::string& path = heading_->path;
+    if (!path.empty() && findings::short_names({path})[0] != path) {
+      body_ += "<p class=\"path\">" + escaped(path) + "</p>\n";
+    }
+    heading_ = nullptr;
+  }
+
+  bool draws_;
+  const Heading* heading_ = nullptr;
+  bool in_section_ = false;
+  std::string body_;
+  Json plots_ = Json::array();
+  std::size_t plot_count_ = 0;
+};
+
+// The frame with each {{part}} put in.
+std::string filled(const std::string& frame,
+                   const std::vector<std::pair<std::string, std::string>>& parts) {
+  std::string page;
+  std::size_t at = 0;
+  while (true) {
+    const std::size_t open = frame.find("{{", at);
+    page.append(frame, at, open - at);
+    if (open == std::string::npos) return page;
+    const std::size_t close = frame.find("}}", open);
+    const std::string name = frame.substr(open + 2, close - open - 2);
+    const auto part = std::find_if(parts.begin(), parts.end(),
+                                   [&](const auto& one) { return one.first == name; });
+    if (part == parts.end()) throw std::logic_error("no part '" + name + "' for the page");
+    page += part->second;
+    at = close + 2;
+  }
+}
+
+}  // namespace
+
+std::string page(const Document& document) {
+  const std::vector<EmbeddedFile>& library = plot_library_files();
+  const bool drawn = !library.empty();
+  PageWriter writer(drawn);
+  writer.write(document);
+  std::string body = element("h1", escaped(document.found().sentence()));
+  if (!drawn && writer.plot_count() > 0) {
+    body += element("p", "No plots here: this fogcomp was built without npm.");
+  }
+  body += writer.body();
+  if (drawn && writer.plot_count() > 0) body += element("footer", escaped(Text(kHowToRead)));
+  return filled(file(page_files(), "frame"),
+                {
+                    {"subject", escaped(document.subject())},
+                    {"style", (drawn ? file(library, "style") : "") + file(page_files(), "style")},
+                    {"licence", drawn ? file(library, "licence") : ""},
+                    {"library", drawn ? file(library, "script") : ""},
+                    {"data", script_data(writer.plots())},
+                    {"script", drawn ? file(page_files(), "plots") : ""},
+                    {"body", body},
+                });
+}
+
+}  // namespace fogcomp::report

@@ -1,0 +1,99 @@
+#include "report/plot_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/text.hpp"
+
+namespace fogcomp::report {
+namespace {
+
+using findings::Band;
+using findings::Curve;
+using findings::Level;
+using findings::Look;
+using findings::Plot;
+using findings::Text;
+
+std::vector<double> rounded(std::vector<double> values, bool logarithmic) {
+  double least = HUGE_VAL;
+  double most = -HUGE_VAL;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  for (double& value : values) {
+    if (!std::isfinite(value) || value == 0) continue;
+    const double span = logarithmic || most == least ? std::fabs(value) : most - least;
+    const double unit = std::pow(10, 5 - std::floor(std::log10(span)));
+    value = std::round(value * unit) / unit;
+  }
+  return values;
+}
+
+const char* name_of(Look look) {
+  switch (look) {
+    case Look::line:
+      return "line";
+    case Look::dashed:
+      return "dashed";
+    case Look::faint:
+      return "faint";
+    case Look::points:
+      return "points";
+    case Look::cloud:
+      break;
+  }
+  return "cloud";
+}
+
+const char* name_of(Plot::Kind kind) {
+  switch (kind) {
+    case Plot::Kind::linear:
+      return "linear";
+    case Plot::Kind::log_y:
+      return "log_y";
+    case Plot::Kind::log_log:
+      return "log_log";
+    case Plot::Kind::stacked:
+      break;
+  }
+  return "stacked";
+}
+
+}  // namespace
+
+Json plot_json(const Plot& plot) {
+  const bool log_x = plot.kind == Plot::Kind::log_log;
+  const bool log_y = log_x || plot.kind == Plot::Kind::log_y;
+  Json curves = Json::array();
+  for (const Curve& curve : plot.curves) {
+    Json one = Json::object();
+    one.set("label", curve.label.typeset()).set("colour", curve.colour);
+    one.set("look", name_of(curve.look)).set("y", rounded(curve.y, log_y));
+    if (!curve.x.empty()) one.set("x", rounded(curve.x, log_x));
+    if (!curve.sigma.empty()) one.set("sigma", rounded(curve.sigma, true));
+    curves.push(std::move(one));
+  }
+  Json levels = json_array(plot.levels, [&](const Level& level) {
+    return Json::object().set("label", level.label.typeset()).set("y", level.y);
+  });
+  Json bands = json_array(plot.bands, [&](const Band& band) {
+    return Json::object()
+        .set("label", band.label.typeset())
+        .set("from", band.from)
+        .set("to", band.to)
+        .set("colour", band.colour);
+  });
+  Json names = json_array(plot.x_names, [](const Text& name) { return Json(name.typeset()); });
+  Json json = Json::object();
+  json.set("kind", name_of(plot.kind)).set("group", plot.group);
+  json.set("x_label", plot.x_label.typeset()).set("y_label", plot.y_label.typeset());
+  json.set("x", rounded(plot.x, log_x)).set("x_names", std::move(names));
+  json.set("curves", std::move(curves)).set("levels", std::move(levels));
+  json.set("bands", std::move(bands));
+  return json;
+}
+
+}  // namespace fogcomp::report

@@ -1,0 +1,184 @@
+#include "report/terminal.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "support/text.hpp"
+
+namespace fogcomp::report {
+namespace {
+
+using findings::Document;
+using findings::Heading;
+using findings::Listing;
+using findings::Plot;
+using findings::Sentence;
+using findings::Shown;
+using findings::Table;
+
+constexpr std::size_t kMaxLine = 100;
+constexpr std::size_t kMaxName = 60;  // a longer one has a line of its own
+
+// What a terminal counts: characters, not bytes.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+  }));
+}
+
+// A name, or a column of words, begins at the left; figures end at the right.
+std::string cell(const std::string& text, std::size_t width, bool words) {
+  const std::string blanks(width - std::min(width, width_of(text)), ' ');
+  return words ? text + blanks : blanks + text;
+}
+
+std::string without_blanks_at_end(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+// Broken between words where it is too long.
+std::string wrapped(const std::string& text, const std::string& indent) {
+  std::string lines;
+  std::string line = indent;
+  for (const std::string& word : split(text, ' ')) {
+    if (line.size() > indent.size() && width_of(line) + 1 + width_of(word) > kMaxLine) {
+      lines += line + "\n";
+      line = indent;
+    }
+    line += (line.size() > indent.size() ? " " : "") + word;
+  }
+  return lines + line + "\n";
+}
+
+// A number, perhaps with "%" or a range of two, and no words behind it.
+bool is_figure(const std::string& text) {
+  if (std::string_view("+-.0123456789").find(text[0]) == std::string_view::npos) return false;
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i - 1] == ' ' && std::isalpha(static_cast<unsigned char>(text[i])) != 0) return false;
+  }
+  return true;
+}
+
+// Figures with a few words among them, such as "not shown", are still figures.
+bool has_words(const Table& table, std::size_t column) {
+  std::ptrdiff_t words = 0;
+  for (const Table::Row& row : table.rows) {
+    if (column >= row.cells.size() || row.cells[column].text.empty()) continue;
+    words += is_figure(row.cells[column].text.plain()) ? -1 : 1;
+  }
+  return column == 0 || words > 0;
+}
+
+struct ColumnLayout {
+  std::size_t width = 0;
+  bool words = false;
+};
+
+ColumnLayout layout_of(const Table& table, std::size_t column) {
+  ColumnLayout layout;
+  layout.width = width_of(table.columns[column].title.plain());
+  layout.words = has_words(table, column);
+  for (const Table::Row& row : table.rows) {
+    if (row.minor || column >= row.cells.size()) continue;
+    const std::size_t width = width_of(row.cells[column].text.plain());
+    if (column > 0 || width <= kMaxName) layout.width = std::max(layout.width, width);
+  }
+  return layout;
+}
+
+// Cells or titles, each as wide as its column.
+std::string line_of(const std::vector<std::string>& cells,
+                    const std::vector<ColumnLayout>& columns) {
+  std::string line = "  ";
+  for (std::size_t i = 0; i < std::min(cells.size(), columns.size()); ++i) {
+    if (i > 0) line += "  ";
+    line += cell(cells[i], columns[i].width, columns[i].words);
+    if (i == 0 && width_of(cells[0]) > columns[0].width) {
+      line += "\n  " + std::string(columns[0].width, ' ');
+    }
+  }
+  return without_blanks_at_end(line);
+}
+
+std::string text_of(const Table& table) {
+  std::vector<ColumnLayout> columns;
+  std::vector<std::string> titles;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    columns.push_back(layout_of(table, i));
+    titles.push_back(table.columns[i].title.plain());
+  }
+  std::string text;
+  if (!table.caption.empty()) text += wrapped(table.caption.plain(), "  ");
+  text += line_of(titles, columns);
+  for (const Table::Row& row : table.rows) {
+    if (row.minor) continue;
+    std::vector<std::string> cells;
+    for (const Table::Cell& one : row.cells) cells.push_back(one.text.plain());
+    text += line_of(cells, columns);
+  }
+  if (!table.notes.empty()) text += wrapped("(" + table.notes.plain() + ")", "  ");
+  return text;
+}
+
+// The parts one after the other; a blank line before what is more than a sentence.
+class TerminalWriter {
+ public:
+  explicit TerminalWriter(bool details) : details_(details) {}
+
+  void operator()(const Heading& heading) {
+    heading_ = heading.path.empty() ? heading.text.plain() : heading.path;
+  }
+  void operator()(const Sentence& sentence) {
+    begin(false);
+    text_ += "  " + sentence.text.plain() + "\n";
+  }
+  void operator()(const Listing& listing) {
+    begin(true);
+    text_ += listing.text + (listing.text.empty() || listing.text.back() != '\n' ? "\n" : "");
+  }
+  void operator()(const Table& table) {
+    begin(true);
+    text_ += text_of(table);
+  }
+  void operator()(const Plot&) {}
+
+  void write(const Document::Part& part) {
+    const bool shown =
+        part.shown == Shown::everywhere || (details_ && part.shown == Shown::in_details);
+    if (shown) std::visit(*this, part.content);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  // A heading stands only where something follows it.
+  void begin(bool block) {
+    if (!heading_.empty()) {
+      text_ += "\n" + heading_ + "\n";
+      heading_.clear();
+    } else if (block || after_block_) {
+      text_ += "\n";
+    }
+    after_block_ = block;
+  }
+
+  bool details_;
+  bool after_block_ = false;
+  std::string heading_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string terminal(const Document& document, bool details) {
+  std::string text = document.found().plain() + "\n";
+  const Document::Next& next = document.what_next();
+  const std::string what = next.command.empty() ? next.sentence.plain() : next.command;
+  if (!what.empty()) text += "  next: " + what + "\n";
+  TerminalWriter writer(details);
+  for (const Document::Part& part : document.parts()) writer.write(part);
+  return text + writer.text();
+}
+
+}  // namespace fogcomp::report
