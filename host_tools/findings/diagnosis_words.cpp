@@ -305,7 +305,7 @@ std::string end_words(const Ladder& ladder) {
            " would bring so little more that it may be the inexactness of what is there: not added";
   }
   const auto [verdict, certainty] = verdict_words(ladder.last);
-  return "at the end: " + verdict + (certainty.empty() ? "" : "\n  " + certainty);
+  return "at the end: " + verdict + (certainty.empty() ? "" : "; " + certainty);
 }
 
 }  // namespace fogcomp::findings

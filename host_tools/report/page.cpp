@@ -138,12 +138,14 @@ std::string key_elements(const Table& table) {
     std::copy_if(table.columns.begin(), table.columns.end(), std::back_inserter(keys),
                  [](const Table::Column& column) { return !column.colour.empty(); });
   }
-  if (keys.size() == 1) return "";
+  if (keys.size() == 1) keys.clear();
   std::string html;
   for (const Table::Column& key : keys) {
     html += " <span class=\"key\" style=\"background:var(--" + key.colour + ")\"></span> " +
             escaped(key.title);
   }
+  if (table.floor > 0)
+    html += " Dashed: the noise floor, " + escaped(findings::number(table.floor)) + ".";
   return html;
 }
 

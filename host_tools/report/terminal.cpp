@@ -4,6 +4,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "findings/figures.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::report {
@@ -110,7 +111,9 @@ std::string text_of(const Table& table) {
     titles.push_back(table.columns[i].title.plain());
   }
   std::string text;
-  if (!table.caption.empty()) text += wrapped(table.caption.plain(), "  ");
+  std::string caption = table.caption.plain();
+  if (table.floor > 0) caption += "; the noise floor is " + findings::number(table.floor).plain();
+  if (!caption.empty()) text += wrapped(caption, "  ");
   text += line_of(titles, columns);
   for (const Table::Row& row : table.rows) {
     if (row.minor) continue;
