@@ -81,15 +81,15 @@ std::string death_of(const Running& running, int status, double time_limit_s) {
                                   : format("its process ended with code %d", WEXITSTATUS(status));
 }
 
-}  // namespace
+// The processes that run now.
+class Children {
+ public:
+  explicit Children(double time_limit_s) : time_limit_s_(time_limit_s) {}
 
-int run_in_processes(std::size_t jobs, const PoolSettings& settings,
-                     const std::function<void(std::size_t)>& work, const PoolEvents& events) {
-  const WatchedSignals signals;
-  std::vector<Running> running;
-  std::size_t next = 0;
+  std::size_t count() const { return running_.size(); }
 
-  const auto start = [&] {
+  void start(std::size_t job, const std::function<void(std::size_t)>& work,
+             const WatchedSignals& signals) {
     std::fflush(nullptr);  // or the child would print it again
     const pid_t process = ::fork();
     if (process < 0) {
@@ -98,35 +98,60 @@ int run_in_processes(std::size_t jobs, const PoolSettings& settings,
     }
     if (process == 0) {
       signals.restore();
-      run_and_exit(work, next);
+      run_and_exit(work, job);
     }
-    running.push_back({process, next++, Clock::now()});
-  };
+    running_.push_back({process, job, Clock::now()});
+  }
 
-  while (next < jobs || !running.empty()) {
-    while (next < jobs && running.size() < settings.processes) start();
-    const int asked_to_end = signals.wait();
-    if (asked_to_end != 0) {
-      for (const Running& one : running) ::kill(one.process, SIGTERM);
-      for (const Running& one : running) ::waitpid(one.process, nullptr, 0);
-      return asked_to_end;
-    }
-    for (std::size_t i = 0; i < running.size();) {
+  // Tells of those that have ended, and ends those that take too long.
+  void look_after(const PoolEvents& events) {
+    for (std::size_t i = 0; i < running_.size();) {
       int status = 0;
-      if (::waitpid(running[i].process, &status, WNOHANG) == 0) {
-        const double elapsed_s =
-            std::chrono::duration<double>(Clock::now() - running[i].start).count();
-        if (settings.time_limit_s > 0 && elapsed_s > settings.time_limit_s && !running[i].overdue) {
-          running[i].overdue = true;
-          ::kill(running[i].process, SIGTERM);
-        }
+      if (::waitpid(running_[i].process, &status, WNOHANG) == 0) {
+        end_if_overdue(running_[i]);
         ++i;
         continue;
       }
-      const Running ended = running[i];
-      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
-      events.ended(ended.job, death_of(ended, status, settings.time_limit_s));
+      const Running ended = running_[i];
+      running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
+      events.ended(ended.job, death_of(ended, status, time_limit_s_));
     }
+  }
+
+  void end_all() const {
+    for (const Running& one : running_) ::kill(one.process, SIGTERM);
+    for (const Running& one : running_) ::waitpid(one.process, nullptr, 0);
+  }
+
+ private:
+  void end_if_overdue(Running& one) const {
+    const double elapsed_s = std::chrono::duration<double>(Clock::now() - one.start).count();
+    if (time_limit_s_ <= 0 || elapsed_s <= time_limit_s_ || one.overdue) return;
+    one.overdue = true;
+    ::kill(one.process, SIGTERM);
+  }
+
+  double time_limit_s_;
+  std::vector<Running> running_;
+};
+
+}  // namespace
+
+int run_in_processes(std::size_t jobs, const PoolSettings& settings,
+                     const std::function<void(std::size_t)>& work, const PoolEvents& events) {
+  const WatchedSignals signals;
+  Children children(settings.time_limit_s);
+  std::size_t next = 0;
+  while (next < jobs || children.count() > 0) {
+    while (next < jobs && children.count() < settings.processes) {
+      children.start(next++, work, signals);
+    }
+    const int asked_to_end = signals.wait();
+    if (asked_to_end != 0) {
+      children.end_all();
+      return asked_to_end;
+    }
+    children.look_after(events);
     events.tick();
   }
   return 0;

@@ -166,6 +166,23 @@ class Compiler {
     return result;
   }
 
+  // Of the value on the stack.
+  Value negated(const Value& x) {
+    emit(Op::negate);
+    return {-x.most, -x.least, x.error, x.fraction};
+  }
+  Value magnitude(const Value& x) {
+    emit(Op::absolute);
+    const bool crosses = x.least < 0 && x.most > 0;
+    const double least = crosses ? 0 : std::min(std::abs(x.least), std::abs(x.most));
+    return {least, x.size(), x.error, x.fraction};
+  }
+  Value tangent(const Value& argument) {
+    const Value x = in_format(argument, kTanhFraction);
+    emit(Op::tanh);
+    return {std::tanh(x.least), std::tanh(x.most), x.error + kTanhError, kWaveFraction};
+  }
+
   Value node(std::size_t index) {
     const ExpressionNode& now = expression_.nodes[index];
     if (now.constant) return constant(constants_[index]);
@@ -185,28 +202,17 @@ class Compiler {
         return quotient(now);
       case NodeKind::power:
         return power(node(now.left), constants_[now.right]);
-      case NodeKind::negate: {
-        const Value x = node(now.left);
-        emit(Op::negate);
-        return {-x.most, -x.least, x.error, x.fraction};
-      }
-      case NodeKind::absolute: {
-        const Value x = node(now.left);
-        emit(Op::absolute);
-        const bool crosses = x.least < 0 && x.most > 0;
-        const double least = crosses ? 0 : std::min(std::abs(x.least), std::abs(x.most));
-        return {least, x.size(), x.error, x.fraction};
-      }
+      case NodeKind::negate:
+        return negated(node(now.left));
+      case NodeKind::absolute:
+        return magnitude(node(now.left));
       case NodeKind::sine:
       case NodeKind::cosine:
         return wave(now);
       case NodeKind::exponential:
         return exponential(now.left);
-      case NodeKind::hyperbolic_tangent: {
-        const Value x = in_format(node(now.left), kTanhFraction);
-        emit(Op::tanh);
-        return {std::tanh(x.least), std::tanh(x.most), x.error + kTanhError, kWaveFraction};
-      }
+      case NodeKind::hyperbolic_tangent:
+        return tangent(node(now.left));
       case NodeKind::lag:
         return lag(now);
       case NodeKind::play:

@@ -153,6 +153,22 @@ ClassTest test_means(const ClassMeans& means, const ResidualRows& rows) {
   return test;
 }
 
+// Places of the heating classes whose cooling class, which is the next, counts too.
+using Pairs = std::vector<Eigen::Index>;
+
+// Whether heating differs from cooling anywhere.
+double score_of(const Pairs& pairs, const ClassMeans& means) {
+  const auto size = static_cast<Eigen::Index>(pairs.size());
+  Eigen::MatrixXd differ = Eigen::MatrixXd::Zero(size, means.mean_dph.size());
+  for (Eigen::Index i = 0; i < size; ++i) {
+    differ(i, pairs[static_cast<std::size_t>(i)]) = 1;
+    differ(i, pairs[static_cast<std::size_t>(i)] + 1) = -1;
+  }
+  const Eigen::VectorXd width = differ * means.mean_dph;
+  const Eigen::MatrixXd noise = differ * means.covariance * differ.transpose();
+  return standard_score(width.dot(solve_semidefinite(noise, width)), static_cast<double>(size));
+}
+
 }  // namespace
 
 bool ClassTest::structured() const {
@@ -223,7 +239,7 @@ Loop loop_over(const std::vector<double>& temperature_degc, const ResidualRows& 
   }
   const ClassMeans means = means_of(class_of, 2 * bins, rows);
   Loop loop;
-  std::vector<Eigen::Index> pairs;  // places of the heating classes; cooling is the next
+  Pairs pairs;
   for (std::size_t i = 0; i < bins; ++i) {
     const std::size_t heating = means.place[2 * i];
     if (heating == kNoClass || means.place[2 * i + 1] == kNoClass) continue;
@@ -240,16 +256,7 @@ Loop loop_over(const std::vector<double>& temperature_degc, const ResidualRows& 
   if (pairs.empty() || !has_noise(rows)) return loop;
   loop.test.variance_dph2 =
       std::max(0.0, loop.test.variance_dph2 / static_cast<double>(branch.size()));
-  const auto size = static_cast<Eigen::Index>(pairs.size());
-  Eigen::MatrixXd differ = Eigen::MatrixXd::Zero(size, means.mean_dph.size());
-  for (Eigen::Index i = 0; i < size; ++i) {
-    differ(i, pairs[static_cast<std::size_t>(i)]) = 1;
-    differ(i, pairs[static_cast<std::size_t>(i)] + 1) = -1;
-  }
-  const Eigen::VectorXd width = differ * means.mean_dph;
-  const Eigen::MatrixXd noise = differ * means.covariance * differ.transpose();
-  loop.test.score =
-      standard_score(width.dot(solve_semidefinite(noise, width)), static_cast<double>(size));
+  loop.test.score = score_of(pairs, means);
   return loop;
 }
 

@@ -162,6 +162,25 @@ std::optional<Candidate::Shape> step_shape(const Rows& rows, const ToVisible& to
   return Candidate::Shape{std::move(step), part.columns.colwise().normalized(), row};
 }
 
+// What the model's own term could grow by. Laid out along what is new; the rest stays where it is,
+// until all is fitted.
+std::vector<Candidate::Shape> grown_shapes(const SignalSeries& series, const ToVisible& to_visible,
+                                           const EffectTerm& own) {
+  std::vector<Candidate::Shape> shapes;
+  const Eigen::Index owned = series.regressors(own).cols();
+  for (const EffectTerm& term : grown_terms(own)) {
+    EffectTerm along = term;
+    for (std::size_t i = 0; i < along.identified.size(); ++i) {
+      along.identified[i] = term.identified[i] && !own.identified[i];
+    }
+    for (Candidate::Shape& shape : all_shapes({series, to_visible, owned}, along)) {
+      shape.term.identified = term.identified;
+      shapes.push_back(std::move(shape));
+    }
+  }
+  return shapes;
+}
+
 // An event has a moment, not a shape: a step at evenly spaced times of each recording.
 std::vector<Candidate::Shape> step_shapes(const Rows& rows, const ToVisible& to_visible,
                                           const EffectTerm& step) {
@@ -345,26 +364,15 @@ CandidateList find_candidates(const SignalSeries& series, const std::vector<Effe
       list.untestable.push_back({name, missing});
       continue;
     }
-    Candidate candidate{name, {}};
     const auto own = std::find_if(terms.begin(), terms.end(),
                                   [&](const EffectTerm& term) { return term.name == name; });
+    Candidate candidate{name, {}};
     if (entry.description.event) {
       candidate.shapes = step_shapes(series.rows(), to_visible, parse_effects(name)[0]);
     } else if (own == terms.end()) {
       candidate.shapes = all_shapes({series, to_visible, 0}, parse_effects(name)[0]);
     } else {
-      const Eigen::Index owned = series.regressors(*own).cols();
-      for (const EffectTerm& term : grown_terms(*own)) {
-        // Laid out along what is new; the rest stays where it is, until all is fitted.
-        EffectTerm along = term;
-        for (std::size_t i = 0; i < along.identified.size(); ++i) {
-          along.identified[i] = term.identified[i] && !own->identified[i];
-        }
-        for (auto& shape : all_shapes({series, to_visible, owned}, along)) {
-          shape.term.identified = term.identified;
-          candidate.shapes.push_back(std::move(shape));
-        }
-      }
+      candidate.shapes = grown_shapes(series, to_visible, *own);
     }
     if (!candidate.shapes.empty()) {
       list.testable.push_back(std::move(candidate));

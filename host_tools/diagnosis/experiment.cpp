@@ -73,7 +73,7 @@ class Trial {
   // By how many standard deviations `truth` differs from the best that `imitator` can do: of noise,
   // and of what a formula is allowed to be off. Many days of a faint difference tell nothing where
   // neither formula is exact.
-  double told(const Rival& truth, const Rival& imitator) const {
+  double separation(const Rival& truth, const Rival& imitator) const {
     const Eigen::VectorXd signal = whitening_->apply(series_.drift_dph(truth.terms));
     std::vector<Eigen::MatrixXd> base;
     for (std::size_t i = 0; i + 1 < imitator.terms.size(); ++i) {
@@ -100,6 +100,36 @@ class Trial {
   std::optional<Whitening> whitening_;
 };
 
+// Of the pair that is told apart worst, in standard deviations.
+double separation(const Trial& trial, const std::vector<Rival>& rivals) {
+  double worst = HUGE_VAL;
+  for (const Rival& truth : rivals) {
+    for (const Rival& imitator : rivals) {
+      if (&truth != &imitator) worst = std::min(worst, trial.separation(truth, imitator));
+    }
+  }
+  return worst;
+}
+
+std::string sentence_of(const Experiment& best, const char* what,
+                        const std::vector<Rival>& rivals) {
+  std::string names;
+  for (std::size_t i = 0; i < rivals.size(); ++i) {
+    const char* link = i == 0 ? "" : i + 1 < rivals.size() ? ", " : " and ";
+    names += link + rivals[i].effect;
+  }
+  if (best.profile.empty()) {
+    return "none of the chamber tests known here would tell " + names + " apart" +
+           (best.separation < 1 ? ": beside this model's other terms they are the same; "
+                                  "either takes the error out"
+                                : "");
+  }
+  return format(
+      "record `%s` (%s, %.0f h): there %s would differ by %.0f standard deviations "
+      "(noise and model error)",
+      best.profile.c_str(), what, best.hours, names.c_str(), best.separation);
+}
+
 }  // namespace
 
 Experiment propose_experiment(const Model& model, const std::vector<Rival>& rivals,
@@ -116,34 +146,13 @@ Experiment propose_experiment(const Model& model, const std::vector<Rival>& riva
   for (const Choice& choice : kMenu) {
     if (choice.for_inputs != 0 && (needs & choice.for_inputs) == 0) continue;
     const Trial trial(thermal, simulated(choice.profile, noise.row_s), noise);
-    double least = HUGE_VAL;
-    for (std::size_t i = 0; i < rivals.size(); ++i) {
-      for (std::size_t j = i + 1; j < rivals.size(); ++j) {
-        least = std::min(
-            least, std::min(trial.told(rivals[i], rivals[j]), trial.told(rivals[j], rivals[i])));
-      }
-    }
-    if (least <= best.separation) continue;
-    best = {choice.profile, trial.hours(), least, ""};
+    const double here = separation(trial, rivals);
+    if (here <= best.separation) continue;
+    best = {choice.profile, trial.hours(), here, ""};
     what = choice.what;
   }
-  std::string names;
-  for (std::size_t i = 0; i < rivals.size(); ++i) {
-    const char* link = i == 0 ? "" : i + 1 < rivals.size() ? ", " : " and ";
-    names += link + rivals[i].effect;
-  }
-  if (best.separation < kWorthwhile) {
-    best.profile.clear();
-    best.sentence = "none of the chamber tests known here would tell " + names + " apart" +
-                    (best.separation < 1 ? ": beside this model's other terms they are the same; "
-                                           "either takes the error out"
-                                         : "");
-    return best;
-  }
-  best.sentence = format(
-      "record `%s` (%s, %.0f h): there %s would differ by %.0f standard deviations "
-      "(noise and model error)",
-      best.profile.c_str(), what, best.hours, names.c_str(), best.separation);
+  if (best.separation < kWorthwhile) best.profile.clear();
+  best.sentence = sentence_of(best, what, rivals);
   return best;
 }
 

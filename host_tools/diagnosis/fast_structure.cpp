@@ -60,6 +60,23 @@ void find_line(const std::vector<double>& powers, double length_s, FastStructure
   }
 }
 
+// The octave that stands out most of white noise of that level.
+void find_band(const std::vector<Octave>& octaves, double level, double lines,
+               FastStructure& fast) {
+  for (const Octave& octave : octaves) {
+    if (octave.count < kLeastLines) continue;
+    // Twice an exponential variable of mean 1 is chi^2 with two degrees.
+    const double mean = octave.power / octave.count / level;
+    const double score = standard_score(2 * octave.count * mean, 2 * octave.count);
+    const double log_p = score < 1 ? 0 : tail_log_p(score) + std::log(12.0);
+    if (log_p >= fast.band_log_p || mean - 1 < kLeastExcess) continue;
+    fast.band_log_p = log_p;
+    fast.band_excess = mean - 1;
+    fast.band_period_s = octave.period_s / octave.count;
+    fast.share = (mean - 1) * octave.count / lines;
+  }
+}
+
 }  // namespace
 
 FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& whitened_residual) {
@@ -88,18 +105,7 @@ FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& white
   if (level == 0) return fast;
   const auto lines = static_cast<double>(all.size());
   fast.line_log_p = std::min(0.0, std::log(lines) - kLevelUncertainty * fast.line_power);
-  for (const Octave& octave : octaves) {
-    if (octave.count < kLeastLines) continue;
-    // Twice an exponential variable of mean 1 is chi^2 with two degrees.
-    const double mean = octave.power / octave.count / level;
-    const double score = standard_score(2 * octave.count * mean, 2 * octave.count);
-    const double log_p = score < 1 ? 0 : tail_log_p(score) + std::log(12.0);
-    if (log_p >= fast.band_log_p || mean - 1 < kLeastExcess) continue;
-    fast.band_log_p = log_p;
-    fast.band_excess = mean - 1;
-    fast.band_period_s = octave.period_s / octave.count;
-    fast.share = (mean - 1) * octave.count / lines;
-  }
+  find_band(octaves, level, lines, fast);
   if (fast.line_log_p < fast.band_log_p) fast.share = fast.line_power / lines;
   return fast;
 }

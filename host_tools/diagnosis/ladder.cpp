@@ -27,6 +27,24 @@ double square(double value) {
   return value * value;
 }
 
+Ladder::Step step_of(const std::string& effect, const Diagnosis& before) {
+  Ladder::Step step;
+  step.effect = effect;
+  step.rms_before_dph = before.residual_rms_dph;
+  if (before.verdict != Verdict::ambiguous) return step;
+  for (const std::string& other : before.confusable) {
+    if (other != effect) step.alternatives.push_back(other);
+  }
+  return step;
+}
+
+// What takes out so little of all may be the inexactness of what is there.
+bool is_worth_adding(const Ladder& ladder, const Ladder::Step& step) {
+  const double fall = square(step.rms_before_dph) - square(step.rms_after_dph);
+  const double excess = square(ladder.first.residual_rms_dph) - square(step.rms_after_dph);
+  return ladder.steps.empty() || fall >= rules::kWorthAdding * excess;
+}
+
 }  // namespace
 
 std::vector<std::string> Ladder::added() const {
@@ -56,20 +74,11 @@ Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effec
     before = i + 1.0;
     const std::string effect = effect_to_add(ladder.last);
     if (effect.empty()) break;
-    Ladder::Step step;
-    step.effect = effect;
-    if (ladder.last.verdict == Verdict::ambiguous) {
-      for (const std::string& other : ladder.last.confusable) {
-        if (other != effect) step.alternatives.push_back(other);
-      }
-    }
-    step.rms_before_dph = ladder.last.residual_rms_dph;
+    Ladder::Step step = step_of(effect, ladder.last);
     grown.terms = ladder.last.find(effect)->completed;
     Diagnosis next = diagnose(grown, data, each);
     step.rms_after_dph = next.residual_rms_dph;
-    const double fall = square(step.rms_before_dph) - square(step.rms_after_dph);
-    const double excess = square(ladder.first.residual_rms_dph) - square(next.residual_rms_dph);
-    if (!ladder.steps.empty() && fall < rules::kWorthAdding * excess) {
+    if (!is_worth_adding(ladder, step)) {
       ladder.left_alone = effect;
       break;
     }
@@ -79,10 +88,7 @@ Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effec
     grown.terms = ladder.last.terms;
     const auto unneeded = superfluous(grown.terms, ladder.last, ladder.added());
     if (unneeded == grown.terms.end() || unneeded->name == effect) continue;
-    Ladder::Step removal;
-    removal.effect = unneeded->name;
-    removal.removed = true;
-    removal.rms_before_dph = ladder.last.residual_rms_dph;
+    Ladder::Step removal{unneeded->name, true, {}, ladder.last.residual_rms_dph, 0};
     grown.terms.erase(unneeded);
     ladder.last = diagnose(grown, data, each);
     removal.rms_after_dph = ladder.last.residual_rms_dph;

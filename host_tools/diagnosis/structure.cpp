@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/thermal/play.hpp"
 #include "model/input_value.hpp"
 #include "series/row_filters.hpp"
 #include "support/decompositions.hpp"
@@ -46,13 +47,11 @@ Eigen::MatrixXd smooths(const Eigen::VectorXd& x, int knots) {
 }
 
 Eigen::VectorXd played(const Rows& rows, const Eigen::VectorXd& x, double radius) {
+  fog::Play<RealNumbers> play(radius);
   Eigen::VectorXd behind(x.size());
-  double state = 0;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    state = rows.starts_run(static_cast<std::size_t>(i))
-                ? x[i]
-                : std::clamp(state, x[i] - radius, x[i] + radius);
-    behind[i] = x[i] - state;
+    if (rows.starts_run(static_cast<std::size_t>(i))) play.centre(x[i]);
+    behind[i] = play.step(x[i]);
   }
   return behind;
 }
@@ -88,7 +87,9 @@ std::vector<StructureGroup> structure_groups(const Rows& rows) {
                                       product.leftCols(std::min<Eigen::Index>(2, product.cols()))},
                                  rows.size())});
   std::vector<Eigen::MatrixXd> history;
-  for (const double tau_s : kHistoryLags_s) history.push_back(behind_lag(rows, temperature, tau_s));
+  for (const double tau_s : kHistoryLags_s) {
+    history.push_back(temperature - lagged(rows, temperature, tau_s));
+  }
   for (const double radius : kRadii_degc) history.push_back(played(rows, temperature, radius));
   groups.push_back({"temperature history", side_by_side(history, rows.size())});
   groups.push_back({"time_s", of_time(rows)});

@@ -150,6 +150,19 @@ Changes changes_of(const Eigen::VectorXd& values, const std::vector<bool>& upper
   return changes;
 }
 
+// Of all stretches together.
+bool goes_to_and_fro(const std::vector<Eigen::VectorXd>& stretches, const Shape& shape) {
+  Changes changes;
+  for (const Eigen::VectorXd& values : stretches) {
+    const double centre = best_centre(values, shape, log_two_levels).second;
+    const Changes here = changes_of(values, likeliest_levels(values, shape, centre));
+    changes.whole_visits += here.whole_visits;
+    changes.up += here.up;
+    changes.down += here.down;
+  }
+  return changes.whole_visits >= kLeastVisits || (changes.up > 0 && changes.down > 0);
+}
+
 }  // namespace
 
 TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double white_dph,
@@ -179,19 +192,11 @@ TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double 
     }
   }
   if (two_levels == -HUGE_VAL) return found;
-  Changes changes;
   for (const Eigen::VectorXd& values : scaled) {
-    const double centre = best_centre(values, best, log_two_levels).second;
-    const Changes here = changes_of(values, likeliest_levels(values, best, centre));
-    changes.whole_visits += here.whole_visits;
-    changes.up += here.up;
-    changes.down += here.down;
     for (const double value : values) found.gain += std::isnan(value) ? 0 : value * value;
   }
   found.gain += 2 * two_levels;
-  const bool to_and_fro =
-      changes.whole_visits >= kLeastVisits || (changes.up > 0 && changes.down > 0);
-  if (to_and_fro) found.log_odds = two_levels - wander;
+  if (goes_to_and_fro(scaled, best)) found.log_odds = two_levels - wander;
   return found;
 }
 

@@ -70,24 +70,6 @@ Eigen::VectorXd slope(const Rows& rows, const Eigen::VectorXd& values) {
   return result;
 }
 
-// First-order lags forward and backward: rounder corners, no delay.
-Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
-  Eigen::VectorXd result = values;
-  for (Eigen::Index i = 1; i < result.size(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    if (rows.starts_run(row)) continue;
-    const double elapsed_s = rows.time_s[row] - rows.time_s[row - 1];
-    result[i] = result[i - 1] - std::expm1(-elapsed_s / tau_s) * (result[i] - result[i - 1]);
-  }
-  for (Eigen::Index i = result.size() - 2; i >= 0; --i) {
-    const auto row = static_cast<std::size_t>(i);
-    if (rows.starts_run(row + 1)) continue;
-    const double elapsed_s = rows.time_s[row + 1] - rows.time_s[row];
-    result[i] = result[i + 1] - std::expm1(-elapsed_s / tau_s) * (result[i] - result[i + 1]);
-  }
-  return result;
-}
-
 bool is_of_rate(const EffectTerm& term) {
   const TermInfo info = info_of(term);
   return std::any_of(info.coefficients.begin(), info.coefficients.end(),
@@ -130,8 +112,9 @@ Eigen::MatrixXd inexact_terms(const Rows& rows, const NoiseWeightedFit& fit) {
   timings.col(1) = drift - smoothed(rows, drift, kRounding_s);
   for (std::size_t i = 0; i < kLagging.size(); ++i) {
     const Lagging& part = kLagging[i];
+    const Eigen::VectorXd& whole = part.rate_terms_only ? of_rate : drift;
     timings.col(static_cast<Eigen::Index>(i) + 2) =
-        part.share * behind_lag(rows, part.rate_terms_only ? of_rate : drift, part.lag_s);
+        part.share * (whole - lagged(rows, whole, part.lag_s));
   }
   return side_by_side({timings, bent_terms(rows, fit)}, rows.size());
 }

@@ -104,6 +104,62 @@ std::string doubt_of(const EffectTerm& term, const Model& before) {
   return own == nullptr ? coefficient_doubt(term) : "";
 }
 
+// The model as it was, refitted, is half of the work.
+void refit_both(Model& before, Addition& after, const SignalSeries& series,
+                const AddSettings& settings) {
+  FitSettings fitting = fit_settings(before, settings);
+  double half = 0;
+  fitting.network.training.go_on = [&](double done) {
+    if (settings.progress) settings.progress((half + done) / 2);
+    return true;
+  };
+  fit_model(before, series, fitting);
+  half = 1;
+  after.fit = fit_model(after.model, series, fitting);
+}
+
+// Of all runs, the holdouts last; returns how the latter's errors moved.
+RiseTest compare_on_runs(const Model& before, const std::vector<RunInBlocks>& training,
+                         const std::vector<RunInBlocks>& holdouts, Addition& after) {
+  RiseTest on_holdouts;
+  const auto compare = [&](const RunInBlocks& run, bool holdout) {
+    Comparison without = compare_with(before, run);
+    Comparison with = compare_with(after.model, run);
+    if (holdout) on_holdouts.add(without, with);
+    after.runs.push_back({run.file, holdout, without.whole.rms_dph, with.whole.rms_dph,
+                          run.noise_floor_dph, with.outside.temperature, std::move(without),
+                          std::move(with)});
+  };
+  for (const RunInBlocks& run : training) compare(run, false);
+  for (const RunInBlocks& run : holdouts) compare(run, true);
+  return on_holdouts;
+}
+
+// Accepted or not, and why. `risen`: on the holdouts, where the whole model became worse there.
+void decide(const Model& model, const std::optional<HistoryEntry::Holdout>& risen,
+            Addition& result) {
+  const OutOfSample& judged = result.out_of_sample;
+  result.accepted = false;
+  result.reason =
+      format("%s out of sample: the effects alone leave %s",
+             judged.helps() ? "helps" : "does not help", out_of_sample_words(judged).c_str());
+  if (!judged.helps()) return;
+  const std::string doubt = doubt_of(result.model.terms[result.changed], model);
+  if (risen) {
+    result.reason =
+        format("makes the whole model worse on the holdouts: %s -> %s deg/h",
+               rounded(risen->rms_before_dph).c_str(), rounded(risen->rms_after_dph).c_str());
+  } else if (!doubt.empty()) {
+    result.reason = doubt;
+  } else if (result.chance_of_walk.value_or(0) >= kMaxChanceOfWalk) {
+    result.reason =
+        "on these runs alone a random walk of the bias explains it as well: let a run that was not "
+        "fitted decide, with --holdout";
+  } else {
+    result.accepted = true;
+  }
+}
+
 }  // namespace
 
 Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
@@ -113,66 +169,24 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
   before.noise_dph_rthz = training.noise_dph_rthz;
   result.model = before;
   result.model.terms = change.terms;
-
   SignalSeries series(result.model);
   for (const RunInBlocks& run : training.runs) series.add(run.blocks);
-  // The model as it was, refitted, is half of the work.
-  FitSettings fitting = fit_settings(model, settings);
-  double half = 0;
-  fitting.network.training.go_on = [&](double done) {
-    if (settings.progress) settings.progress((half + done) / 2);
-    return true;
-  };
-  fit_model(before, series, fitting);
-  half = 1;
-  result.fit = fit_model(result.model, series, fitting);
+  refit_both(before, result, series, settings);
   result.changed = place_of(change.terms[change.changed].name, result.model.terms);
+
+  const Identification& identified = result.fit.identified;
   result.out_of_sample = judge(before, result, series, holdouts, settings.run_offsets);
-
-  result.halves = judge_halves(
-      series, before.terms, result.model.terms, result.changed,
-      {result.fit.identified.noise, result.fit.identified.row_weights, settings.run_offsets});
-
-  RiseTest on_holdouts;
-  const auto compare = [&](const RunInBlocks& run, bool holdout) {
-    Comparison without = compare_with(before, run);
-    Comparison with = compare_with(result.model, run);
-    if (holdout) on_holdouts.add(without, with);
-    result.runs.push_back({run.file, holdout, without.whole.rms_dph, with.whole.rms_dph,
-                           run.noise_floor_dph, with.outside.temperature, std::move(without),
-                           std::move(with)});
-  };
-  for (const RunInBlocks& run : training.runs) compare(run, false);
-  for (const RunInBlocks& run : holdouts) compare(run, true);
-
+  result.halves = judge_halves(series, before.terms, result.model.terms, result.changed,
+                               {identified.noise, identified.row_weights, settings.run_offsets});
+  if (result.out_of_sample.within_runs && identified.noise.from_quiet_parts) {
+    result.chance_of_walk = chance_of_walk_instead(before, result, series, settings.run_offsets);
+  }
+  const RiseTest on_holdouts = compare_on_runs(before, training.runs, holdouts, result);
   HistoryEntry step{"add " + change.what, training.data_hash, before.residual_rms_dph,
                     result.model.residual_rms_dph, training.noise_floor_dph};
   if (!holdouts.empty()) step.holdout = on_holdouts.rms_dph();
-  const OutOfSample& judged = result.out_of_sample;
   const bool rose = !holdouts.empty() && on_holdouts.rose();
-  if (judged.within_runs && result.fit.identified.noise.from_quiet_parts) {
-    result.chance_of_walk = chance_of_walk_instead(before, result, series, settings.run_offsets);
-  }
-  const bool walk = result.chance_of_walk.value_or(0) >= kMaxChanceOfWalk;
-  result.accepted = judged.helps() && !rose && !walk;
-  result.reason =
-      format("%s out of sample: the effects alone leave %s",
-             judged.helps() ? "helps" : "does not help", out_of_sample_words(judged).c_str());
-  if (judged.helps() && rose) {
-    result.reason = format("makes the whole model worse on the holdouts: %s -> %s deg/h",
-                           rounded(step.holdout->rms_before_dph).c_str(),
-                           rounded(step.holdout->rms_after_dph).c_str());
-  }
-  if (judged.helps() && walk) {
-    result.reason =
-        "on these runs alone a random walk of the bias explains it as well: let a run that was not "
-        "fitted decide, with --holdout";
-  }
-  const std::string doubt = doubt_of(result.model.terms[result.changed], model);
-  if (judged.helps() && !rose && !doubt.empty()) {
-    result.accepted = false;
-    result.reason = doubt;
-  }
+  decide(model, rose ? step.holdout : std::nullopt, result);
   step.forced = !result.accepted;
   result.model.history.push_back(step);
   return result;

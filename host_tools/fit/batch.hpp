@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "fit/batch_kernels.hpp"
 #include "fit/perceptron.hpp"
 
 namespace fogcomp {
@@ -21,8 +20,8 @@ class Batch {
   Batch(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& target,
         const Eigen::VectorXd& weights, Whiten whiten = {});
 
-  Eigen::Index rows() const { return rows_; }
-  Eigen::Index inputs() const { return input_values_.cols(); }
+  Eigen::Index rows() const { return inputs_.rows(); }
+  Eigen::Index inputs() const { return inputs_.cols(); }
 
   /// Weighted mean of (target - output)^2.
   double mean_square(const Perceptron& shape, const Eigen::VectorXd& weights) const;
@@ -38,20 +37,12 @@ class Batch {
   /// Whether the noise of errors() has a known variance, 1.
   bool whitens() const { return whiten_ != nullptr; }
 
-  /// The processor's own kernels unless set: tests and benches compare.
-  void set_kernels(const BatchKernels& kernels) { kernels_ = &kernels; }
-
  private:
-  BatchColumns columns() const;
-
-  Eigen::Index rows_;
-  Eigen::Index padded_;
+  Eigen::ArrayXXd inputs_;
+  Eigen::ArrayXd target_;
+  Eigen::ArrayXd weights_;
   double total_weight_;
-  Eigen::MatrixXd input_values_;  // padded rows x inputs; the padding has weight 0
-  Eigen::VectorXd target_;
-  Eigen::VectorXd weights_;
   Whiten whiten_;
-  const BatchKernels* kernels_;
 };
 
 }  // namespace fogcomp

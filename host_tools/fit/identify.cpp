@@ -93,12 +93,63 @@ std::optional<EffectTerm> take_out_step(std::vector<EffectTerm>& terms) {
   return step;
 }
 
+FitWithSteps fit_all(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+                     bool with_steps, const Eigen::MatrixXd& offsets,
+                     const IdentifySettings& settings) {
+  if (with_steps) return fit_with_steps(series, terms, offsets, settings.progress);
+  FitWithSteps found;
+  found.fit = fit_determined(series, terms, offsets, Eigen::VectorXd::Ones(series.rows().size()),
+                             settings.progress);
+  return found;
+}
+
+Identification noise_and_residual(const FitWithSteps& found) {
+  Identification result;
+  result.residual_dph = found.fit.residual_dph;
+  result.noise = found.fit.noise;
+  result.misfit = found.fit.misfit();
+  result.masked = found.masked;
+  result.row_weights = found.fit.row_weights;
+  result.outliers = found.fit.outliers;
+  return result;
+}
+
+// Takes a term's coefficients and their uncertainties from a fit. Returns how large the effect
+// would have to be, at its largest, to be seen for sure, deg/h.
+double set_coefficients(EffectTerm& term, const ColumnRange& columns, const NoiseWeightedFit& fit,
+                        const Eigen::MatrixXd& covariance) {
+  const auto [first, count] = columns;
+  const auto values = fit.coefficients.segment(first, count);
+  if (values.cwiseAbs().maxCoeff() > kMaxModelDph) {
+    throw InputError(term.name, format("its coefficient would be %.2g deg/h: the effect is next to "
+                                       "nothing on these recordings; leave it out",
+                                       values.cwiseAbs().maxCoeff()));
+  }
+  const Eigen::MatrixXd own = covariance.block(first, first, count, count);
+  const Eigen::VectorXd sigmas = own.diagonal().cwiseSqrt();
+  term.coefficients_dph.assign(values.begin(), values.end());
+  term.sigma_dph.assign(sigmas.begin(), sigmas.end());
+  const Eigen::MatrixXd part = fit.columns.middleCols(first, count);
+  return kVisible * std::sqrt((part * own).cwiseProduct(part).rowwise().sum().maxCoeff());
+}
+
+void set_shape_sigmas(std::vector<EffectTerm>& terms, const NoiseWeightedFit& fit,
+                      const Eigen::VectorXd& sigma) {
+  for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
+    const ShapeParameter& shape = fit.shapes[i];
+    EffectTerm& term = terms[shape.term];
+    term.parameter_sigma[shape.index] = sigma[fit.linear() + static_cast<Eigen::Index>(i)] *
+                                        shape.slope(term.parameters[shape.index]);
+  }
+}
+
 // A step as a term of the model and as an event of its recording.
 void add_step(Model& model, Identification& result, const Rows& rows, const ChangePoint& change,
-              EffectTerm step) {
-  const double sigma_dph = step.sigma_dph[0];
+              EffectTerm step, double size_dph, double sigma_dph) {
   result.steps.push_back({rows.run_at(static_cast<std::size_t>(change.row)), change.time_s,
-                          change.time_sigma_s, step.coefficients_dph[0], sigma_dph});
+                          change.time_sigma_s, size_dph, sigma_dph});
+  step.coefficients_dph = {size_dph};
+  step.sigma_dph = {sigma_dph};
   step.parameters = {change.time_s};
   step.parameter_sigma = {change.time_sigma_s};
   model.terms.push_back(std::move(step));
@@ -128,6 +179,20 @@ void judge_uncertainty(Model& model, const NoiseWeightedFit& fit, const Eigen::M
              worst.at_degc, worst.sigma_dph, drift_dph));
 }
 
+// Doubts about the whole, and what it leaves.
+void judge_model(Model& model, const NoiseWeightedFit& fit, const SignalSeries& series,
+                 Identification& result) {
+  const Rows& rows = series.rows();
+  for (const EffectTerm& term : model.terms) {
+    for (const ShapeDoubt& doubt : shape_doubts(term)) result.warnings.push_back(doubt.sentence);
+  }
+  const Eigen::MatrixXd of_noise = std::pow(std::max(1.0, result.misfit), 2) * fit.covariance;
+  judge_uncertainty(model, fit, of_noise, rows, result.warnings);
+  for (EffectTerm& term : model.terms) set_expression_scale(term, series);
+  const Eigen::VectorXd counted = counted_weights(rows, fit.row_weights);
+  model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());
+}
+
 }  // namespace
 
 bool searches_steps(const std::vector<EffectTerm>& terms) {
@@ -137,73 +202,33 @@ bool searches_steps(const std::vector<EffectTerm>& terms) {
 Identification identify(Model& model, const SignalSeries& series,
                         const IdentifySettings& settings) {
   const Rows& rows = series.rows();
-  std::optional<EffectTerm> step = take_out_step(model.terms);
+  const std::optional<EffectTerm> step = take_out_step(model.terms);
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
-  FitWithSteps found;
-  if (step) {
-    found = fit_with_steps(series, model.terms, offsets, settings.progress);
-  } else {
-    found.fit = fit_determined(series, model.terms, offsets, Eigen::VectorXd::Ones(rows.size()),
-                               settings.progress);
-  }
+  const FitWithSteps found = fit_all(series, model.terms, step.has_value(), offsets, settings);
   const NoiseWeightedFit& fit = found.fit;
   model.terms = fit.terms;
 
-  Identification result;
-  result.residual_dph = fit.residual_dph;
-  result.noise = fit.noise;
-  result.misfit = fit.misfit();
-  result.masked = found.masked;
-  result.row_weights = fit.row_weights;
-  result.outliers = fit.outliers;
-  const Eigen::MatrixXd of_noise = std::pow(std::max(1.0, result.misfit), 2) * fit.covariance;
-  const Eigen::MatrixXd all_covariance = coefficient_covariance(rows, fit);
-  const Eigen::VectorXd sigma = all_covariance.diagonal().cwiseSqrt();
+  Identification result = noise_and_residual(found);
+  const Eigen::MatrixXd covariance = coefficient_covariance(rows, fit);
+  const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
   const std::vector<ColumnRange> columns = columns_of(model.terms, rows.row_s);
-  const Eigen::Index coefficients = columns.back().first + columns.back().count;
-  const auto offset_values = fit.coefficients.segment(coefficients, offsets.cols());
-  result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
-    EffectTerm& term = model.terms[i];
-    const auto values = fit.coefficients.segment(columns[i].first, columns[i].count);
-    const auto sigmas = sigma.segment(columns[i].first, columns[i].count);
-    term.coefficients_dph.assign(values.begin(), values.end());
-    if (values.cwiseAbs().maxCoeff() > kMaxModelDph) {
-      throw InputError(term.name,
-                       format("its coefficient would be %.2g deg/h: the effect is next to "
-                              "nothing on these recordings; leave it out",
-                              values.cwiseAbs().maxCoeff()));
-    }
-    term.sigma_dph.assign(sigmas.begin(), sigmas.end());
-    const Eigen::MatrixXd part = fit.columns.middleCols(columns[i].first, columns[i].count);
-    const Eigen::MatrixXd covariance = all_covariance.block(columns[i].first, columns[i].first,
-                                                            columns[i].count, columns[i].count);
-    const double largest_variance =
-        (part * covariance).cwiseProduct(part).rowwise().sum().maxCoeff();
-    result.visible_dph.push_back(kVisible * std::sqrt(largest_variance));
+    result.visible_dph.push_back(set_coefficients(model.terms[i], columns[i], fit, covariance));
   }
-  for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
-    EffectTerm& term = model.terms[fit.shapes[i].term];
-    term.parameter_sigma[fit.shapes[i].index] =
-        sigma[fit.linear() + static_cast<Eigen::Index>(i)] *
-        fit.shapes[i].slope(term.parameters[fit.shapes[i].index]);
-  }
+  set_shape_sigmas(model.terms, fit, sigma);
   result.warnings = confusions(model.terms, columns, fit.covariance);
+
+  // Behind the terms' coefficients: an offset for each recording but the first, then the steps.
+  const Eigen::Index behind = columns.back().first + columns.back().count;
+  const auto offset_values = fit.coefficients.segment(behind, offsets.cols());
+  result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());
   for (std::size_t i = 0; i < found.steps.size(); ++i) {
-    const Eigen::Index column = coefficients + offsets.cols() + static_cast<Eigen::Index>(i);
-    step->coefficients_dph = {fit.coefficients[column]};
-    step->sigma_dph = {sigma[column]};
-    add_step(model, result, rows, found.steps[i], *step);
+    const Eigen::Index column = behind + offsets.cols() + static_cast<Eigen::Index>(i);
+    add_step(model, result, rows, found.steps[i], *step, fit.coefficients[column], sigma[column]);
   }
   set_ranges(model, rows);
-  for (const EffectTerm& term : model.terms) {
-    for (const ShapeDoubt& doubt : shape_doubts(term)) result.warnings.push_back(doubt.sentence);
-  }
-  judge_uncertainty(model, fit, of_noise, rows, result.warnings);
-  for (EffectTerm& term : model.terms) set_expression_scale(term, series);
-  const Eigen::VectorXd counted = counted_weights(rows, fit.row_weights);
-  model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());
+  judge_model(model, fit, series, result);
   return result;
 }
 

@@ -69,6 +69,14 @@ Index trained_rows(const NetworkTask& task) {
   return last_run > 0 && task.weights.tail(rows - last_run).sum() > 0 ? last_run : rows;
 }
 
+// Of targets that were divided by `amplitude_dph`.
+Whiten whiten_normalised(const NetworkTask& task, double amplitude_dph) {
+  if (!task.whiten) return {};
+  return [&task, amplitude_dph](const MatrixXd& values) -> MatrixXd {
+    return amplitude_dph * task.whiten(values);
+  };
+}
+
 }  // namespace
 
 TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& settings) {
@@ -81,14 +89,8 @@ TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& set
   const Index rows = target.size();
   const Index trained = trained_rows(task);
   const Index rest = rows - trained;
-  Whiten whiten;
-  if (task.whiten) {
-    whiten = [&](const MatrixXd& values) -> MatrixXd {
-      return network.amplitude_dph * task.whiten(values);
-    };
-  }
   const Batch batch(inputs.topRows(trained), target.head(trained), task.weights.head(trained),
-                    whiten);
+                    whiten_normalised(task, network.amplitude_dph));
   std::optional<Batch> held_out;
   if (rest > 0) {
     held_out.emplace(inputs.bottomRows(rest), target.tail(rest), task.weights.tail(rest));

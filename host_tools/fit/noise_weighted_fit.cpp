@@ -37,6 +37,16 @@ Eigen::VectorXd relative_scale(const std::vector<RowRange>& quiet, const Eigen::
   return scale / std::sqrt(square / count);
 }
 
+// By what the fit leaves so far, unless the noise is known.
+void set_noise(const Rows& rows, const std::vector<RowRange>& quiet,
+               const std::optional<NoiseModel>& known, NoiseWeightedFit& fit) {
+  fit.noise = known ? *known : noise_of(rows, bridged(rows, fit.residual_dph, fit.robust));
+  fit.noise.white_variance = std::max(std::pow(rows.rounding_dph, 2), fit.noise.white_variance);
+  fit.noise_scale = relative_scale(quiet, noise_scale(rows, fit.residual_dph, fit.robust));
+  fit.row_weights =
+      rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
+}
+
 }  // namespace
 
 double NoiseWeightedFit::misfit() const {
@@ -62,12 +72,7 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
       solve_linear(fit.robust.asDiagonal() * fit.columns, fit.robust.cwiseProduct(rows.drift_dph));
   fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
   for (int round = 0; round < kRounds; ++round) {
-    fit.noise = settings.noise ? *settings.noise
-                               : noise_of(rows, bridged(rows, fit.residual_dph, fit.robust));
-    fit.noise.white_variance = std::max(std::pow(rows.rounding_dph, 2), fit.noise.white_variance);
-    fit.noise_scale = relative_scale(quiet, noise_scale(rows, fit.residual_dph, fit.robust));
-    fit.row_weights =
-        rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
+    set_noise(rows, quiet, settings.noise, fit);
     const Whitening whitening(fit.noise, rows, fit.row_weights);
     WhitenedProblem problem(series, whitening, fit.terms, nuisance);
     search_shapes(problem, fit.shapes, [&](double done) {

@@ -23,7 +23,7 @@ RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block) {
 }
 
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
-  const double decay = -std::expm1(-block_s / model.derivative_tau_s);
+  const double decay = RealNumbers::decay(block_s / model.derivative_tau_s);
   return {{decay, decay * 60 / block_s}, model.least_degc, model.most_degc};
 }
 

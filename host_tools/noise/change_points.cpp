@@ -31,37 +31,39 @@ double time_before(const Rows& rows, Eigen::Index row) {
   return (rows.time_s[at - 1] + rows.time_s[at]) / 2;
 }
 
-}  // namespace
+// What a step from each row on would be, beside the model.
+struct Steps {
+  Eigen::VectorXd residual;    // of the model
+  Eigen::VectorXd projection;  // of the residual on the step
+  Eigen::VectorXd square;      // of what the model leaves of the step
+  Eigen::VectorXd chi_square;  // what the step explains; 0 where it cannot be told
+  double freedom = 1;          // of what is left beside the step
+};
 
-std::optional<ChangePoint> find_change_point(const Whitening& whitening, const Rows& rows,
-                                             const Eigen::VectorXd& whitened_residual,
-                                             const Eigen::MatrixXd& whitened_columns) {
+Steps steps_of(const Whitening& whitening, const Rows& rows,
+               const Eigen::VectorXd& whitened_residual, const Eigen::MatrixXd& whitened_columns) {
   const Eigen::MatrixXd model = orthonormal(whitened_columns);
+  Steps steps;
+  steps.residual = whitened_residual - model * (model.transpose() * whitened_residual);
   Eigen::MatrixXd beside(rows.size(), model.cols() + 1);
-  const Eigen::VectorXd residual =
-      whitened_residual - model * (model.transpose() * whitened_residual);
-  beside << model, residual;
-  const StepProducts steps = whitening.steps(rows, beside);
-  const Eigen::VectorXd square =
-      steps.square - steps.with.leftCols(model.cols()).rowwise().squaredNorm();
-  const Eigen::VectorXd along = steps.with.col(model.cols());
-  Eigen::VectorXd chi_square = Eigen::VectorXd::Zero(rows.size());
+  beside << model, steps.residual;
+  const StepProducts products = whitening.steps(rows, beside);
+  steps.square = products.square - products.with.leftCols(model.cols()).rowwise().squaredNorm();
+  steps.projection = products.with.col(model.cols());
+  steps.chi_square = Eigen::VectorXd::Zero(rows.size());
   for (const Run& run : runs_of(rows)) {
     for (Eigen::Index row = run.first + kLeastRows; row <= run.end - kLeastRows; ++row) {
-      if (square[row] <= kUndetermined * steps.square[row]) continue;
-      chi_square[row] = along[row] * along[row] / square[row];
+      if (steps.square[row] <= kUndetermined * products.square[row]) continue;
+      steps.chi_square[row] = steps.projection[row] * steps.projection[row] / steps.square[row];
     }
   }
+  steps.freedom = std::max(1.0, static_cast<double>(rows.size() - model.cols() - 2));
+  return steps;
+}
 
-  ChangePoint found;
-  found.chi_square = chi_square.maxCoeff(&found.row);
-  if (!(found.chi_square > 0)) return std::nullopt;
-  found.size_dph = along[found.row] / square[found.row];
-  found.size_sigma_dph = 1 / std::sqrt(square[found.row]);
-  const auto freedom = static_cast<double>(rows.size() - model.cols() - 2);
-  found.chi_square_left = (residual.squaredNorm() - found.chi_square) / std::max(1.0, freedom);
-  // Each place around the best has the probability exp(chi^2 / 2) that a normal likelihood gives
-  // it.
+// Sets where a step may lie and how well its time is known. Each place around the best has the
+// probability exp(chi^2 / 2) that a normal likelihood gives it.
+void set_place(const Rows& rows, const Eigen::VectorXd& chi_square, ChangePoint& found) {
   const double unit = std::max(1.0, found.chi_square_left);
   double total = 0;
   double mean_s = 0;
@@ -83,6 +85,21 @@ std::optional<ChangePoint> find_change_point(const Whitening& whitening, const R
   // Within a row nothing is known: a uniform distribution over its length.
   found.time_sigma_s =
       std::sqrt(square_s / total - std::pow(mean_s / total, 2) + rows.row_s * rows.row_s / 12);
+}
+
+}  // namespace
+
+std::optional<ChangePoint> find_change_point(const Whitening& whitening, const Rows& rows,
+                                             const Eigen::VectorXd& whitened_residual,
+                                             const Eigen::MatrixXd& whitened_columns) {
+  const Steps steps = steps_of(whitening, rows, whitened_residual, whitened_columns);
+  ChangePoint found;
+  found.chi_square = steps.chi_square.maxCoeff(&found.row);
+  if (!(found.chi_square > 0)) return std::nullopt;
+  found.size_dph = steps.projection[found.row] / steps.square[found.row];
+  found.size_sigma_dph = 1 / std::sqrt(steps.square[found.row]);
+  found.chi_square_left = (steps.residual.squaredNorm() - found.chi_square) / steps.freedom;
+  set_place(rows, steps.chi_square, found);
   return found;
 }
 

@@ -43,6 +43,32 @@ struct Fit {
   double inflation = 1;     // of score differences, because the points are not independent
 };
 
+// A weighted least-squares solution of the points' variances.
+struct Solution {
+  VectorXd squares;  // of the coefficients
+  VectorXd modelled;
+  VectorXd weight;
+  MatrixXd inverse;  // of the normal matrix
+};
+
+// Each point taken for independent and chi-square distributed about the model, which gives the
+// weights of the next round.
+std::optional<Solution> solve(const MatrixXd& design, const Points& points) {
+  constexpr int kRounds = 30;
+  Solution s;
+  s.modelled = points.variance;
+  for (int round = 0; round < kRounds; ++round) {
+    s.weight = points.freedom.array() / (2 * s.modelled.array().square());
+    s.inverse = inverse_of_definite(gram(s.weight.cwiseSqrt().asDiagonal() * design));
+    s.squares = s.inverse * (design.transpose() * s.weight.cwiseProduct(points.variance));
+    if (!s.squares.allFinite()) return std::nullopt;
+    // Kept positive on the way, as the weights of the next round must be.
+    s.modelled = design * s.squares.cwiseMax(1e-3 * s.inverse.diagonal().cwiseSqrt());
+  }
+  if ((s.squares.array() <= 0).any()) return std::nullopt;
+  return s;
+}
+
 /// The most likely non-negative coefficients of the terms `set`, each point taken for independent
 /// and chi-square distributed about the model. Errors and the charge for terms then come from the
 /// covariance that the points really have (composite likelihood: the "sandwich" of Godambe, the
@@ -51,27 +77,15 @@ struct Fit {
 /// Nothing where the terms cannot all be positive.
 std::optional<Fit> fit_terms(const AllanModel& model, const Points& points,
                              const std::vector<Index>& set) {
-  constexpr int kRounds = 30;
   const auto count = static_cast<Index>(set.size());
   if (count > points.variance.size()) return std::nullopt;
   MatrixXd design(points.variance.size(), count);
   for (Index j = 0; j < count; ++j) {
     design.col(j) = model.terms().col(set[static_cast<std::size_t>(j)]);
   }
-
-  VectorXd modelled = points.variance;
-  VectorXd squares;
-  VectorXd weight;
-  MatrixXd inverse;
-  for (int round = 0; round < kRounds; ++round) {
-    weight = points.freedom.array() / (2 * modelled.array().square());
-    inverse = inverse_of_definite(gram(weight.cwiseSqrt().asDiagonal() * design));
-    squares = inverse * (design.transpose() * weight.cwiseProduct(points.variance));
-    if (!squares.allFinite()) return std::nullopt;
-    // Kept positive on the way, as the weights of the next round must be.
-    modelled = design * squares.cwiseMax(1e-3 * inverse.diagonal().cwiseSqrt());
-  }
-  if ((squares.array() <= 0).any()) return std::nullopt;
+  const std::optional<Solution> solution = solve(design, points);
+  if (!solution) return std::nullopt;
+  const auto& [squares, modelled, weight, inverse] = *solution;
 
   Fit fit;
   fit.squares = VectorXd::Zero(AllanModel::kTerms);

@@ -3,19 +3,31 @@
 #include <cmath>
 
 namespace fogcomp {
+namespace {
 
-Eigen::VectorXd behind_lag(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
-  Eigen::VectorXd result(values.size());
-  double state = 0;
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    if (rows.starts_run(row)) {
-      state = values[i];
-    } else {
-      const double elapsed_s = rows.time_s[row] - rows.time_s[row - 1];
-      state += -std::expm1(-elapsed_s / tau_s) * (values[i] - state);
-    }
-    result[i] = values[i] - state;
+// Where rows are as far apart as the board's blocks this is fog::FirstOrderLag; but rows may lie
+// apart by any time.
+void step(const Rows& rows, double tau_s, Eigen::Index from, Eigen::Index to,
+          Eigen::VectorXd& values) {
+  const double elapsed_s = std::abs(rows.time_s[static_cast<std::size_t>(to)] -
+                                    rows.time_s[static_cast<std::size_t>(from)]);
+  values[to] = values[from] - std::expm1(-elapsed_s / tau_s) * (values[to] - values[from]);
+}
+
+}  // namespace
+
+Eigen::VectorXd lagged(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
+  Eigen::VectorXd result = values;
+  for (Eigen::Index i = 1; i < result.size(); ++i) {
+    if (!rows.starts_run(static_cast<std::size_t>(i))) step(rows, tau_s, i - 1, i, result);
+  }
+  return result;
+}
+
+Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
+  Eigen::VectorXd result = lagged(rows, values, tau_s);
+  for (Eigen::Index i = result.size() - 1; i > 0; --i) {
+    if (!rows.starts_run(static_cast<std::size_t>(i))) step(rows, tau_s, i, i - 1, result);
   }
   return result;
 }

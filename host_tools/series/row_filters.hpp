@@ -1,11 +1,14 @@
 #pragma once
 
-#include "series/signal_series.hpp"
+#include "series/rows.hpp"
 
 namespace fogcomp {
 
-/// How far a first-order lag of `values` (one per row) is behind them: value - lag. Every recording
-/// begins with the lag at its first value.
-Eigen::VectorXd behind_lag(const Rows& rows, const Eigen::VectorXd& values, double tau_s);
+/// A first-order lag of `values` (one per row), stepped by the time between rows. Every recording
+/// begins with it settled at its first value.
+Eigen::VectorXd lagged(const Rows& rows, const Eigen::VectorXd& values, double tau_s);
+
+/// The same once forward and once backward: rounder corners, no delay.
+Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double tau_s);
 
 }  // namespace fogcomp

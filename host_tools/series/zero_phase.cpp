@@ -5,6 +5,7 @@
 
 #include "core/thermal/block_bridge.hpp"
 #include "core/thermal/filtered_derivative.hpp"
+#include "core/thermal/first_order_lag.hpp"
 #include "series/block_walk.hpp"
 
 namespace fogcomp {
@@ -41,20 +42,18 @@ std::vector<double> extended(const std::vector<double>& values, std::size_t beyo
 }
 
 template <class Iterator>
-void lag(Iterator first, Iterator end, double decay) {
-  for (double state = *first; first != end; ++first) {
-    state += decay * (*first - state);
-    *first = state;
-  }
+void pass(Iterator first, Iterator end, fog::FirstOrderLag<RealNumbers> lag) {
+  lag.reset(*first);
+  std::transform(first, end, first, [&](double value) { return lag.step(value); });
 }
 
 // Temperatures of a stretch behind both lags, with so many more at either end.
 std::vector<double> smoothed(const std::vector<double>& temperature_degc, std::size_t beyond,
                              double block_s, double tau_s) {
   std::vector<double> smooth = extended(temperature_degc, beyond);
-  const double decay = -std::expm1(-block_s / tau_s);
-  lag(smooth.begin(), smooth.end(), decay);
-  lag(smooth.rbegin(), smooth.rend(), decay);
+  const fog::FirstOrderLag<RealNumbers> lag(RealNumbers::decay(block_s / tau_s));
+  pass(smooth.begin(), smooth.end(), lag);
+  pass(smooth.rbegin(), smooth.rend(), lag);
   return smooth;
 }
 

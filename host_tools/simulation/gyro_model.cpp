@@ -95,21 +95,36 @@ void GyroModel::evaluate() {
       sensor2_.step(thermal_, chamber.air_degc, kThermalStep_s);
 }
 
-std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& programme,
-                                const EarthRate& earth, const ThermalGrid& grid,
-                                std::uint64_t seed) {
+namespace {
+
+// Of each effect the scale that it was given, else 1, and the peak, else 0.
+struct Sizes {
+  std::vector<double> scales;
+  std::vector<double> peaks;
+};
+
+Sizes wanted_sizes(const GyroDescription& gyro) {
   const auto& effects = gyro.effects();
-  std::vector<double> scales(effects.size(), 1);
-  std::vector<double> wanted(effects.size(), 0);
+  Sizes sizes{std::vector<double>(effects.size(), 1), std::vector<double>(effects.size(), 0)};
   for (std::size_t i = 0; i < effects.size(); ++i) {
     const Parameters& parameters = effects[i].parameters;
-    if (parameters.was_set("scale")) scales[i] = parameters["scale"];
-    if (parameters.was_set("peak")) wanted[i] = parameters["peak"];
-    if (wanted[i] > 0 && parameters.was_set("scale")) {
+    if (parameters.was_set("scale")) sizes.scales[i] = parameters["scale"];
+    if (parameters.was_set("peak")) sizes.peaks[i] = parameters["peak"];
+    if (sizes.peaks[i] > 0 && parameters.was_set("scale")) {
       throw InputError("effect " + effects[i].description->name,
                        "has both peak= and scale=; give one of them");
     }
   }
+  return sizes;
+}
+
+}  // namespace
+
+std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& programme,
+                                const EarthRate& earth, const ThermalGrid& grid,
+                                std::uint64_t seed) {
+  const auto& effects = gyro.effects();
+  auto [scales, wanted] = wanted_sizes(gyro);
   if (std::none_of(wanted.begin(), wanted.end(), [](double peak) { return peak > 0; })) {
     return scales;
   }

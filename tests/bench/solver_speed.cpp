@@ -1,8 +1,7 @@
-// What two inner loops of the tool cost: a step of the simulator's thermal network, beside the same
-// factorisation solved by Eigen, and whitening, per column of one, two and four at a time.
+// What two inner loops of the tool cost: a step of the simulator's thermal network, and whitening,
+// per column of one, two and four at a time.
 #include <benchmark/benchmark.h>
 
-#include <Eigen/SparseCholesky>
 #include <array>
 
 #include "noise/whitening.hpp"
@@ -25,33 +24,16 @@ fogcomp::simulation::ThermalNetwork plane() {
   return network;
 }
 
-Eigen::SparseMatrix<double> system_of(const fogcomp::simulation::ThermalNetwork& network) {
-  Eigen::SparseMatrix<double> system = network.conductance_matrix();
-  for (Eigen::Index i = 0; i < network.nodes(); ++i) system.coeffRef(i, i) += 1.5;
-  return system;
-}
-
-void solve_repeatedly(benchmark::State& state) {
-  fogcomp::simulation::RepeatedSolver solver(system_of(plane()));
-  Eigen::VectorXd values = Eigen::VectorXd::Ones(plane().nodes());
+void thermal_step(benchmark::State& state) {
+  const fogcomp::simulation::ThermalNetwork network = plane();
+  fogcomp::simulation::ThermalIntegrator integrator(network, 1, 20);
+  const Eigen::VectorXd power = Eigen::VectorXd::Ones(network.nodes());
   for (auto _ : state) {
-    solver.solve(values);
-    benchmark::DoNotOptimize(values.data());
-    values.setOnes();
+    integrator.step(20, power);
+    benchmark::DoNotOptimize(integrator.temperature_degc().data());
   }
 }
-BENCHMARK(solve_repeatedly);
-
-void solve_by_eigen(benchmark::State& state) {
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system_of(plane()));
-  Eigen::VectorXd values = Eigen::VectorXd::Ones(plane().nodes());
-  for (auto _ : state) {
-    values = solver.solve(values);
-    benchmark::DoNotOptimize(values.data());
-    values.setOnes();
-  }
-}
-BENCHMARK(solve_by_eigen);
+BENCHMARK(thermal_step);
 
 void whiten(benchmark::State& state) {
   constexpr Eigen::Index kRows = 6000;

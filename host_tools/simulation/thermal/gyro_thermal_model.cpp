@@ -41,6 +41,7 @@ ThermalNetwork GyroThermalModel::build_network(const CoilGeometry& coil,
   const PackProperties pack = pack_properties(coil, material);
   add_coil(network, coil, pack, grid);
   add_spool(network, coil, pack, design, grid);
+  add_hub(network, design, grid);
   add_surroundings(network, coil, pack, design, grid);
   return network;
 }
@@ -71,8 +72,7 @@ void GyroThermalModel::add_coil(ThermalNetwork& network, const CoilGeometry& coi
   }
 }
 
-// Spool wall along the inner layer with a flange at either end, and the hub inside it: two lumps in
-// a chain, so that its lag is not a plain first-order one.
+// Spool wall along the inner layer with a flange at either end.
 void GyroThermalModel::add_spool(ThermalNetwork& network, const CoilGeometry& coil,
                                  const PackProperties& pack, const GyroThermalDesign& design,
                                  const ThermalGrid& grid) {
@@ -106,6 +106,11 @@ void GyroThermalModel::add_spool(ThermalNetwork& network, const CoilGeometry& co
     network.connect(spool_first_, cell(i, 0), face_w_per_k);
     network.connect(spool_last_, cell(i, grid.axial_cells - 1), face_w_per_k);
   }
+}
+
+// Inside the spool: two lumps in a chain, so that its lag is not a plain first-order one.
+void GyroThermalModel::add_hub(ThermalNetwork& network, const GyroThermalDesign& design,
+                               const ThermalGrid& grid) {
   const auto hub_rim = network.add_node(0.4 * design.hub_j_per_k);
   hub_core_ = network.add_node(0.6 * design.hub_j_per_k);
   // Chosen so that the slower of the chain's two modes has the stated time constant: with equal

@@ -75,6 +75,7 @@ class GyroThermalModel {
                 const ThermalGrid& grid);
   void add_spool(ThermalNetwork& network, const CoilGeometry& coil, const PackProperties& pack,
                  const GyroThermalDesign& design, const ThermalGrid& grid);
+  void add_hub(ThermalNetwork& network, const GyroThermalDesign& design, const ThermalGrid& grid);
   void add_surroundings(ThermalNetwork& network, const CoilGeometry& coil,
                         const PackProperties& pack, const GyroThermalDesign& design,
                         const ThermalGrid& grid);

@@ -55,11 +55,10 @@ ThermalIntegrator::ThermalIntegrator(const ThermalNetwork& network, double step_
 
 void ThermalIntegrator::step(double air_degc, const Eigen::VectorXd& power_w) {
   rate_kps_ = (0.5 * before_degc_ - 2 * now_degc_) / step_s_;
+  heat_w_ = capacity_per_step_.cwiseProduct(2 * now_degc_ - 0.5 * before_degc_) +
+            air_degc * air_w_per_k_ + power_w;
   before_degc_.swap(now_degc_);
-  // In place: what is now the step before last becomes the right side, then the solution.
-  now_degc_ = capacity_per_step_.cwiseProduct(2 * before_degc_ - 0.5 * now_degc_) +
-              air_degc * air_w_per_k_ + power_w;
-  system_.solve(now_degc_);
+  now_degc_ = system_.solve(heat_w_);
   rate_kps_ += 1.5 / step_s_ * now_degc_;
 }
 

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <vector>
-
-#include "simulation/thermal/repeated_solver.hpp"
 
 namespace fogcomp::simulation {
 
@@ -49,7 +48,8 @@ class ThermalIntegrator {
   double step_s_;
   Eigen::VectorXd capacity_per_step_;
   Eigen::VectorXd air_w_per_k_;
-  RepeatedSolver system_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> system_;
+  Eigen::VectorXd heat_w_;  // the system's right side
   Eigen::VectorXd now_degc_;
   Eigen::VectorXd before_degc_;
   Eigen::VectorXd rate_kps_;

@@ -90,19 +90,6 @@ TEST_P(Shapes, JacobianGivesTheSameGradient) {
   EXPECT_LT((from_jacobian - gradient).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-TEST_P(Shapes, EveryProcessorGivesTheSameBits) {
-  const Perceptron& shape = GetParam();
-  const Rows rows = random_rows(1003, shape.inputs);
-  Batch batch(rows.inputs, rows.target, rows.weights);
-  const VectorXd weights = shape.first_weights(4);
-  VectorXd here;
-  VectorXd anywhere;
-  const double cost_here = batch.mean_square(shape, weights, here);
-  batch.set_kernels(fogcomp::kPortableBatchKernels);
-  EXPECT_EQ(batch.mean_square(shape, weights, anywhere), cost_here);
-  EXPECT_EQ(here, anywhere);
-}
-
 INSTANTIATE_TEST_SUITE_P(Batch, Shapes,
                          testing::Values(Perceptron{2, 10, Activation::logsig, Activation::tansig},
                                          Perceptron{1, 1, Activation::tansig, Activation::linear},
@@ -110,38 +97,35 @@ INSTANTIATE_TEST_SUITE_P(Batch, Shapes,
                                          Perceptron{8, 5, Activation::logsig, Activation::linear}));
 
 // One neuron, weight 1: the network is the activation itself.
-VectorXd activation_values(Activation activation, const VectorXd& x, bool portable) {
+VectorXd activation_values(Activation activation, const VectorXd& x) {
   const Perceptron shape{1, 1, activation, Activation::linear};
   VectorXd weights(4);
   weights << 1, 0, 1, 0;
-  Batch batch(x, VectorXd::Zero(x.size()), VectorXd::Ones(x.size()));
-  if (portable) batch.set_kernels(fogcomp::kPortableBatchKernels);
+  const Batch batch(x, VectorXd::Zero(x.size()), VectorXd::Ones(x.size()));
   VectorXd errors;
   batch.errors(shape, weights, errors, nullptr);
   return -errors;
 }
 
-TEST(ActivationKernels, LogisticAndTangentAreAccurateEverywhere) {
+TEST(Activations, LogisticAndTangentAreAccurateEverywhere) {
   const VectorXd x = VectorXd::LinSpaced(2'000'001, -50, 50);
-  for (const bool portable : {false, true}) {
-    const VectorXd logistic = activation_values(Activation::logsig, x, portable);
-    const VectorXd tangent = activation_values(Activation::tansig, x, portable);
-    double worst_logistic = 0;
-    double worst_tangent = 0;
-    for (Index i = 0; i < x.size(); ++i) {
-      const double exact = static_cast<double>(1 / (1 + std::exp(-static_cast<long double>(x[i]))));
-      worst_logistic = std::max(worst_logistic, std::abs(logistic[i] - exact));
-      worst_tangent = std::max(worst_tangent, std::abs(tangent[i] - std::tanh(x[i])));
-    }
-    EXPECT_LE(worst_logistic, 4e-16);
-    EXPECT_LE(worst_tangent, 8e-16);
+  const VectorXd logistic = activation_values(Activation::logsig, x);
+  const VectorXd tangent = activation_values(Activation::tansig, x);
+  double worst_logistic = 0;
+  double worst_tangent = 0;
+  for (Index i = 0; i < x.size(); ++i) {
+    const double exact = static_cast<double>(1 / (1 + std::exp(-static_cast<long double>(x[i]))));
+    worst_logistic = std::max(worst_logistic, std::abs(logistic[i] - exact));
+    worst_tangent = std::max(worst_tangent, std::abs(tangent[i] - std::tanh(x[i])));
   }
+  EXPECT_LE(worst_logistic, 4e-16);
+  EXPECT_LE(worst_tangent, 8e-16);
 }
 
-TEST(ActivationKernels, FarArgumentsSaturate) {
+TEST(Activations, FarArgumentsSaturate) {
   VectorXd x(4);
   x << -1e300, -800, 800, 1e300;
-  const VectorXd logistic = activation_values(Activation::logsig, x, false);
+  const VectorXd logistic = activation_values(Activation::logsig, x);
   EXPECT_NEAR(logistic[0], 0, 1e-300);
   EXPECT_NEAR(logistic[1], 0, 1e-300);
   EXPECT_EQ(logistic[2], 1);
