@@ -43,28 +43,6 @@ double slowest_time_constant_s(double inner_m, double outer_m, double diffusivit
   return 1 / (diffusivity_m2_per_s * low * low);
 }
 
-TEST(RepeatedSolver, GivesTheSolutionOfTheSparseSystem) {
-  constexpr Eigen::Index kSize = 60;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index i = 0; i < kSize; ++i) {
-    entries.emplace_back(i, i, 5 + 0.1 * static_cast<double>(i));
-    for (const Eigen::Index j : {(i + 1) % kSize, (7 * i + 3) % kSize}) {
-      if (i == j) continue;
-      entries.emplace_back(i, j, -0.3);
-      entries.emplace_back(j, i, -0.3);
-    }
-  }
-  Eigen::SparseMatrix<double> system(kSize, kSize);
-  system.setFromTriplets(entries.begin(), entries.end());
-  RepeatedSolver solver(system);
-  for (int round = 0; round < 3; ++round) {  // nothing is left of the round before
-    const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(kSize, -1, 1 + round);
-    Eigen::VectorXd values = right;
-    solver.solve(values);
-    EXPECT_LT((system * values - right).norm(), 1e-13);
-  }
-}
-
 TEST(Pack, ConductsAsTheReferenceCoil) {
   // 45 s one-sided for 5.5 mm needs a diffusivity of 2.7e-7 m2/s (effects.md, section 3, effect 4).
   EXPECT_NEAR(pack_properties(CoilGeometry{}, {}).diffusivity_m2_per_s(), 2.7e-7, 0.1e-7);
