@@ -8,10 +8,6 @@
 
 namespace fogcomp::batch {
 
-std::string Limit::text() const {
-  return figure + (is_most ? " <= " : " >= ") + format("%g", value);
-}
-
 std::vector<Limit> parse_limits(const std::string& text, const std::string& file,
                                 const std::vector<std::string>& known) {
   std::vector<Limit> limits;

@@ -7,14 +7,11 @@
 
 namespace fogcomp::batch {
 
-/// What a figure must keep.
+/// What a figure must keep: "holdout_drift_dph <= 0.01".
 struct Limit {
   std::string figure;
   bool is_most = true;  ///< else it is the least
   double value = 0;
-
-  /// "holdout_drift_dph <= 0.01"
-  std::string text() const;
 };
 
 /// Reads a limits file: `FIGURE <= NUMBER` or `FIGURE >= NUMBER` a line, `#` comments. Throws

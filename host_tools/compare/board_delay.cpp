@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/decision_rules.hpp"
 #include "series/signal_series.hpp"
 #include "support/text.hpp"
 
@@ -59,8 +60,7 @@ void BoardError::add(const BoardError& other) {
 }
 
 bool BoardError::delay_matters() const {
-  constexpr double kTellsApart = 0.01;
-  return std::abs(rms_dph - without_delay_dph) > kTellsApart * rms_dph;
+  return std::abs(rms_dph - without_delay_dph) > rules::kTellsApart * rms_dph;
 }
 
 std::string delay_words(const BoardError& error) {

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 
+#include "compare/decision_rules.hpp"
+
 namespace fogcomp {
 
 // A play operator: it moves only when the temperature pushes it.
 std::vector<Branch> branches(const std::vector<double>& temperature_degc) {
-  constexpr double kLeastDegc = 0.5;
-  constexpr double kShareOfRange = 0.02;
   std::vector<Branch> branch;
   if (temperature_degc.empty()) return branch;
   const auto [least, most] = std::minmax_element(temperature_degc.begin(), temperature_degc.end());
-  const double radius = std::max(kLeastDegc, kShareOfRange * (*most - *least)) / 2;
+  const double radius =
+      std::max(rules::kMinPlayDegc, rules::kPlayShareOfRange * (*most - *least)) / 2;
   double centre = temperature_degc[0];
   Branch current = Branch::none;
   for (const double value : temperature_degc) {

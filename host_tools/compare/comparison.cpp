@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/decision_rules.hpp"
 #include "model/drift_model.hpp"
 #include "model/input_value.hpp"
 #include "noise/outlier_rows.hpp"
@@ -107,10 +108,9 @@ OutsideTraining outside_training(const Model& model, const Rows& rows) {
 }  // namespace
 
 bool varies(const std::vector<double>& values) {
-  constexpr double kRounding = 1e-9;
   if (values.empty()) return false;
   const auto [min, max] = std::minmax_element(values.begin(), values.end());
-  return *max - *min > kRounding * std::max(std::fabs(*min), std::fabs(*max));
+  return *max - *min > rules::kStandsStill * std::max(std::fabs(*min), std::fabs(*max));
 }
 
 double constant_rms_dph(const Comparison& comparison, const Comparison::SegmentError& segment) {

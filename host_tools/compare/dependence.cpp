@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compare/branches.hpp"
+#include "compare/decision_rules.hpp"
 #include "noise/autocorrelation.hpp"
 #include "support/chi_square.hpp"
 #include "support/decompositions.hpp"
@@ -12,8 +13,6 @@
 namespace fogcomp {
 namespace {
 
-constexpr std::size_t kLeastInClass = 5;  // of a class that counts
-constexpr double kStructured = 5;         // standard score
 constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
 
 // Equal divisions of a variable's range.
@@ -108,7 +107,8 @@ ClassMeans means_of(const std::vector<std::size_t>& class_of, std::size_t classe
   ClassMeans means;
   Eigen::Index size = 0;
   for (std::size_t i = 0; i < classes; ++i) {
-    means.place.push_back(count[i] >= kLeastInClass ? static_cast<std::size_t>(size++) : kNoClass);
+    means.place.push_back(count[i] >= rules::kMinInClass ? static_cast<std::size_t>(size++)
+                                                         : kNoClass);
   }
   means.rows.setZero(size);
   means.mean_dph.setZero(size);
@@ -172,7 +172,7 @@ double score_of(const Pairs& pairs, const ClassMeans& means) {
 }  // namespace
 
 bool ClassTest::structured() const {
-  return score > kStructured;
+  return score > rules::kStructured;
 }
 
 Dependence dependence_on(const std::vector<double>& variable, const ResidualRows& rows,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/decision_rules.hpp"
 #include "noise/autocorrelation.hpp"
 #include "noise/quiet_rows.hpp"
 
@@ -41,8 +42,7 @@ std::vector<RowRange> soak_stretches(const Comparison& comparison) {
 
 double floor_uncertainty(std::size_t rows) {
   constexpr double kFloorError = 0.6;
-  constexpr double kSigmas = 4;
-  return kSigmas * kFloorError / std::sqrt(static_cast<double>(rows));
+  return rules::kFloorErrorSigmas * kFloorError / std::sqrt(static_cast<double>(rows));
 }
 
 std::optional<double> ResidualAnalysis::share_of_excess(const ClassTest& test) const {

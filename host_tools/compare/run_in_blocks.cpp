@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/decision_rules.hpp"
 #include "noise/noise_floor.hpp"
 #include "recording/data_hash.hpp"
 #include "recording/rate_resolution.hpp"
@@ -22,7 +23,6 @@ double rounded_down(double value) {
 // with what comes before and after. Less than a tenth of the time are pieces between gaps.
 std::vector<std::string> long_row_notes(const Recording& recording,
                                         const std::vector<Segment>& segments, double row_s) {
-  constexpr double kMatters = 0.1;
   if (row_s <= recording.period_s || segments.size() < 2) return {};
   std::size_t parts = 0;
   double in_parts_s = 0;
@@ -32,20 +32,21 @@ std::vector<std::string> long_row_notes(const Recording& recording,
   for (const Segment& segment : segments) {
     const double length_s = segment.end_s - segment.start_s;
     whole_s += length_s;
-    if (length_s >= 2 * row_s) continue;
+    if (length_s >= rules::kShortSegmentRows * row_s) continue;
     ++parts;
     in_parts_s += length_s;
     if (length_s >= shortest_s) continue;
     shortest_s = length_s;
     shortest = segment.name;
   }
-  if (in_parts_s <= kMatters * whole_s) return {};
-  return {format(
-      "%s: rows of %.4g s average ramps and soaks together: %zu of its %s shorter than "
-      "two rows (%s: %.4g s); use an --average of %.4g or less",
-      recording.file.c_str(), row_s, parts,
-      (counted(segments.size(), "part") + (parts == 1 ? " is" : " are")).c_str(), shortest.c_str(),
-      shortest_s, std::max(recording.period_s, rounded_down(shortest_s / 2)))};
+  if (in_parts_s <= rules::kMinShareOfShortSegments * whole_s) return {};
+  return {
+      format("%s: rows of %.4g s average ramps and soaks together: %zu of its %s shorter than "
+             "two rows (%s: %.4g s); use an --average of %.4g or less",
+             recording.file.c_str(), row_s, parts,
+             (counted(segments.size(), "part") + (parts == 1 ? " is" : " are")).c_str(),
+             shortest.c_str(), shortest_s,
+             std::max(recording.period_s, rounded_down(shortest_s / rules::kShortSegmentRows)))};
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "noise/noise_floor.hpp"
 #include "noise/outlier_rows.hpp"
-#include "series/blocks.hpp"
+#include "series/complete_rows.hpp"
 #include "series/signal_series.hpp"
 #include "support/units.hpp"
 
@@ -46,19 +46,17 @@ Moments moments(const Judged& judged, RowRange rows) {
   return result;
 }
 
-BiasSummary summarize_bias(const Judged& bias, RowRange rows, const Judged& block_bias,
-                           RowRange blocks) {
-  const Moments samples = moments(bias, rows);
-  return {samples.mean, moments(block_bias, blocks).deviation, samples.deviation};
+BiasSummary summarize_bias(const Judged& bias, RowRange samples, const Judged& row_bias,
+                           RowRange rows) {
+  const Moments all = moments(bias, samples);
+  return {all.mean, moments(row_bias, rows).deviation, all.deviation};
 }
 
-SegmentSummary summarize_segment(const Recording& recording, const Segment& segment,
-                                 const Segment& in_blocks) {
+SegmentSummary summarize_segment(const Recording& recording, const Segment& segment) {
   SegmentSummary summary;
   summary.name = segment.name;
   summary.kind = segment.kind;
   summary.rows = segment.rows.size();
-  summary.blocks = in_blocks.rows.size();
   const std::size_t last = segment.rows.end - 1;
   summary.start_s = segment.start_s;
   summary.end_s = recording.time_s[last];
@@ -83,24 +81,24 @@ double wanted_row_s(const Recording& recording, double average_s) {
   return average_s > block_s && block_s > 0 ? row_length_s(average_s, block_s) : average_s;
 }
 
-Judged judge_blocks(const Recording& blocks) {
-  ValuesInTime in_time{bias_dph(blocks), {}, stretches_of(blocks, {0, blocks.rows()}), {}};
-  if (!blocks.input_rate_dph.empty()) in_time.inputs.push_back(blocks.input_rate_dph);
-  for (const std::vector<double>& input : blocks.extension) {
+Judged judge_rows(const Recording& rows) {
+  ValuesInTime in_time{bias_dph(rows), {}, stretches_of(rows, {0, rows.rows()}), {}};
+  if (!rows.input_rate_dph.empty()) in_time.inputs.push_back(rows.input_rate_dph);
+  for (const std::vector<double>& input : rows.extension) {
     if (!input.empty()) in_time.inputs.push_back(input);
   }
   return {in_time.values, find_outliers(in_time)};
 }
 
-// All samples of a block that is an outlier are.
-Judged judge_samples(const Recording& recording, const Blocks& blocks,
-                     const std::vector<bool>& block_outlier) {
+// All samples of a row that is an outlier are.
+Judged judge_samples(const Recording& recording, const CompleteRows& rows,
+                     const std::vector<bool>& row_outlier) {
   Judged samples{bias_dph(recording), std::vector<bool>(recording.rows())};
-  for (std::size_t block = 0; block < block_outlier.size(); ++block) {
-    if (!block_outlier[block]) continue;
+  for (std::size_t row = 0; row < row_outlier.size(); ++row) {
+    if (!row_outlier[row]) continue;
     const auto first =
-        samples.outlier.begin() + static_cast<std::ptrdiff_t>(blocks.first_rows[block]);
-    std::fill_n(first, blocks.rows_per_block, true);
+        samples.outlier.begin() + static_cast<std::ptrdiff_t>(rows.first_samples[row]);
+    std::fill_n(first, rows.samples_per_row, true);
   }
   return samples;
 }
@@ -112,33 +110,33 @@ std::vector<double> bridged(const Judged& judged, const Recording& recording) {
 }
 
 // As a recording, for what looks at one.
-Recording without_outliers(Recording blocks, const Judged& judged) {
-  const std::vector<double> values = bridged(judged, blocks);
+Recording without_outliers(Recording rows, const Judged& judged) {
+  const std::vector<double> values = bridged(judged, rows);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (judged.outlier[i]) blocks.rate_dph[i] += values[i] - judged.values[i];
+    if (judged.outlier[i]) rows.rate_dph[i] += values[i] - judged.values[i];
   }
-  return blocks;
+  return rows;
 }
 
 }  // namespace
 
 RunSummary summarize(const Recording& recording, double average_s) {
   const std::vector<Segment> segments = find_segments(recording);
-  Blocks blocks = block_means(recording, wanted_row_s(recording, average_s));
-  const std::vector<Segment> in_blocks =
-      segments_on(segments, blocks.means.time_s, {0, blocks.means.rows()});
-  const Judged block_bias = judge_blocks(blocks.means);
-  const Judged bias = judge_samples(recording, blocks, block_bias.outlier);
+  CompleteRows rows = complete_rows(recording, wanted_row_s(recording, average_s));
+  const std::vector<Segment> in_rows =
+      segments_on(segments, rows.means.time_s, {0, rows.means.rows()});
+  const Judged row_bias = judge_rows(rows.means);
+  const Judged bias = judge_samples(recording, rows, row_bias.outlier);
 
   RunSummary summary;
-  summary.average_s = blocks.means.period_s;
-  summary.outliers = static_cast<std::size_t>(
-      std::count(block_bias.outlier.begin(), block_bias.outlier.end(), true));
-  summary.bias = summarize_bias(bias, {0, recording.rows()}, block_bias, {0, blocks.means.rows()});
+  summary.average_s = rows.means.period_s;
+  summary.outliers =
+      static_cast<std::size_t>(std::count(row_bias.outlier.begin(), row_bias.outlier.end(), true));
+  summary.bias = summarize_bias(bias, {0, recording.rows()}, row_bias, {0, rows.means.rows()});
   summary.noise_floor_dph = noise_floor_dph(recording, summary.average_s);
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    SegmentSummary segment = summarize_segment(recording, segments[i], in_blocks[i]);
-    segment.bias = summarize_bias(bias, segments[i].rows, block_bias, in_blocks[i].rows);
+    SegmentSummary segment = summarize_segment(recording, segments[i]);
+    segment.bias = summarize_bias(bias, segments[i].rows, row_bias, in_rows[i].rows);
     summary.segments.push_back(std::move(segment));
   }
   const std::vector<RowRange> soaks = soak_ranges(recording, segments);
@@ -147,9 +145,8 @@ RunSummary summarize(const Recording& recording, double average_s) {
   }
   summary.allan = allan_deviation(bridged(bias, recording), soaks, recording.period_s);
   summary.noise = fit_noise_coefficients(summary.allan);
-  summary.sensitivity =
-      temperature_sensitivity(without_outliers(blocks.means, block_bias), in_blocks);
-  summary.blocks = std::move(blocks.means);
+  summary.sensitivity = temperature_sensitivity(without_outliers(rows.means, row_bias), in_rows);
+  summary.blocks = std::move(rows.means);
   return summary;
 }
 

@@ -12,12 +12,12 @@
 
 namespace fogcomp {
 
-/// Bias (rate less input rate) over some rows. Standard deviations have n - 1 in the denominator
+/// Bias (rate less input rate) over some samples. Standard deviations have n - 1 in the denominator
 /// and are absent for a single value.
 struct BiasSummary {
-  double mean_dph = 0;                   ///< of all rows
-  std::optional<double> std_dph;         ///< of block means: GJB 2426A's bias stability
-  std::optional<double> sample_std_dph;  ///< of all rows
+  double mean_dph = 0;                   ///< of all samples
+  std::optional<double> std_dph;         ///< of means over a row: GJB 2426A's bias stability
+  std::optional<double> sample_std_dph;  ///< of all samples
 };
 
 struct SegmentSummary {
@@ -25,7 +25,6 @@ struct SegmentSummary {
   SegmentKind kind = SegmentKind::soak;
   BiasSummary bias;
   std::size_t rows = 0;
-  std::size_t blocks = 0;
   double start_s = 0;
   double end_s = 0;       ///< time of the last row
   double duration_s = 0;  ///< its period included
@@ -37,8 +36,8 @@ struct SegmentSummary {
 /// What one recording shows without any model.
 struct RunSummary {
   BiasSummary bias;
-  double average_s = 0;      ///< length of a block
-  std::size_t outliers = 0;  ///< blocks left out of all figures (outlier_rows.hpp)
+  double average_s = 0;      ///< length of a row
+  std::size_t outliers = 0;  ///< rows left out of all figures (outlier_rows.hpp)
   Recording blocks;          ///< their means
   std::optional<double> noise_floor_dph;
   std::vector<SegmentSummary> segments;
@@ -48,7 +47,7 @@ struct RunSummary {
   TemperatureSensitivity sensitivity;
 };
 
-/// Everything in blocks of `average_s`, as whole a number of the board's blocks as fit and compare
+/// Everything in rows of `average_s`, as whole a number of the board's blocks as fit and compare
 /// take; of one row where the recording's period is longer.
 RunSummary summarize(const Recording& recording, double average_s);
 

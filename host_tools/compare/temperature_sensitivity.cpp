@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "compare/decision_rules.hpp"
 #include "support/decompositions.hpp"
 #include "support/units.hpp"
 
@@ -12,7 +13,6 @@ namespace fogcomp {
 namespace {
 
 constexpr double kRoomDegc = 20;
-constexpr double kLeastRangeDegc = 5;
 
 struct Soak {
   double temperature_degc;
@@ -25,12 +25,12 @@ double mean(const std::vector<double>& values, const Segment& segment) {
   return sum / static_cast<double>(segment.rows.size());
 }
 
-void compare_soaks(const Recording& blocks, const std::vector<double>& bias,
+void compare_soaks(const Recording& rows, const std::vector<double>& bias,
                    const std::vector<Segment>& segments, TemperatureSensitivity& result) {
   std::vector<Soak> soaks;
   for (const Segment& segment : segments) {
     if (segment.kind != SegmentKind::soak || segment.rows.size() == 0) continue;
-    soaks.push_back({mean(blocks.temperature_degc, segment), mean(bias, segment)});
+    soaks.push_back({mean(rows.temperature_degc, segment), mean(bias, segment)});
   }
   if (soaks.empty()) return;
   const auto from_room = [](const Soak& soak) {
@@ -41,25 +41,25 @@ void compare_soaks(const Recording& blocks, const std::vector<double>& bias,
                         [&](const Soak& a, const Soak& b) { return from_room(a) < from_room(b); });
   for (const Soak& soak : soaks) {
     const double distance_degc = std::fabs(soak.temperature_degc - reference.temperature_degc);
-    if (distance_degc < kLeastRangeDegc) continue;
+    if (distance_degc < rules::kMinRangeDegc) continue;
     const double slope = std::fabs(soak.bias_dph - reference.bias_dph) / distance_degc;
     result.bias_dph_per_degc = std::max(slope, result.bias_dph_per_degc.value_or(0));
     result.reference_degc = reference.temperature_degc;
   }
 }
 
-// dT/dt of each block by the difference over a minute to each side, less at the ends of a stretch.
-std::vector<double> temperature_rate_degc_per_min(const Recording& blocks) {
+// dT/dt of each row by the difference over a minute to each side, less at the ends of a stretch.
+std::vector<double> temperature_rate_degc_per_min(const Recording& rows) {
   constexpr double kSideS = 60;
-  const auto side = static_cast<std::size_t>(std::max(1.0, std::round(kSideS / blocks.period_s)));
-  std::vector<double> rate(blocks.rows(), 0);
-  for (const RowRange& stretch : stretches_of(blocks, {0, blocks.rows()})) {
+  const auto side = static_cast<std::size_t>(std::max(1.0, std::round(kSideS / rows.period_s)));
+  std::vector<double> rate(rows.rows(), 0);
+  for (const RowRange& stretch : stretches_of(rows, {0, rows.rows()})) {
     for (std::size_t i = stretch.first; i < stretch.end; ++i) {
       const std::size_t first = i - std::min(side, i - stretch.first);
       const std::size_t last = std::min(i + side, stretch.end - 1);
       if (first == last) continue;
-      rate[i] = (blocks.temperature_degc[last] - blocks.temperature_degc[first]) /
-                (blocks.time_s[last] - blocks.time_s[first]) * kSecondsPerMinute;
+      rate[i] = (rows.temperature_degc[last] - rows.temperature_degc[first]) /
+                (rows.time_s[last] - rows.time_s[first]) * kSecondsPerMinute;
     }
   }
   return rate;
@@ -71,33 +71,32 @@ bool has(const std::vector<Segment>& segments, SegmentKind kind) {
 }
 
 // Least squares of a parabola in T and one rate term for each direction in which there is a ramp.
-void fit_rate_terms(const Recording& blocks, const std::vector<double>& bias,
+void fit_rate_terms(const Recording& rows, const std::vector<double>& bias,
                     const std::vector<Segment>& segments, TemperatureSensitivity& result) {
   constexpr double kTemperatureScaleDegc = 50;
-  constexpr double kMostVarianceInflation = 50;  // beyond, the other columns imitate this one
   const bool heats = has(segments, SegmentKind::ramp_up);
   const bool cools = has(segments, SegmentKind::ramp_down);
-  const auto rows = static_cast<Eigen::Index>(blocks.rows());
+  const auto count = static_cast<Eigen::Index>(rows.rows());
   const Eigen::Index columns = 3 + (heats ? 1 : 0) + (cools ? 1 : 0);
-  if (rows <= columns || columns == 3) return;
+  if (count <= columns || columns == 3) return;
 
-  const std::vector<double> rate = temperature_rate_degc_per_min(blocks);
-  Eigen::MatrixXd design(rows, columns);
-  for (Eigen::Index row = 0; row < rows; ++row) {
-    const auto block = static_cast<std::size_t>(row);
-    const double x = (blocks.temperature_degc[block] - kRoomDegc) / kTemperatureScaleDegc;
+  const std::vector<double> rate = temperature_rate_degc_per_min(rows);
+  Eigen::MatrixXd design(count, columns);
+  for (Eigen::Index row = 0; row < count; ++row) {
+    const auto at = static_cast<std::size_t>(row);
+    const double x = (rows.temperature_degc[at] - kRoomDegc) / kTemperatureScaleDegc;
     design.row(row).head(3) << 1, x, x * x;
-    if (heats) design(row, 3) = std::max(rate[block], 0.0);
-    if (cools) design(row, columns - 1) = std::min(rate[block], 0.0);
+    if (heats) design(row, 3) = std::max(rate[at], 0.0);
+    if (cools) design(row, columns - 1) = std::min(rate[at], 0.0);
   }
-  const Eigen::Map<const Eigen::VectorXd> target(bias.data(), rows);
+  const Eigen::Map<const Eigen::VectorXd> target(bias.data(), count);
   const Eigen::MatrixXd normal = gram(design);
   const Eigen::MatrixXd inverse = inverse_of_definite(normal);
   const Eigen::VectorXd solution = inverse * (design.transpose() * target);
   const auto term = [&](Eigen::Index column) -> std::optional<double> {
     const double inflation = normal(column, column) * inverse(column, column);
     // A singular matrix makes it infinite or no number at all.
-    if (!(inflation >= 0.5 && inflation < kMostVarianceInflation)) return std::nullopt;
+    if (!(inflation >= 0.5 && inflation < rules::kMaxVarianceInflation)) return std::nullopt;
     return solution[column];
   };
   if (heats) result.heating_dph_per_degc_per_min = term(3);
@@ -106,33 +105,32 @@ void fit_rate_terms(const Recording& blocks, const std::vector<double>& bias,
 
 struct Branch {
   double sum_dph = 0;
-  std::size_t blocks = 0;
+  std::size_t rows = 0;
 };
 
-void find_widest_loop(const Recording& blocks, const std::vector<double>& bias,
+void find_widest_loop(const Recording& rows, const std::vector<double>& bias,
                       const std::vector<Segment>& segments, TemperatureSensitivity& result) {
   constexpr std::size_t kBins = 20;
-  constexpr std::size_t kLeastBlocks = 3;
   const auto [least, most] =
-      std::minmax_element(blocks.temperature_degc.begin(), blocks.temperature_degc.end());
+      std::minmax_element(rows.temperature_degc.begin(), rows.temperature_degc.end());
   const double width_degc = (*most - *least) / kBins;
-  if (width_degc * kBins < kLeastRangeDegc) return;
+  if (width_degc * kBins < rules::kMinRangeDegc) return;
   std::array<std::array<Branch, 2>, kBins> branches{};
   for (const Segment& segment : segments) {
     if (segment.kind == SegmentKind::soak) continue;
     const std::size_t branch = segment.kind == SegmentKind::ramp_up ? 0 : 1;
     for (std::size_t i = segment.rows.first; i < segment.rows.end; ++i) {
-      const auto bin = static_cast<std::size_t>((blocks.temperature_degc[i] - *least) / width_degc);
+      const auto bin = static_cast<std::size_t>((rows.temperature_degc[i] - *least) / width_degc);
       Branch& part = branches[std::min(bin, kBins - 1)][branch];
       part.sum_dph += bias[i];
-      ++part.blocks;
+      ++part.rows;
     }
   }
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     const auto& [heating, cooling] = branches[bin];
-    if (heating.blocks < kLeastBlocks || cooling.blocks < kLeastBlocks) continue;
-    const double loop_dph = std::fabs(heating.sum_dph / static_cast<double>(heating.blocks) -
-                                      cooling.sum_dph / static_cast<double>(cooling.blocks));
+    if (heating.rows < rules::kMinRowsOnBranch || cooling.rows < rules::kMinRowsOnBranch) continue;
+    const double loop_dph = std::fabs(heating.sum_dph / static_cast<double>(heating.rows) -
+                                      cooling.sum_dph / static_cast<double>(cooling.rows));
     if (loop_dph <= result.hysteresis_dph.value_or(-1)) continue;
     result.hysteresis_dph = loop_dph;
     result.hysteresis_at_degc = *least + (static_cast<double>(bin) + 0.5) * width_degc;
@@ -141,13 +139,13 @@ void find_widest_loop(const Recording& blocks, const std::vector<double>& bias,
 
 }  // namespace
 
-TemperatureSensitivity temperature_sensitivity(const Recording& block_means,
+TemperatureSensitivity temperature_sensitivity(const Recording& rows,
                                                const std::vector<Segment>& segments) {
   TemperatureSensitivity result;
-  const std::vector<double> bias = bias_dph(block_means);
-  compare_soaks(block_means, bias, segments, result);
-  fit_rate_terms(block_means, bias, segments, result);
-  find_widest_loop(block_means, bias, segments, result);
+  const std::vector<double> bias = bias_dph(rows);
+  compare_soaks(rows, bias, segments, result);
+  fit_rate_terms(rows, bias, segments, result);
+  find_widest_loop(rows, bias, segments, result);
   return result;
 }
 

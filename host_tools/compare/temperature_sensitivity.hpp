@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "recording/segments.hpp"
-#include "series/blocks.hpp"
 
 namespace fogcomp {
 
@@ -16,7 +15,7 @@ struct TemperatureSensitivity {
   std::optional<double> bias_dph_per_degc;
   std::optional<double> reference_degc;
   /// Coefficients of dT/dt > 0 and dT/dt < 0, deg/h per degC/min, fitted together with a parabola
-  /// in T to all blocks; dT/dt is taken over two minutes. Absent where ramps and parabola cannot be
+  /// in T to all rows; dT/dt is taken over two minutes. Absent where ramps and parabola cannot be
   /// told apart, as in a single ramp without soaks.
   std::optional<double> heating_dph_per_degc_per_min;
   std::optional<double> cooling_dph_per_degc_per_min;
@@ -26,8 +25,8 @@ struct TemperatureSensitivity {
   std::optional<double> hysteresis_at_degc;
 };
 
-/// `segments` count blocks (segments_on).
-TemperatureSensitivity temperature_sensitivity(const Recording& block_means,
+/// `segments` count rows (segments_on).
+TemperatureSensitivity temperature_sensitivity(const Recording& rows,
                                                const std::vector<Segment>& segments);
 
 }  // namespace fogcomp

@@ -3,22 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/decision_rules.hpp"
 #include "model/catalogue.hpp"
 
 namespace fogcomp {
 namespace {
-
-// Beyond the trained rates: sensor noise, and the last percent of a chamber's control.
-constexpr double kRateMargin = 0.05;  // of the range
-constexpr double kLeastRateMarginDegcPerMin = 0.02;
 
 constexpr Range kEverything{-HUGE_VAL, HUGE_VAL};
 
 Range rate_limits(const Model& model) {
   if (!model.rate_range_degc_per_min) return kEverything;
   const Range& trained = *model.rate_range_degc_per_min;
-  const double margin =
-      std::max(kLeastRateMarginDegcPerMin, kRateMargin * (trained.most - trained.least));
+  const double margin = std::max(rules::kMinRateMarginDegcPerMin,
+                                 rules::kRateMargin * (trained.most - trained.least));
   return {trained.least - margin, trained.most + margin};
 }
 

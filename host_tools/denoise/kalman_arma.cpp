@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "denoise/decision_rules.hpp"
 #include "support/decompositions.hpp"
 
 namespace fogcomp {
@@ -15,9 +16,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
-constexpr Index kRunningMean = 61;
-constexpr Index kLongOrder = 12;  // of the first regression, which estimates e
-constexpr std::size_t kLeastValues = 200;
 // Variance that the slope gains per row, against that of the noise.
 constexpr double kLeastWander = 1e-12;
 constexpr double kMostWander = 1e-2;
@@ -31,12 +29,12 @@ VectorXd without_running_mean(fog::Span<const double> values) {
   for (Index i = 0; i < size; ++i) sums[i + 1] = sums[i] + values.data[i];
   VectorXd rest(size);
   for (Index i = 0; i < size; ++i) {
-    const Index half = std::min({kRunningMean / 2, i, size - 1 - i});
+    const Index half = std::min({rules::kRunningMean / 2, i, size - 1 - i});
     const double mean = (sums[i + half + 1] - sums[i - half]) / static_cast<double>(2 * half + 1);
     rest[i] = values.data[i] - mean;
   }
   // The mean contains the value itself and takes its share of the noise away.
-  return rest * std::sqrt(1 / (1 - 1.0 / static_cast<double>(kRunningMean)));
+  return rest * std::sqrt(1 / (1 - 1.0 / static_cast<double>(rules::kRunningMean)));
 }
 
 VectorXd regression(const MatrixXd& columns, const VectorXd& target) {
@@ -133,16 +131,18 @@ ArmaNoise fit_arma(fog::Span<const double> values) {
   const VectorXd x = without_running_mean(values);
   const double mean_square = x.squaredNorm() / static_cast<double>(std::max<Index>(1, x.size()));
   const ArmaNoise white{0, 0, 0, mean_square};
-  if (values.size < kLeastValues) return white;
-  const Index long_rows = x.size() - kLongOrder;
-  MatrixXd columns(long_rows, kLongOrder);
-  for (Index k = 0; k < kLongOrder; ++k) columns.col(k) = x.segment(kLongOrder - 1 - k, long_rows);
+  if (values.size < rules::kMinValues) return white;
+  const Index long_rows = x.size() - rules::kLongOrder;
+  MatrixXd columns(long_rows, rules::kLongOrder);
+  for (Index k = 0; k < rules::kLongOrder; ++k) {
+    columns.col(k) = x.segment(rules::kLongOrder - 1 - k, long_rows);
+  }
   const VectorXd e = x.tail(long_rows) - columns * regression(columns, x.tail(long_rows));
 
   const Index rows = long_rows - 1;
   MatrixXd last(rows, 3);
-  last.col(0) = x.segment(kLongOrder, rows);
-  last.col(1) = x.segment(kLongOrder - 1, rows);
+  last.col(0) = x.segment(rules::kLongOrder, rows);
+  last.col(1) = x.segment(rules::kLongOrder - 1, rows);
   last.col(2) = e.head(rows);
   const VectorXd target = x.tail(rows);
   const VectorXd coefficients = regression(last, target);

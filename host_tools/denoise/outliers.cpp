@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "denoise/decision_rules.hpp"
 #include "denoise/thresholds.hpp"
 
 namespace fogcomp {
@@ -25,14 +26,14 @@ std::size_t remove_outliers(fog::Span<double> values, double limit) {
 
 double outlier_limit(fog::Span<const double> values) {
   constexpr std::size_t kMostPlaces = 65536;
-  constexpr double kSigmas = 5;
   const std::size_t stride = values.size / kMostPlaces + 1;
   std::vector<double> differences;
   for (std::size_t i = 1; i < values.size; i += stride) {
     differences.push_back(values[i] - values[i - 1]);
   }
   if (differences.empty()) return 0;
-  return kSigmas / std::sqrt(2) * noise_of({differences.data(), differences.size()});
+  return rules::kDenoiseOutlierSigmas / std::sqrt(2) *
+         noise_of({differences.data(), differences.size()});
 }
 
 }  // namespace fogcomp

@@ -7,6 +7,7 @@
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/model_fit.hpp"
 #include "diagnosis/refit.hpp"
+#include "fit/decision_rules.hpp"
 
 namespace fogcomp {
 namespace {
@@ -45,7 +46,8 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
     const auto columns = static_cast<double>(ranges[shape].count);
     finding.explained_fraction = std::clamp((best.gain - columns) / excess, 0.0, 1.0);
   }
-  const double all_but = best.gain - rules::kPossible * (1 + kModelFormTolerance * best.gain);
+  const double all_but =
+      best.gain - rules::kPossible * (1 + rules::kModelFormTolerance * best.gain);
   for (std::size_t s = 0; s < ranges.size(); ++s) {
     if (s != shape && evidence.space.gain({ranges[s]}) < all_but) continue;
     finding.possible.push_back(own.shapes[s].term);

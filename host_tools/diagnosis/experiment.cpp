@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "diagnosis/hypotheses.hpp"
+#include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "model/catalogue.hpp"
 #include "noise/whitening.hpp"
@@ -86,7 +87,7 @@ class Trial {
       parts.push_back(series_.regressors(shape));
       least = std::min(least, left_by(parts, signal));
     }
-    return least / std::sqrt(1 + kModelFormTolerance * visible * visible);
+    return least / std::sqrt(1 + rules::kModelFormTolerance * visible * visible);
   }
 
  private:

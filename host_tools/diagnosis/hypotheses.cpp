@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnosis/decision_rules.hpp"
+#include "fit/decision_rules.hpp"
 #include "fit/shape_search.hpp"
 #include "model/catalogue.hpp"
 
@@ -130,7 +131,7 @@ class Search {
     if (found_.empty()) return;
     double most = 0;
     for (const Hypothesis& h : found_) most = std::max(most, h.log_evidence);
-    const double temper = 1 + kModelFormTolerance * 2 * most;
+    const double temper = 1 + rules::kModelFormTolerance * 2 * most;
     double best = -HUGE_VAL;
     const auto score = [&](const Hypothesis& h) { return h.log_evidence / temper + h.log_prior; };
     for (Hypothesis& h : found_) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "diagnosis/hypotheses.hpp"
+#include "fit/decision_rules.hpp"
 #include "model/catalogue.hpp"
 #include "series/row_filters.hpp"
 #include "series/term_columns.hpp"
@@ -134,7 +135,7 @@ ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
   const double excess = std::max(0.0, fit.whitened_residual.squaredNorm() - size);
   columns.bottomRightCorner(priors_, priors_)
       .diagonal()
-      .setConstant(std::sqrt(1 + kModelFormTolerance * excess));
+      .setConstant(std::sqrt(1 + rules::kModelFormTolerance * excess));
   basis_ = orthonormal(columns, kRankThreshold);
   residual_ = without_model(with_priors(fit.whitened_measured));
 }

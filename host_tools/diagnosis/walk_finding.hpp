@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "diagnosis/evidence_space.hpp"
+#include "fit/decision_rules.hpp"
 
 namespace fogcomp {
 
@@ -14,7 +15,7 @@ struct WalkFinding {
   double noise_alone = 1;  ///< chance that such noise looks like this
 
   /// Whether effects of whatever is slow are not to be believed for it.
-  bool may_be_all() const { return chance >= kMaxChanceOfWalk; }
+  bool may_be_all() const { return chance >= rules::kMaxChanceOfWalk; }
 };
 
 /// How likely all that is slow is a random walk of the bias: no effect and no smooth structure

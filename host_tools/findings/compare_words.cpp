@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compare/decision_rules.hpp"
 #include "noise/outlier_rows.hpp"
 #include "support/text.hpp"
 
@@ -56,8 +57,8 @@ std::string error_words(const Comparison& comparison) {
 
 std::string structure_words(const ModelOnRun& run) {
   const std::vector<Part> found = parts_of(run.analysis, run.comparison);
-  constexpr std::size_t kLeastRows = 50;
-  if (run.comparison.size() < kLeastRows) return "too few rows to say on what it depends";
+  if (run.comparison.size() < rules::kMinRowsToJudge)
+    return "too few rows to say on what it depends";
   if (found.empty()) {
     return "nothing in it depends on temperature, temperature rate, time or history beyond noise";
   }

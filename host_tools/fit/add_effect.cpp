@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "fit/walk_rival.hpp"
 #include "model/shape_limits.hpp"
@@ -34,7 +35,6 @@ class RiseTest {
     runs_.push_back({first, rise_.size()});
   }
   bool rose() const {
-    constexpr double kOneIn100 = 2.33;
     const auto rows = static_cast<double>(rise_.size());
     double sum = 0;
     double squares = 0;
@@ -43,7 +43,7 @@ class RiseTest {
       squares += one * one;
     }
     const double variance = squares - sum * sum / std::max(1.0, rows);
-    return sum > kOneIn100 * std::sqrt(variance * correlated_values(rise_, runs_));
+    return sum > rules::kOneIn100 * std::sqrt(variance * correlated_values(rise_, runs_));
   }
   HistoryEntry::Holdout rms_dph() const {
     return {std::sqrt(before_ / weight_), std::sqrt(after_ / weight_)};
@@ -151,7 +151,7 @@ void decide(const Model& model, const std::optional<HistoryEntry::Holdout>& rise
                rounded(risen->rms_before_dph).c_str(), rounded(risen->rms_after_dph).c_str());
   } else if (!doubt.empty()) {
     result.reason = doubt;
-  } else if (result.chance_of_walk.value_or(0) >= kMaxChanceOfWalk) {
+  } else if (result.chance_of_walk.value_or(0) >= rules::kMaxChanceOfWalk) {
     result.reason =
         "on these runs alone a random walk of the bias explains it as well: let a run that was not "
         "fitted decide, with --holdout";

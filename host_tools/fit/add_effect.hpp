@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/comparison.hpp"
+#include "fit/decision_rules.hpp"
 #include "fit/effect_change.hpp"
 #include "fit/fit_model.hpp"
 #include "fit/out_of_sample.hpp"
@@ -55,9 +56,9 @@ struct Addition {
 /// Accepted if the effects alone gain out of sample (OutOfSample::helps): on the holdouts, or where
 /// there are none on stretches or runs left out; and if the whole model's rms on the holdouts has
 /// not risen beyond chance; on stretches of one run, if a random walk of the bias is unlikely, too
-/// (kMaxChanceOfWalk); and if the data determine what is new: no shape at a bound or anywhere
-/// within its range, a coefficient larger than its uncertainty. Throws InputError for a run that
-/// lacks what the effect needs, and for data that cannot determine it.
+/// (rules::kMaxChanceOfWalk); and if the data determine what is new: no shape at a bound or
+/// anywhere within its range, a coefficient larger than its uncertainty. Throws InputError for a
+/// run that lacks what the effect needs, and for data that cannot determine it.
 Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
                     const std::vector<RunInBlocks>& holdouts, const AddSettings& settings);
 

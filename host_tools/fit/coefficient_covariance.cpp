@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fit/decision_rules.hpp"
 #include "noise/outlier_rows.hpp"
 #include "noise/whitening.hpp"
 #include "support/units.hpp"
@@ -24,8 +25,6 @@ constexpr int kRatios = 10;
 // and what an effect leaves that the model lacks. The latter goes with the ramps, of which a
 // programme has about ten to thirty: as much power in every mode up to there, less beyond.
 enum Kind : Eigen::Index { kQuiet, kFlicker, kWalk, kLackingSlow, kLackingFast, kKinds };
-constexpr double kCornerSlow = 8;
-constexpr double kCornerFast = 32;
 using Amounts = Eigen::Matrix<double, kKinds, 1>;
 
 // Slowly varying cosines over each recording, orthonormal, and the power that each kind has along
@@ -60,8 +59,8 @@ Amounts powers_of_mode(Eigen::Index k, double first_angle, double relative,
   powers[kQuiet] = noise.slow_density(std::max(mode, 1.0) * first_angle);
   powers[kFlicker] = relative * (k == 0 ? 1.0 / 3 : 1 / mode);
   powers[kWalk] = relative * relative * (k == 0 ? kPi * kPi / 3 : 1 / (mode * mode));
-  powers[kLackingSlow] = beyond(kCornerSlow);
-  powers[kLackingFast] = beyond(kCornerFast);
+  powers[kLackingSlow] = beyond(rules::kCornerSlow);
+  powers[kLackingFast] = beyond(rules::kCornerFast);
   return powers;
 }
 

@@ -7,10 +7,6 @@
 
 namespace fogcomp {
 
-/// No catalogued regressor is exactly what a gyro does: differences of the explained chi^2 below
-/// about this share of it say nothing about which effect it is.
-constexpr double kModelFormTolerance = 0.005;
-
 /// Columns and a residual as inner products, so that "how much would these columns explain
 /// together?" costs a small linear system, whatever the number of rows. Everything in it is
 /// whitened and free of what the model can do itself; columns have unit length.

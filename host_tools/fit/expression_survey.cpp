@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "core/thermal/filtered_derivative.hpp"
+#include "fit/decision_rules.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp {
 namespace {
 
-constexpr double kWidening = 0.25;
-constexpr double kTimes = 16;   // longer than any recording that was fitted
 constexpr double kHour = 3600;  // in s: a whole number of blocks
 
 SignalRange widened(fog::Input input, const SignalRange& seen) {
@@ -18,12 +17,12 @@ SignalRange widened(fog::Input input, const SignalRange& seen) {
     case fog::Input::temperature_rate:
       return {-fog::kMostRateDegcPerMin, fog::kMostRateDegcPerMin};
     case fog::Input::elapsed:
-      return {0, kHour * std::ceil(kTimes * seen.most / kHour)};
+      return {0, kHour * std::ceil(rules::kTimeWidening * seen.most / kHour)};
     default:
       break;
   }
   const double size = std::max(std::abs(seen.least), std::abs(seen.most));
-  const double more = kWidening * std::max(seen.most - seen.least, size);
+  const double more = rules::kSignalWidening * std::max(seen.most - seen.least, size);
   return {seen.least - more, seen.most + more};
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fit/coefficient_covariance.hpp"
+#include "fit/decision_rules.hpp"
 #include "fit/expression_survey.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "fit/soak_uncertainty.hpp"
@@ -20,13 +21,6 @@
 
 namespace fogcomp {
 namespace {
-
-// Beyond the coldest and warmest training row, so that sensor noise at the end of a range is not
-// yet outside it.
-constexpr double kRangeMarginDegc = 1;
-constexpr double kConfused = 0.95;  // correlation of two effects' coefficients worth a sentence
-constexpr double kVisible = 5;      // standard deviations
-constexpr double kRampDegcPerMin = 0.1;
 
 // Largest correlation between any coefficient of one effect and any of the other.
 double correlation(const Eigen::MatrixXd& covariance, const ColumnRange& a, const ColumnRange& b) {
@@ -47,7 +41,7 @@ std::vector<std::string> confusions(const std::vector<EffectTerm>& terms,
   for (std::size_t i = 0; i < terms.size(); ++i) {
     for (std::size_t j = i + 1; j < terms.size(); ++j) {
       const double rho = correlation(covariance, columns[i], columns[j]);
-      if (rho < kConfused) continue;
+      if (rho < rules::kConfused) continue;
       warnings.push_back(
           format("`%s` and `%s` are %.2f correlated on these data: their sum is known, "
                  "their split is not",
@@ -70,8 +64,8 @@ Range range_of(std::size_t count, Value value_at) {
 void set_ranges(Model& model, const Rows& rows) {
   const std::size_t count = rows.signals.size();
   const Range degc = range_of(count, [&](std::size_t i) { return rows.signals[i].temperature; });
-  model.least_degc = degc.least - kRangeMarginDegc;
-  model.most_degc = degc.most + kRangeMarginDegc;
+  model.least_degc = degc.least - rules::kRangeMarginDegc;
+  model.most_degc = degc.most + rules::kRangeMarginDegc;
   model.rate_range_degc_per_min =
       range_of(count, [&](std::size_t i) { return rows.signals[i].temperature_rate; });
   model.time_range_s = range_of(count, [&](std::size_t i) { return rows.time_s[i]; });
@@ -130,7 +124,7 @@ double set_coefficients(EffectTerm& term, const ColumnRange& columns, const Nois
   term.coefficients_dph.assign(values.begin(), values.end());
   term.sigma_dph.assign(sigmas.begin(), sigmas.end());
   const Eigen::MatrixXd part = fit.columns.middleCols(first, count);
-  return kVisible * std::sqrt((part * own).cwiseProduct(part).rowwise().sum().maxCoeff());
+  return rules::kVisible * std::sqrt((part * own).cwiseProduct(part).rowwise().sum().maxCoeff());
 }
 
 void set_shape_sigmas(std::vector<EffectTerm>& terms, const NoiseWeightedFit& fit,
@@ -153,9 +147,9 @@ void add_step(Model& model, Identification& result, const Rows& rows, const Chan
   step.parameters = {change.time_s};
   step.parameter_sigma = {change.time_sigma_s};
   model.terms.push_back(std::move(step));
-  result.visible_dph.push_back(kVisible * sigma_dph);
+  result.visible_dph.push_back(rules::kVisible * sigma_dph);
   const auto& signals = rows.signals[static_cast<std::size_t>(change.row)];
-  if (std::abs(signals.temperature_rate) < kRampDegcPerMin) return;
+  if (std::abs(signals.temperature_rate) < rules::kRampDegcPerMin) return;
   result.warnings.push_back(
       format("the bias step at %.6g s lies in a ramp: an effect that this "
              "model lacks can look like it",

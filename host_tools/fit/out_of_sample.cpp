@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compare/comparison.hpp"
+#include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "fit/shape_search.hpp"
 #include "noise/autocorrelation.hpp"
@@ -17,8 +18,6 @@
 
 namespace fogcomp {
 namespace {
-
-constexpr double kOutlier = 4;  // standard deviations; beyond, a row counts as if it were there
 
 auto segment(Eigen::VectorXd& values, const RowRange& range) {
   return values.segment(static_cast<Eigen::Index>(range.first),
@@ -37,7 +36,7 @@ OutOfSample judge(const Rows& rows, const Eigen::VectorXd& before, const Eigen::
   Eigen::VectorXd white_before = whitening.apply(before);
   Eigen::VectorXd white_after = whitening.apply(after);
   const double typical = sigma_by_median({white_before.begin(), white_before.end()});
-  const double most = kOutlier * std::max(1.0, typical);
+  const double most = rules::kMaxCounted * std::max(1.0, typical);
   white_before = white_before.cwiseMax(-most).cwiseMin(most);
   white_after = white_after.cwiseMax(-most).cwiseMin(most);
   const double variance =
@@ -49,30 +48,26 @@ OutOfSample judge(const Rows& rows, const Eigen::VectorXd& before, const Eigen::
 
 // The longest that the noise remembers in any part that counts.
 double noise_memory_s(const NoiseModel& noise) {
-  constexpr double kCounts = 0.01;  // of the noise variance
   double total = noise.white_variance;
   for (const NoiseModel::Component& component : noise.components) total += component.variance;
   double longest = noise.row_s;
   for (const NoiseModel::Component& component : noise.components) {
-    if (component.variance >= kCounts * total) longest = std::max(longest, component.tau_s);
+    if (component.variance >= rules::kMinRemembered * total)
+      longest = std::max(longest, component.tau_s);
   }
   return longest;
 }
 
 using Part = std::vector<RowRange>;  // left out together
 
-constexpr double kFewestStretches = 10;
-constexpr double kMostStretches = 50;
-
 // How many stretches of a run tell something of their own. `residual`: as fitted.
 double stretches_of(const Rows& rows, const std::vector<double>& residual,
                     const NoiseModel& noise) {
-  constexpr double kMemories = 3;
   const double residual_s = rows.row_s * correlated_values(residual, rows.runs());
   const double memory_s = std::max(noise_memory_s(noise), residual_s);
   const double length_s = static_cast<double>(rows.size()) * rows.row_s;
-  return std::clamp(std::floor(length_s / (kMemories * memory_s)), kFewestStretches,
-                    kMostStretches);
+  return std::clamp(std::floor(length_s / (rules::kMemories * memory_s)), rules::kMinStretches,
+                    rules::kMaxStretches);
 }
 
 // Stretches of time in turns: every part has some of each phase of the run, so that what is left
@@ -134,8 +129,7 @@ bool tells(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::Index c
       .all();
 }
 bool tells_all(const Fold& fold, const Fold& all) {
-  constexpr double kFarWorse = 20;
-  return tells(fold, all, 0, all.sigma_dph.size(), kFarWorse);
+  return tells(fold, all, 0, all.sigma_dph.size(), rules::kFarWorse);
 }
 
 // Every shape stays but those of one term.
@@ -174,13 +168,13 @@ Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTer
 // Whether every fold tells the coefficients of one term.
 bool tell_term(const std::vector<Fold>& folds, const SignalSeries& series,
                const std::vector<EffectTerm>& terms, std::size_t term, const JudgedWith& with) {
-  constexpr double kMuchWorse = 4;
   Eigen::Index first = 0;
   for (std::size_t i = 0; i < term; ++i) first += series.regressors(terms[i]).cols();
   const Eigen::Index count = series.regressors(terms[term]).cols();
   const Fold all = leave_out(series, terms, {}, with);
-  return std::all_of(folds.begin(), folds.end(),
-                     [&](const Fold& fold) { return tells(fold, all, first, count, kMuchWorse); });
+  return std::all_of(folds.begin(), folds.end(), [&](const Fold& fold) {
+    return tells(fold, all, first, count, rules::kMuchWorse);
+  });
 }
 
 Eigen::VectorXd residual_of_effects(Model model, const std::vector<RunInBlocks>& runs,
@@ -211,26 +205,25 @@ std::vector<double> fitted_residual(const SignalSeries& series,
 }  // namespace
 
 std::string out_of_sample_words(const OutOfSample& judged) {
-  const bool rises = judged.gain >= kLeastGain && !judged.helps();
+  const bool rises = judged.gain >= rules::kMinGain && !judged.helps();
   return format("%s -> %s deg/h %s (gain %.1f, needed %g%s)",
                 rounded(judged.rms_before_dph).c_str(), rounded(judged.rms_after_dph).c_str(),
-                judged.how.c_str(), judged.gain, kLeastGain, rises ? " without a rise" : "");
+                judged.how.c_str(), judged.gain, rules::kMinGain, rises ? " without a rise" : "");
 }
 
 bool OutOfSample::helps() const {
-  return gain >= kLeastGain && rms_after_dph <= rms_before_dph;
+  return gain >= rules::kMinGain && rms_after_dph <= rms_before_dph;
 }
 
 OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectTerm>& before,
                            const std::vector<EffectTerm>& after, std::size_t changed,
                            const JudgedWith& with) {
-  constexpr std::size_t kEnoughRuns = 3;
   const Rows& rows = series.rows();
   const std::vector<EffectTerm> fixed_before = shapes_kept(before, kNone);
   const std::vector<EffectTerm> fixed_after = shapes_kept(after, changed);
   const std::vector<RowRange> runs = rows.runs();
   // A run's own offset cannot be known without the run.
-  if (runs.size() >= kEnoughRuns && !with.run_offsets) {
+  if (runs.size() >= rules::kEnoughRuns && !with.run_offsets) {
     std::vector<Part> parts;
     for (const RowRange& run : runs) parts.push_back({run});
     const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
@@ -251,7 +244,7 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
 
 OutOfSample cross_validate_learner(const Rows& rows, const Eigen::VectorXd& residual_dph,
                                    const JudgedWith& with, const Learner& learner) {
-  const std::vector<Part> parts = parts_of(rows, kMostStretches);
+  const std::vector<Part> parts = parts_of(rows, rules::kMaxStretches);
   Eigen::VectorXd after = residual_dph;
   for (const Part& part : parts) {
     Eigen::VectorXd weights = with.row_weights;

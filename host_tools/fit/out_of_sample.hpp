@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/run_in_blocks.hpp"
+#include "fit/decision_rules.hpp"
 #include "fit/identify.hpp"
 #include "model/model.hpp"
 #include "series/signal_series.hpp"
@@ -23,18 +24,13 @@ struct OutOfSample {
   bool within_runs = false;  ///< on stretches between those that were fitted, not on other runs
   std::string how;           ///< e.g. "on stretches of 0.5 h, a fifth of them left out in turn"
 
-  /// gain >= kLeastGain, and the plain error does not rise: the gain counts a row that is missed
-  /// widely like one that is missed by four standard deviations.
+  /// gain >= rules::kMinGain, and the plain error does not rise: the gain counts a row that is
+  /// missed widely like one that is missed by four standard deviations.
   bool helps() const;
 };
 
 /// "0.0503 -> 0.0304 deg/h on the holdout (gain 83.4, needed 10)".
 std::string out_of_sample_words(const OutOfSample& judged);
-
-/// Least gain that counts as help: about an effect that stands out by four standard deviations. Six
-/// effects that a simulated gyro does not have, each tried on 100 of its recordings (white and slow
-/// noise, cross-validated), reached it 6 times in 600.
-constexpr double kLeastGain = 10;
 
 /// Both sets identified on one half in time of every run and judged on the other: the hardest
 /// question, because a half may lack what the other is full of.

@@ -7,13 +7,12 @@
 
 namespace fogcomp {
 
-constexpr int kMostTrainedInputs = 8;
 constexpr int kMostTrainedHidden = 32;
 
 /// inputs -> hidden neurons -> one output, and where each weight lies in the one vector that the
 /// trainers move: hidden weights neuron by neuron, hidden biases, output weights, output bias.
 struct Perceptron {
-  Eigen::Index inputs = 2;   ///< 1 to kMostTrainedInputs
+  Eigen::Index inputs = 2;   ///< at least 1
   Eigen::Index hidden = 10;  ///< 1 to kMostTrainedHidden
   fog::Activation hidden_activation = fog::Activation::logsig;
   fog::Activation output_activation = fog::Activation::tansig;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "fit/undetermined.hpp"
 #include "model/catalogue.hpp"
@@ -33,11 +34,8 @@ std::vector<PhysicalLag> physical_lags(const Model& model, const std::vector<Run
   std::vector<PhysicalLag> lags;
   std::vector<EffectTerm> terms = model.terms;
   if (!free_lags(terms)) return lags;
-  // Smoothing on both sides delays nothing but rounds corners, and a corner is where a short lag
-  // shows: at the board's own time constant 300 s would become 277 s, at a quarter of it 300 s.
-  constexpr double kSharper = 4;
   Model sharper = model;
-  sharper.derivative_tau_s /= kSharper;
+  sharper.derivative_tau_s /= rules::kSharperDerivative;
   SignalSeries series(sharper, Phase::zero);
   for (const RunInBlocks& run : runs) series.add(run.blocks);
   const NoiseWeightedFit fit =

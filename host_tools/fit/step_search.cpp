@@ -5,14 +5,12 @@
 #include <limits>
 #include <optional>
 
+#include "fit/decision_rules.hpp"
 #include "fit/undetermined.hpp"
 
 namespace fogcomp {
 namespace {
 
-constexpr double kEarned = 60;         // chi^2 of a step that is believed
-constexpr double kWorthALook = 8;      // before its noise is taken from a fit that knows it
-constexpr double kSlowSeconds = 3600;  // drift over hours is no jump
 constexpr std::size_t kMostSteps = 8;
 
 Eigen::MatrixXd with_column(const Eigen::MatrixXd& columns, const Eigen::VectorXd& column) {
@@ -29,7 +27,7 @@ std::optional<ChangePoint> locate(const Rows& rows, const NoiseWeightedFit& fit,
   const Eigen::VectorXd residual =
       fit.residual_dph + fit.columns.rightCols(others) * fit.coefficients.segment(columns, others);
   const Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(fit.robust));
-  const Eigen::MatrixXd slow = slow_columns(rows, kSlowSeconds);
+  const Eigen::MatrixXd slow = slow_columns(rows, rules::kSlowSeconds);
   Eigen::MatrixXd model(rows.size(), columns + slow.cols());
   model << fit.columns.leftCols(columns), slow;
   return find_change_point(whitening, rows, whitening.apply(residual), whitening.apply(model));
@@ -61,20 +59,20 @@ FitWithSteps fit_with_steps(const SignalSeries& series, const std::vector<Effect
   result.fit = fit_determined(series, terms, columns, kept, progress);
   while (result.steps.size() < kMostSteps) {
     const auto seen = locate(rows, result.fit, result.fit.linear());
-    if (!seen || !earns(*seen, kWorthALook)) break;
+    if (!seen || !earns(*seen, rules::kWorthALook)) break;
     const NoiseWeightedFit tried = fit_rows(
         series, terms, with_column(columns, step_column(rows, static_cast<std::size_t>(seen->row))),
         {kept, std::nullopt, {}});
     if (!is_determined(tried)) break;
     const auto found = locate(rows, tried, tried.linear() - 1);
-    if (!found || !earns(*found, kEarned)) break;
+    if (!found || !earns(*found, rules::kMinStepChiSquare)) break;
     const Eigen::MatrixXd more =
         with_column(columns, step_column(rows, static_cast<std::size_t>(found->row)));
     Eigen::VectorXd fewer = kept;
     fewer.segment(found->first, found->last - found->first + 1).setZero();
     NoiseWeightedFit fit = fit_rows(series, terms, more, {fewer, std::nullopt, {}});
     if (!is_determined(fit)) break;
-    if (least_chi_square(fit, result.steps.size() + 1) < kEarned) break;
+    if (least_chi_square(fit, result.steps.size() + 1) < rules::kMinStepChiSquare) break;
     result.steps.push_back(*found);
     result.fit = std::move(fit);
     columns = more;

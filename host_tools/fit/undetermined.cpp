@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "fit/decision_rules.hpp"
 #include "model/catalogue.hpp"
 #include "model/input_value.hpp"
 #include "series/term_columns.hpp"
@@ -68,13 +69,12 @@ std::string known_reason(const EffectTerm& term, const Rows& rows) {
     if (span_of(rows, [&](const auto& s) { return optional_input(input, s.block); }) > 0) continue;
     return std::string(description_of(input).column) + " never changes";
   }
-  constexpr double kLate = 10;  // lengths of the longest recording
-  if (has(needs, fog::Input::elapsed) && rows.time_s[0] > kLate * rows.longest_run_s()) {
+  if (has(needs, fog::Input::elapsed) &&
+      rows.time_s[0] > rules::kLateStart * rows.longest_run_s()) {
     return format("time_s begins at %.10g s: is it since power-on?", rows.time_s[0]);
   }
-  constexpr double kStill_degc = 1;  // a soak
   const double span_degc = span_of(rows, [](const auto& s) { return s.temperature; });
-  if (needs == 0 && span_degc < kStill_degc) {
+  if (needs == 0 && span_degc < rules::kStillDegc) {
     return format("the temperature moves by no more than %.2g degC", span_degc);
   }
   return "";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/decision_rules.hpp"
 #include "noise/random_walk.hpp"
 #include "noise/whitening.hpp"
 #include "support/least_squares.hpp"
@@ -28,11 +29,10 @@ WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
 
 WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
                     const std::vector<NoiseModel::Walk>& walks) {
-  constexpr double kRuledOut = -4.5;  // three standard deviations
   WalkRival best{0, 0, space};
   const double each = -std::log(std::max<double>(1, static_cast<double>(walks.size())));
   for (const NoiseModel::Walk& walk : walks) {
-    if (walk.log_odds < kRuledOut) continue;
+    if (walk.log_odds < rules::kWalkRuledOut) continue;
     const ExplainedSpace::WithNoise with =
         space.with_noise(modes.columns, std::pow(walk.coefficient, 2) * modes.square);
     const double log_odds = each + walk.log_odds + with.log_likelihood;
@@ -56,12 +56,11 @@ namespace {
 // Orthonormal directions of whitened columns that `basis` cannot do itself.
 Eigen::MatrixXd what_is_new(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis,
                             const Whitening& whitening) {
-  constexpr double kSeen = 0.03;
   const Eigen::MatrixXd white = whitening.apply(columns);
   const Eigen::MatrixXd left = white - basis * (basis.transpose() * white).eval();
   std::vector<Eigen::MatrixXd> seen;
   for (Eigen::Index i = 0; i < left.cols(); ++i) {
-    if (left.col(i).norm() > kSeen * white.col(i).norm()) seen.emplace_back(left.col(i));
+    if (left.col(i).norm() > rules::kMinSeen * white.col(i).norm()) seen.emplace_back(left.col(i));
   }
   return orthonormal(side_by_side(seen, left.rows()));
 }

@@ -46,7 +46,4 @@ double chance_of_walk(const Rows& rows, const NoiseModel& noise, const Eigen::Ve
                       const Eigen::MatrixXd& before, const Eigen::MatrixXd& added,
                       const Eigen::VectorXd& measured);
 
-/// Chance of a random walk from which on an effect is not believed.
-constexpr double kMaxChanceOfWalk = 0.01;
-
 }  // namespace fogcomp

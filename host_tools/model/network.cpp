@@ -19,18 +19,6 @@ double activate(fog::Activation activation, double x) {
   return x;
 }
 
-double activation_slope(fog::Activation activation, double y) {
-  switch (activation) {
-    case fog::Activation::logsig:
-      return y * (1 - y);
-    case fog::Activation::tansig:
-      return 1 - y * y;
-    case fog::Activation::linear:
-      break;
-  }
-  return 1;
-}
-
 const char* name_of(fog::Activation activation) {
   switch (activation) {
     case fog::Activation::logsig:

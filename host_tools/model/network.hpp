@@ -63,8 +63,6 @@ struct RealNetwork {
 
 /// MATLAB's logsig, tansig, purelin.
 double activate(fog::Activation activation, double x);
-/// Derivative of the activation by its argument, written in its value y.
-double activation_slope(fog::Activation activation, double y);
 
 const char* name_of(fog::Activation activation);
 const char* name_of(fog::NetworkInput input);

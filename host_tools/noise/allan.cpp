@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "noise/decision_rules.hpp"
+
 namespace fogcomp {
 namespace {
-
-constexpr double kLeastPairs = 2;
 
 // Independent partial sums: the additions of one do not wait for those of another.
 constexpr std::size_t kLanes = 8;
@@ -89,7 +89,7 @@ std::vector<AllanPoint> allan_deviation(const std::vector<double>& values,
   }
 
   std::vector<AllanPoint> points;
-  for (std::size_t k = 0; k < octaves.size() && octaves[k].pairs >= kLeastPairs; ++k) {
+  for (std::size_t k = 0; k < octaves.size() && octaves[k].pairs >= rules::kMinAllanPairs; ++k) {
     AllanPoint point;
     point.samples = std::size_t{1} << k;
     const auto m = static_cast<double>(point.samples);

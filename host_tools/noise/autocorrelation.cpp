@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "noise/decision_rules.hpp"
+
 namespace fogcomp {
 namespace {
 
@@ -43,12 +45,12 @@ double autocorrelation(const std::vector<double>& values, const std::vector<RowR
 
 double correlated_values(const std::vector<double>& values,
                          const std::vector<RowRange>& stretches) {
-  constexpr double kWindow = 5;
   const std::vector<double> around = centred(values);
   const double variance = mean_square(around);
   double together = 1;
   for (std::size_t lag = 1;
-       lag <= values.size() / 4 && static_cast<double>(lag) <= kWindow * std::max(1.0, together);
+       lag <= values.size() / 4 &&
+       static_cast<double>(lag) <= rules::kCorrelationWindow * std::max(1.0, together);
        ++lag) {
     together += 2 * correlation(around, variance, stretches, lag);
   }

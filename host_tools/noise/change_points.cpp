@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "noise/decision_rules.hpp"
 #include "support/least_squares.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp {
 namespace {
-
-constexpr Eigen::Index kLeastRows = 10;  // on each side of a jump
-constexpr double kWithin = 9;            // of the best chi^2: three standard deviations
-constexpr double kUndetermined = 1e-6;   // share of a jump that the model's columns leave
 
 // First row and end of each recording, as Eigen counts.
 struct Run {
@@ -52,8 +49,9 @@ Steps steps_of(const Whitening& whitening, const Rows& rows,
   steps.projection = products.with.col(model.cols());
   steps.chi_square = Eigen::VectorXd::Zero(rows.size());
   for (const Run& run : runs_of(rows)) {
-    for (Eigen::Index row = run.first + kLeastRows; row <= run.end - kLeastRows; ++row) {
-      if (steps.square[row] <= kUndetermined * products.square[row]) continue;
+    for (Eigen::Index row = run.first + rules::kMinRowsBeside;
+         row <= run.end - rules::kMinRowsBeside; ++row) {
+      if (steps.square[row] <= rules::kUndeterminedStep * products.square[row]) continue;
       steps.chi_square[row] = steps.projection[row] * steps.projection[row] / steps.square[row];
     }
   }
@@ -70,7 +68,7 @@ void set_place(const Rows& rows, const Eigen::VectorXd& chi_square, ChangePoint&
   double square_s = 0;
   const auto weigh = [&](Eigen::Index row) {
     const double below = (found.chi_square - chi_square[row]) / unit;
-    if (chi_square[row] <= 0 || below > kWithin) return false;
+    if (chi_square[row] <= 0 || below > rules::kStepWithin) return false;
     const double probability = std::exp(-below / 2);
     const double away_s = time_before(rows, row) - time_before(rows, found.row);
     total += probability;

@@ -5,23 +5,17 @@
 #include <cmath>
 #include <optional>
 
+#include "noise/decision_rules.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp {
 namespace {
 
-constexpr std::array<Eigen::Index, 4> kWidths{8, 16, 32, 64};  // rows on either side
-constexpr double kLeastJump = 5.5;   // standard deviations of such differences
-constexpr double kLeastShare = 0.7;  // of it, within half the width; a ramp has half
-constexpr double kSpike = 3;         // standard deviations of a step from row to row
-constexpr Eigen::Index kLeastPart = 32;
-constexpr std::size_t kLeastPlaces = 16;  // that share no row, for a standard deviation
-
 // A row that stands far out of both its neighbours has the one nearer to it: it would be a jump.
 Eigen::VectorXd without_spikes(const Eigen::VectorXd& values) {
   std::vector<double> steps;
   for (Eigen::Index i = 1; i < values.size(); ++i) steps.push_back(values[i] - values[i - 1]);
-  const double far = kSpike * sigma_by_median(std::move(steps));
+  const double far = rules::kSpike * sigma_by_median(std::move(steps));
   Eigen::VectorXd smooth = values;
   for (Eigen::Index i = 1; i + 1 < values.size(); ++i) {
     const auto [least, most] = std::minmax({values[i - 1], values[i + 1]});
@@ -52,7 +46,8 @@ class Jumps {
  public:
   explicit Jumps(const std::vector<Eigen::VectorXd>& stretches) {
     for (const Eigen::VectorXd& stretch : stretches) levels_.emplace_back(without_spikes(stretch));
-    for (std::size_t i = 0; i < kWidths.size(); ++i) sigma_[i] = sigma_of_changes(kWidths[i]);
+    for (std::size_t i = 0; i < rules::kJumpWidths.size(); ++i)
+      sigma_[i] = sigma_of_changes(rules::kJumpWidths[i]);
   }
 
   // Rows of a stretch, between `begin` and `end`, where a new level begins; in order.
@@ -76,21 +71,22 @@ class Jumps {
     }
     const auto places =
         changes.size() * static_cast<std::size_t>(step) / static_cast<std::size_t>(2 * width);
-    const double sigma = places < kLeastPlaces ? 0 : sigma_by_median(std::move(changes));
+    const double sigma = places < rules::kMinPlaces ? 0 : sigma_by_median(std::move(changes));
     return sigma > 0 ? sigma : HUGE_VAL;  // nothing stands out
   }
 
   std::optional<Eigen::Index> highest(const Levels& levels, Eigen::Index begin,
                                       Eigen::Index end) const {
     std::optional<Eigen::Index> found;
-    double most = kLeastJump;
-    for (std::size_t i = 0; i < kWidths.size(); ++i) {
-      const Eigen::Index away = std::max(kWidths[i], kLeastPart);
+    double most = rules::kMinJump;
+    for (std::size_t i = 0; i < rules::kJumpWidths.size(); ++i) {
+      const Eigen::Index away = std::max(rules::kJumpWidths[i], rules::kMinPartRows);
       for (Eigen::Index row = begin + away; row + away <= end; ++row) {
-        const double change = levels.change_at(row, kWidths[i]);
+        const double change = levels.change_at(row, rules::kJumpWidths[i]);
         const double height = std::abs(change) / sigma_[i];
         if (height <= most) continue;
-        if (levels.change_at(row, kWidths[i] / 2) / change < kLeastShare) continue;
+        if (levels.change_at(row, rules::kJumpWidths[i] / 2) / change < rules::kMinJumpShare)
+          continue;
         most = height;
         found = row;
       }
@@ -99,7 +95,7 @@ class Jumps {
   }
 
   std::vector<Levels> levels_;
-  std::array<double, kWidths.size()> sigma_{};
+  std::array<double, rules::kJumpWidths.size()> sigma_{};
 };
 
 }  // namespace

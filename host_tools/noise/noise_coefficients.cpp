@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "noise/allan_model.hpp"
+#include "noise/decision_rules.hpp"
 #include "support/decompositions.hpp"
 
 namespace fogcomp {
@@ -14,9 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Of sigma^2, relative: what no sum of power laws describes, such as filters.
-constexpr double kModelError = 0.01;
 
 struct Points {
   VectorXd variance;  // sigma^2, (deg/h)^2
@@ -31,7 +29,8 @@ Points points_of(const std::vector<AllanPoint>& allan) {
   for (Index k = 0; k < count; ++k) {
     const AllanPoint& point = allan[static_cast<std::size_t>(k)];
     points.variance[k] = point.sigma * point.sigma;
-    points.freedom[k] = 1 / (1 / point.pairs + kModelError * kModelError / 2);
+    points.freedom[k] =
+        1 / (1 / point.pairs + rules::kAllanModelError * rules::kAllanModelError / 2);
   }
   return points;
 }
@@ -93,7 +92,7 @@ std::optional<Fit> fit_terms(const AllanModel& model, const Points& points,
   for (Index j = 0; j < count; ++j) fit.squares[set[static_cast<std::size_t>(j)]] = squares[j];
 
   MatrixXd covariance = model.covariance(fit.squares);
-  covariance.diagonal() += kModelError * kModelError * modelled.cwiseAbs2();
+  covariance.diagonal() += rules::kAllanModelError * rules::kAllanModelError * modelled.cwiseAbs2();
   const MatrixXd weighted = weight.asDiagonal() * design;
   const MatrixXd variability = weighted.transpose() * covariance * weighted;
   const MatrixXd sandwich = inverse * variability * inverse;
@@ -109,7 +108,6 @@ std::optional<Fit> fit_terms(const AllanModel& model, const Points& points,
 
 /// Fits that the data do not rule out, best first.
 std::vector<Fit> plausible_fits(const AllanModel& model, const Points& points) {
-  constexpr double kScore95 = 4;  // two standard errors of one coefficient
   constexpr unsigned kSets = 1U << AllanModel::kTerms;
   std::vector<Fit> fits;
   for (unsigned chosen = 1; chosen < kSets; ++chosen) {
@@ -121,7 +119,7 @@ std::vector<Fit> plausible_fits(const AllanModel& model, const Points& points) {
   }
   if (fits.empty()) return fits;
   std::sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.score < b.score; });
-  const double worst = fits.front().score + kScore95 * fits.front().inflation;
+  const double worst = fits.front().score + rules::kPlausibleScore * fits.front().inflation;
   fits.erase(
       std::find_if(fits.begin(), fits.end(), [&](const Fit& fit) { return fit.score > worst; }),
       fits.end());

@@ -8,16 +8,16 @@ namespace fogcomp {
 
 /// Standard deviation, in deg/h, of what no drift model can remove from a mean over `average_s`,
 /// from the recording alone: its Hadamard deviation at that time,
-///   sqrt(mean (y[i+2] - 2 y[i+1] + y[i])^2 / 6),   y = means of neighbouring blocks,
-/// over blocks that start every eighth of a block, without differences beyond 3.5 sigma (spikes,
-/// steps; sigma from the median at first).
+///   sqrt(mean (y[i+2] - 2 y[i+1] + y[i])^2 / 6),   y = neighbouring means,
+/// over means that start every eighth of their length, without differences beyond 3.5 sigma
+/// (spikes, steps; sigma from the median at first).
 ///
-/// White noise: exact, error of the estimate about 0.6/sqrt(blocks). Ramps and any drift that bends
-/// slowly against the block do not enter. Flicker noise of coefficient B counts with 0.60 B: the
-/// part that changes from block to block. Its slower part, like a random walk, looks like drift,
+/// White noise: exact, error of the estimate about 0.6/sqrt(means). Ramps and any drift that bends
+/// slowly against the mean do not enter. Flicker noise of coefficient B counts with 0.60 B: the
+/// part that changes from mean to mean. Its slower part, like a random walk, looks like drift,
 /// and is left to the models.
 ///
-/// A recording of fewer than 30 blocks is judged by shorter ones, taking the noise between for
+/// A recording of fewer than 30 means is judged by shorter ones, taking the noise between for
 /// white. Nothing for fewer than 3 rows without a gap.
 std::optional<double> noise_floor_dph(const Recording& recording, double average_s);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "noise/decision_rules.hpp"
 #include "noise/jumps.hpp"
 #include "support/median.hpp"
 #include "support/periodogram.hpp"
@@ -18,7 +19,6 @@ namespace {
 constexpr double kLadderStep = 4;  // between neighbouring time constants
 constexpr int kUpdates = 300;
 constexpr double kLeastVariance = 1e-30;  // rows without any noise can still be weighted
-constexpr double kNegligible = 1e-5;      // of the white variance: such a component is dropped
 constexpr double kLateStart =
     1e-3;  // of the mean power: single components grow where flicker fails
 
@@ -38,8 +38,7 @@ void remove_line(Eigen::VectorXd& values) {
 // Outliers are no part of the noise that the rows are weighted with; a row of 60 sigma would be all
 // of it.
 void clip_outliers(Eigen::VectorXd& values) {
-  constexpr double kMostSigma = 4;
-  const double most = kMostSigma * sigma_by_median({values.begin(), values.end()});
+  const double most = rules::kMaxSpectrumSigmas * sigma_by_median({values.begin(), values.end()});
   if (most == 0) return;  // most rows are rounded to one value: what is not is no outlier
   values = values.cwiseMax(-most).cwiseMin(most);
 }
@@ -85,15 +84,13 @@ Eigen::ArrayXXd basis_of(const std::vector<double>& angles, double row_s,
 // effects that leave 1.6 times the noise went unseen.
 double freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
                   const Eigen::ArrayXd& low) {
-  constexpr double kLeast = 3;
-  constexpr double kMost = 1000;
   const Eigen::ArrayXd model = (basis.matrix() * variance.matrix()).array();
   const double power = (low * variance).sum();
   Eigen::ArrayXd flicker = Eigen::ArrayXd::Zero(variance.size());
   flicker[1] = 1;
   Eigen::ArrayXd found = variance;
   found[0] = 0;
-  double freedom = kMost;
+  double freedom = rules::kMaxFreedom;
   for (const Eigen::ArrayXd& slow : {flicker, found}) {
     Eigen::MatrixX2d scaled(basis.rows(), 2);
     scaled.col(0) = (basis.col(0) / model).matrix();
@@ -104,7 +101,7 @@ double freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
     const bool has_shape = spread > 0;  // all that was found may be nothing
     if (has_shape) freedom = std::min(freedom, 2 * power * power / spread);
   }
-  return std::max(freedom, kLeast);
+  return std::max(freedom, rules::kMinFreedom);
 }
 
 // Bands a sixteenth of an octave wide.
@@ -240,14 +237,14 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
   slow[0] = 0;
   weigh_walks(spectrum, basis.col(0) * variance[0], (basis.matrix() * slow.matrix()).array(), row_s,
               noise.walks);
-  constexpr double kLowest = 4;  // periods in a run: slower is the model's, not the noise's
-  const Eigen::ArrayXXd lowest =
-      basis_of({2 * kPi * kLowest * row_s / taus.longest_s}, row_s, taus.all_s, taus.own);
+  const Eigen::ArrayXXd lowest = basis_of(
+      {2 * kPi * rules::kMinNoisePeriods * row_s / taus.longest_s}, row_s, taus.all_s, taus.own);
   noise.freedom = freedom_of(basis, variance, lowest.row(0));
   for (std::size_t j = 0; j < taus.all_s.size(); ++j) {
     const double alone = j < taus.own ? variance[2 + static_cast<Eigen::Index>(j)] : 0;
     const double all = variance[1] + alone;
-    if (all >= kNegligible * variance[0]) noise.components.push_back({taus.all_s[j], all});
+    if (all >= rules::kNegligibleComponent * variance[0])
+      noise.components.push_back({taus.all_s[j], all});
   }
   return noise;
 }

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "noise/decision_rules.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp {
 namespace {
 
-constexpr std::size_t kWindow = 64;  // rows
-constexpr double kBeyondChance = 3;  // standard errors
 // By simulation: variance of ln of the median distance in a window of n rows, times n, of normal
 // noise and of Student's t with three degrees.
 constexpr double kSamplingVariance = 2.2;
@@ -41,7 +40,7 @@ struct Windows {
 Windows windows_of(const Rows& rows, const Eigen::VectorXd& distance) {
   Windows windows;
   for (const RowRange& run : rows.runs()) {
-    const std::size_t count = std::max<std::size_t>(1, run.size() / kWindow);
+    const std::size_t count = std::max<std::size_t>(1, run.size() / rules::kScaleWindow);
     for (std::size_t i = 0; i < count; ++i) {
       const RowRange range{run.first + i * run.size() / count,
                            run.first + (i + 1) * run.size() / count};
@@ -72,7 +71,7 @@ double share_beyond_chance(const Windows& windows, double typical) {
   sampling /= count;
   const double own = square - sampling;
   const double error = sampling * std::sqrt(2 / (count - 1));
-  return own > kBeyondChance * error ? own / square : 0;
+  return own > rules::kBeyondChance * error ? own / square : 0;
 }
 
 }  // namespace

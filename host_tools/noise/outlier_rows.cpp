@@ -6,19 +6,12 @@
 #include <cstdint>
 
 #include "model/input_value.hpp"
+#include "noise/decision_rules.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
 namespace {
-
-constexpr double kMinSigmas = 4;
-constexpr double kScatters = 3;        // of the neighbours; a decay of 2 rows reaches 2.9
-constexpr std::size_t kSide = 3;       // neighbours on either side
-constexpr std::size_t kReach = 20;     // rows, for neighbours with the same inputs
-constexpr std::size_t kAround = 25;    // rows on either side whose noise is known together
-constexpr std::size_t kFewBends = 12;  // do not tell the noise of a part
-constexpr double kSameInput = 0.25;    // of an input's range
 
 // The value that a part of `sizes` lies below, 0..1.
 double quantile(std::vector<double>& sizes, double part) {
@@ -47,13 +40,12 @@ double sigma_of_bends(std::vector<double> bends) {
 
 // Chauvenet's criterion: noise alone exceeds it in half a row of so many.
 double sigmas_allowed(std::size_t rows) {
-  constexpr double kMaxSigmas = 10;
-  double low = kMinSigmas;
-  double high = kMaxSigmas;
+  double low = rules::kMinOutlierSigmas;
+  double high = rules::kMaxOutlierSigmas;
   while (high - low > 1e-3) {
     const double middle = (low + high) / 2;
     const double beyond = static_cast<double>(rows) * std::erfc(middle / std::sqrt(2.0));
-    (beyond > 0.5 ? low : high) = middle;
+    (beyond > rules::kRowsBeyond ? low : high) = middle;
   }
   return low;
 }
@@ -72,13 +64,13 @@ class Side {
   // Sigma by the median of the three distances from the median, of which one is 0.
   double scatter() const {
     constexpr double kSigmaPerMedian = 1.4826022185056018;
-    if (size_ < kSide) return 0;
+    if (size_ < rules::kNeighbours) return 0;
     return kSigmaPerMedian * std::min(values_[2] - values_[1], values_[1] - values_[0]);
   }
   double range() const { return values_[size_ - 1] - values_[0]; }
 
  private:
-  std::array<double, kSide> values_{};
+  std::array<double, rules::kNeighbours> values_{};
   std::size_t size_ = 0;
 };
 
@@ -88,7 +80,7 @@ class OutlierSearch {
     for (const std::vector<double>& input : rows.inputs) {
       if (input.empty()) continue;
       const auto [least, most] = std::minmax_element(input.begin(), input.end());
-      if (*most > *least) inputs_.push_back({&input, kSameInput * (*most - *least)});
+      if (*most > *least) inputs_.push_back({&input, rules::kSameInput * (*most - *least)});
     }
     std::vector<double> bends;
     for (const RowRange& stretch : rows.stretches) {
@@ -101,7 +93,7 @@ class OutlierSearch {
   // Rows of one event are found one after the other: each hides the next.
   std::vector<bool> run() {
     if (sigma_ == 0) return outlier_;
-    for (std::size_t round = 0; round <= kSide; ++round) {
+    for (std::size_t round = 0; round <= rules::kNeighbours; ++round) {
       std::vector<std::size_t> found;
       for (const RowRange& stretch : rows_.stretches) {
         for (std::size_t i = stretch.first; i < stretch.end; ++i) {
@@ -133,7 +125,9 @@ class OutlierSearch {
   Side side_of(std::size_t row, const RowRange& stretch, std::ptrdiff_t step) const {
     Side side;
     const std::size_t available = step < 0 ? row - stretch.first : stretch.end - 1 - row;
-    for (std::size_t away = 1; away <= std::min(available, kReach) && side.size() < kSide; ++away) {
+    for (std::size_t away = 1;
+         away <= std::min(available, rules::kNeighbourReach) && side.size() < rules::kNeighbours;
+         ++away) {
       const auto i = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(row) +
                                               step * static_cast<std::ptrdiff_t>(away));
       if (!outlier_[i] && comparable(row, i)) side.add(rows_.values[i]);
@@ -156,23 +150,23 @@ class OutlierSearch {
     } else {
       // At an end of a stretch nothing tells a drift that grows from an outlier but its size.
       const Side& side = before.size() > 0 ? before : after;
-      if (side.size() < kSide) return false;
+      if (side.size() < rules::kNeighbours) return false;
       off = std::abs(value - side.median());
       scatter = side.range();
     }
-    return off > allowed * sigma_ && off > kScatters * scatter &&
+    return off > allowed * sigma_ && off > rules::kOutlierScatters * scatter &&
            off > allowed * sigma_around(row, stretch);
   }
 
   // Without the row itself; 0 where too few rows are there.
   double sigma_around(std::size_t row, const RowRange& stretch) const {
     std::vector<double> bends;
-    const std::size_t first = std::max(stretch.first + 1, row - std::min(row, kAround));
-    const std::size_t end = std::min(stretch.end, row + kAround + 2);
+    const std::size_t first = std::max(stretch.first + 1, row - std::min(row, rules::kRowsAround));
+    const std::size_t end = std::min(stretch.end, row + rules::kRowsAround + 2);
     for (std::size_t i = first; i + 1 < end; ++i) {
       if (i + 1 < row || i > row + 1) bends.push_back(bend(i));
     }
-    return bends.size() < kFewBends ? 0 : sigma_of_bends(std::move(bends));
+    return bends.size() < rules::kFewBends ? 0 : sigma_of_bends(std::move(bends));
   }
 
   const ValuesInTime& rows_;
@@ -243,7 +237,8 @@ std::string outlier_words(std::size_t rows, double row_s) {
   if (rows == 0) return "";
   return format(
       "%s of %.4g s left out: %s out of its neighbours by more than %g sigma of the noise",
-      counted(rows, "row").c_str(), row_s, rows == 1 ? "it stands" : "each stands", kMinSigmas);
+      counted(rows, "row").c_str(), row_s, rows == 1 ? "it stands" : "each stands",
+      rules::kMinOutlierSigmas);
 }
 
 }  // namespace fogcomp

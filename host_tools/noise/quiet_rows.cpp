@@ -5,22 +5,18 @@
 #include <cmath>
 
 #include "model/input_value.hpp"
+#include "noise/decision_rules.hpp"
 
 namespace fogcomp {
 namespace {
-
-constexpr double kLeastLimit = 0.02;  // degC/min
-constexpr double kShareOfRamps = 0.05;
-constexpr double kRampQuantile = 0.95;
-constexpr std::size_t kLeastQuietRows = 32;
 
 double rate_limit(const Rows& rows) {
   std::vector<double> rates;
   for (const auto& signals : rows.signals) rates.push_back(std::abs(signals.temperature_rate));
   const auto at = rates.begin() + static_cast<std::ptrdiff_t>(
-                                      kRampQuantile * static_cast<double>(rates.size() - 1));
+                                      rules::kRampQuantile * static_cast<double>(rates.size() - 1));
   std::nth_element(rates.begin(), at, rates.end());
-  return std::max(kLeastLimit, kShareOfRamps * *at);
+  return std::max(rules::kMaxQuietRate, rules::kQuietShareOfRamps * *at);
 }
 
 // An axis that is turned, a field that is switched on: no noise either.
@@ -34,7 +30,7 @@ class InputJumps {
         least = std::min(least, value(signals, i));
         most = std::max(most, value(signals, i));
       }
-      jump_[i] = kJump * (most - least);
+      jump_[i] = rules::kInputJump * (most - least);
     }
   }
   bool between(std::size_t before, std::size_t row) const {
@@ -48,7 +44,6 @@ class InputJumps {
 
  private:
   static constexpr std::size_t kValues = kOptionalInputs.size();
-  static constexpr double kJump = 0.25;  // of the range over all rows
   static double value(const fog::Signals<RealNumbers>& signals, std::size_t i) {
     return optional_input(kOptionalInputs[i], signals.block);
   }
@@ -62,12 +57,12 @@ class InputJumps {
 std::vector<RowRange> quiet_ranges(const Rows& rows) {
   std::vector<RowRange> ranges;
   const auto size = static_cast<std::size_t>(rows.size());
-  if (size < kLeastQuietRows) return ranges;
+  if (size < rules::kMinQuietRows) return ranges;
   const double limit = rate_limit(rows);
   const InputJumps jumps(rows);
   std::size_t begin = 0;
   const auto finish = [&](std::size_t end) {
-    if (end - begin >= kLeastQuietRows) ranges.push_back({begin, end});
+    if (end - begin >= rules::kMinQuietRows) ranges.push_back({begin, end});
   };
   for (std::size_t row = 0; row < size; ++row) {
     const bool quiet = std::abs(rows.signals[row].temperature_rate) <= limit;

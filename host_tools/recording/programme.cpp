@@ -6,16 +6,13 @@
 #include <limits>
 #include <utility>
 
+#include "recording/decision_rules.hpp"
 #include "support/median.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp {
 namespace {
 
-constexpr double kSlowestRampDegcPerMin = 0.05;
-constexpr double kLeastRampDegc = 2;
-constexpr double kShortestSoakS = 120;
-constexpr double kLeastToleranceDegc = 0.3;
 constexpr std::size_t kMostPoints = 4000;
 
 /// Mean temperature of a few rows.
@@ -62,10 +59,8 @@ double resolution_degc(const Recording& recording, RowRange rows) {
 
 // How far the temperature may leave a straight line without a corner being seen in it.
 double tolerance_degc(const Recording& recording, RowRange rows, const std::vector<Point>& points) {
-  constexpr double kNoiseSigmas = 5;
-  constexpr double kSteps = 1.25;
-  return std::max({kLeastToleranceDegc, kNoiseSigmas * noise_degc(points),
-                   kSteps * resolution_degc(recording, rows)});
+  return std::max({rules::kMinToleranceDegc, rules::kToleranceSigmas * noise_degc(points),
+                   rules::kToleranceSteps * resolution_degc(recording, rows)});
 }
 
 // Corners of the polygon that stays within the tolerance of all points (Ramer, Douglas, Peucker).
@@ -110,7 +105,7 @@ struct Piece {
 SegmentKind kind_by_slope(const Point& from, const Point& to) {
   const double change_degc = to.temperature_degc - from.temperature_degc;
   const double minutes = (to.time_s - from.time_s) / kSecondsPerMinute;
-  if (std::fabs(change_degc) < kSlowestRampDegcPerMin * minutes) return SegmentKind::soak;
+  if (std::fabs(change_degc) < rules::kMinRampDegcPerMin * minutes) return SegmentKind::soak;
   return change_degc > 0 ? SegmentKind::ramp_up : SegmentKind::ramp_down;
 }
 
@@ -138,7 +133,7 @@ void calm_small_ramps(std::vector<Piece>& pieces, double least_ramp_degc) {
 void drop_short_soaks(std::vector<Piece>& pieces) {
   if (pieces.size() < 2) return;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (pieces[i].kind != SegmentKind::soak || pieces[i].duration_s() >= kShortestSoakS) continue;
+    if (pieces[i].kind != SegmentKind::soak || pieces[i].duration_s() >= rules::kMinSoakS) continue;
     pieces[i].kind = pieces[i == 0 ? 1 : i - 1].kind;
   }
   join_equal_neighbours(pieces);
@@ -159,8 +154,7 @@ std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowR
     pieces.push_back({from, to, kind_by_slope(from, to)});
   }
   join_equal_neighbours(pieces);
-  constexpr double kRampTolerances = 4;
-  calm_small_ramps(pieces, std::max(kLeastRampDegc, kRampTolerances * tolerance));
+  calm_small_ramps(pieces, std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance));
   drop_short_soaks(pieces);
 
   std::vector<ProgrammePart> parts;

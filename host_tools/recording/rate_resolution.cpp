@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "recording/decision_rules.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -11,17 +12,16 @@ namespace fogcomp {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr double kRoundings = 16;  // of a value that was calculated
 
 }  // namespace
 
 bool RateResolution::moves() const {
-  return range_dph > kRoundings * kEpsilon * std::max(size_dph, 1.0);
+  return range_dph > rules::kRoundings * kEpsilon * std::max(size_dph, 1.0);
 }
 
 double RateResolution::rounding_dph() const {
   const double of_digits = step_dph / std::sqrt(12.0);
-  return std::max(of_digits, kRoundings * kEpsilon * size_dph);
+  return std::max(of_digits, rules::kRoundings * kEpsilon * size_dph);
 }
 
 RateResolution rate_resolution(const Recording& recording) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "recording/csv_reader.hpp"
+#include "recording/decision_rules.hpp"
 #include "recording/line_numbers.hpp"
 #include "recording/refused_rows.hpp"
 #include "recording/row_range.hpp"
@@ -15,9 +16,6 @@
 
 namespace fogcomp {
 namespace {
-
-constexpr double kShortestPeriodS = 1e-6;
-constexpr double kLongestPeriodS = 86400;
 
 // Of at most 65537 spacings spread over the recording: a typical value needs no more.
 double median_spacing_s(const std::vector<double>& time_s) {
@@ -56,7 +54,7 @@ void find_stretches(Recording& recording) {
     }
   }
   const double period_s = spanned_s / static_cast<double>(spacings);
-  if (period_s < kShortestPeriodS || period_s > kLongestPeriodS) {
+  if (period_s < rules::kMinPeriodS || period_s > rules::kMaxPeriodS) {
     throw InputError(recording.file,
                      format("rows are %g s apart; is time_s in seconds?", period_s));
   }

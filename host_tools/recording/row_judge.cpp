@@ -7,6 +7,7 @@
 #include "core/acquisition/rate_monitor.hpp"
 #include "core/acquisition/temperature_monitor.hpp"
 #include "recording/board_limits.hpp"
+#include "recording/decision_rules.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp {
@@ -190,8 +191,7 @@ class RowJudge {
 
   // One that lasts longer may be a soak of a recording that was joined from several.
   bool came_back(std::size_t row) const {
-    constexpr double kLongestS = 600;
-    if (!excursion_ || time_s_[row] - time_s_[jump_] > kLongestS) return false;
+    if (!excursion_ || time_s_[row] - time_s_[jump_] > rules::kMaxExcursionS) return false;
     const double left_degc = temperature_degc_[left_];
     const double still_away_degc = std::fabs(temperature_degc_[row] - left_degc);
     return still_away_degc < std::fabs(temperature_degc_[jump_] - left_degc) / 2 &&
@@ -251,9 +251,8 @@ std::vector<RefusedRow> refused_rows(const Recording& recording) {
 }
 
 std::vector<RowRange> frozen_temperatures(const Recording& recording) {
-  constexpr double kLongestSampleS = 1;
   std::vector<RowRange> ranges;
-  if (recording.period_s > kLongestSampleS) return ranges;
+  if (recording.period_s > rules::kMaxFrozenSampleS) return ranges;
   const auto lasts_too_long = [&](RowRange range) {
     return recording.time_s[range.end - 1] - recording.time_s[range.first] >= kHoldSeconds;
   };

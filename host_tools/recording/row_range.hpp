@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "recording/decision_rules.hpp"
+
 namespace fogcomp {
 
 /// Rows [first, end) of a series.
@@ -14,8 +16,7 @@ struct RowRange {
 /// Whether something is missing between two rows that lie `spacing_s` apart, where a row is `row_s`
 /// long.
 inline bool is_gap(double spacing_s, double row_s) {
-  constexpr double kMaxSpacing = 1.5;  // rows; a row that is lost makes 2
-  return spacing_s > kMaxSpacing * row_s;
+  return spacing_s > rules::kMaxSpacing * row_s;
 }
 
 }  // namespace fogcomp

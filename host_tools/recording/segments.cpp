@@ -4,15 +4,13 @@
 #include <cmath>
 #include <map>
 
+#include "recording/decision_rules.hpp"
 #include "recording/programme.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
 namespace {
-
-constexpr double kLongestDropoutS = 1;    // shorter gaps do not end a segment
-constexpr double kLongestKnownGapS = 60;  // across longer ones the chamber may have done anything
 
 double gap_before(const Recording& recording, std::size_t row) {
   return recording.time_s[row] - recording.time_s[row - 1];
@@ -66,11 +64,11 @@ Segment segment_of(const Recording& recording, const std::string& name, SegmentK
 std::vector<Segment> segments_by_temperature(const Recording& recording) {
   std::vector<Segment> segments;
   const RowRange all{0, recording.rows()};
-  for (const RowRange& programme : cut_at_gaps(recording, all, kLongestKnownGapS)) {
+  for (const RowRange& programme : cut_at_gaps(recording, all, rules::kMaxKnownGapS)) {
     const std::vector<ProgrammePart> parts = find_programme_parts(recording, programme);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string name = name_of(recording, parts, i);
-      for (const RowRange& rows : cut_at_gaps(recording, parts[i].rows, kLongestDropoutS)) {
+      for (const RowRange& rows : cut_at_gaps(recording, parts[i].rows, rules::kMaxDropoutS)) {
         segments.push_back(segment_of(recording, name, parts[i].kind, rows));
       }
     }
@@ -104,7 +102,7 @@ std::vector<Segment> segments_by_label(const Recording& recording) {
   }
   std::vector<Segment> segments;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    for (const RowRange& rows : cut_at_gaps(recording, ranges[i], kLongestDropoutS)) {
+    for (const RowRange& rows : cut_at_gaps(recording, ranges[i], rules::kMaxDropoutS)) {
       segments.push_back(segment_of(recording, names[i], kind_of(recording, rows), rows));
     }
   }

@@ -14,6 +14,7 @@
 #include "core/frames/stream_parser.hpp"
 #include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
+#include "recording/decision_rules.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
@@ -22,7 +23,6 @@ namespace fogcomp {
 namespace {
 
 constexpr double kDegcPerLsb = 1.0 / 65536;
-constexpr std::size_t kMaxBlocksWithoutFrame = 64;  // of 1 MiB: what comes then is no sensor's
 
 bool is_control(char character) {
   const auto code = static_cast<unsigned char>(character);
@@ -151,10 +151,7 @@ bool is_sensor_stream(std::string_view head) {
       return true;
     }
   }
-  // A capture has zeros in every frame, UTF-16 in every character; a CSV with a stray one is still
-  // a CSV, whose reader can name the line.
-  constexpr std::ptrdiff_t kFewest = 50;  // one in fifty
-  return std::count_if(head.begin(), head.end(), is_control) * kFewest >
+  return std::count_if(head.begin(), head.end(), is_control) * rules::kControlOneIn >
          static_cast<std::ptrdiff_t>(head.size());
 }
 
@@ -183,9 +180,9 @@ Recording read_sensor_stream(InputFile& file, const ReadOptions& options) {
     }
     // A pipe may never end.
     blocks_without_frame = good_bytes > good_before ? 0 : blocks_without_frame + 1;
-    if (blocks_without_frame > kMaxBlocksWithoutFrame) {
+    if (blocks_without_frame > rules::kMaxBlocksWithoutFrame) {
       throw InputError(file.path(), format("no good frame in %zu MiB; is it the right file?",
-                                           kMaxBlocksWithoutFrame));
+                                           rules::kMaxBlocksWithoutFrame));
     }
   }
   return collector.finish(bytes - good_bytes);

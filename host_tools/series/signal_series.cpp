@@ -7,18 +7,11 @@
 #include "model/drift_model.hpp"
 #include "model/input_value.hpp"
 #include "series/block_walk.hpp"
+#include "series/decision_rules.hpp"
 #include "series/required_inputs.hpp"
 #include "series/zero_phase.hpp"
 
 namespace fogcomp {
-
-namespace {
-
-// Of the lags that smooth a temperature, relative to the derivative's: an eighth of its noise is
-// left in a rate, and heat that the derivative still follows hardly differs.
-constexpr double kSmoothing = 2;
-
-}  // namespace
 
 // Stands where walk_blocks expects a drift model, and keeps what one would see.
 class SignalSeries::Recorder {
@@ -61,7 +54,7 @@ void SignalSeries::add(const BlockSeries& series) {
 void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows) {
   Run smoothed{series.block_s, {}, {}};
   Recorder smooth_recorder(model_, smoothed);
-  walk_blocks(with_smooth_temperature(series, kSmoothing * model_.derivative_tau_s),
+  walk_blocks(with_smooth_temperature(series, rules::kSmoothing * model_.derivative_tau_s),
               smooth_recorder, [](const BlockSeries::Block&) {});
   for (const Block& block : smoothed.blocks) runs_.back().smoothed.push_back(block.signals);
   Recorder recorder(model_, runs_.back());

@@ -50,7 +50,7 @@ struct Useless {
   }
 };
 
-// The claims (OutOfSample): one in 100 reaches kLeastGain, and gains are about -1 +- 2, so that
+// The claims (OutOfSample): one in 100 reaches kMinGain, and gains are about -1 +- 2, so that
 // less than one in three is above 0. Of a judge that keeps to them this fails less than once in 50
 // times. 60 tries pass one that accepts 10 % (20 %) 14 times (not once) in 100, and one of which
 // two in three gains are above 0 not once in 100 times.

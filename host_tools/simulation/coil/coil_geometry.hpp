@@ -60,7 +60,6 @@ struct FibreMaterial {
 struct PackProperties {
   double conductivity_w_per_mk;
   double heat_j_per_m3k;
-  double diffusivity_m2_per_s() const { return conductivity_w_per_mk / heat_j_per_m3k; }
 };
 
 /// Share of the winding's cross-section that is glass, below 1.

@@ -66,7 +66,6 @@ class GyroThermalModel {
   double hub_rate_kps() const { return rate(hub_core_); }
   double optics_degc() const { return temperature(optics_); }
   double cover_degc() const { return temperature(cover_); }
-  double base_degc() const { return temperature(base_); }
 
  private:
   ThermalNetwork build_network(const CoilGeometry& coil, const FibreMaterial& material,

@@ -11,19 +11,19 @@ namespace {
 constexpr double kHeating = 0.10;  // deg/h per degC/min
 constexpr double kCooling = 0.08;
 
-/// The paper's programme in blocks of 10 s with a parabola in T and a rate term for each direction.
+/// The paper's programme in rows of 10 s with a parabola in T and a rate term for each direction.
 Recording chamber_record(const std::vector<double>& levels_degc, double soak_min) {
   constexpr double kRampDegcPerMin = 0.5;
   constexpr double kPeriodMin = 1.0 / 6;
-  Recording blocks;
-  blocks.period_s = 10;
-  blocks.stretch_starts = {0};
+  Recording rows;
+  rows.period_s = 10;
+  rows.stretch_starts = {0};
   const auto add = [&](double temperature, double rate) {
-    blocks.time_s.push_back(10 * static_cast<double>(blocks.rows()));
-    blocks.temperature_degc.push_back(temperature);
+    rows.time_s.push_back(10 * static_cast<double>(rows.rows()));
+    rows.temperature_degc.push_back(temperature);
     const double x = temperature - 20;
-    blocks.rate_dph.push_back(0.72 - 1.76e-4 * x - 3.15e-5 * x * x +
-                              (rate > 0 ? kHeating : kCooling) * rate);
+    rows.rate_dph.push_back(0.72 - 1.76e-4 * x - 3.15e-5 * x * x +
+                            (rate > 0 ? kHeating : kCooling) * rate);
   };
   for (std::size_t i = 0; i < levels_degc.size(); ++i) {
     if (i > 0) {
@@ -35,12 +35,12 @@ Recording chamber_record(const std::vector<double>& levels_degc, double soak_min
     }
     for (double minute = 0; minute < soak_min; minute += kPeriodMin) add(levels_degc[i], 0);
   }
-  return blocks;
+  return rows;
 }
 
 TEST(TemperatureSensitivity, IsRecoveredFromThePapersProgramme) {
-  const Recording blocks = chamber_record({20, -40, 60, 20}, 120);
-  const TemperatureSensitivity found = temperature_sensitivity(blocks, find_segments(blocks));
+  const Recording rows = chamber_record({20, -40, 60, 20}, 120);
+  const TemperatureSensitivity found = temperature_sensitivity(rows, find_segments(rows));
   ASSERT_TRUE(found.bias_dph_per_degc.has_value());
   EXPECT_NEAR(*found.bias_dph_per_degc, 3.15e-5 * 60 - 1.76e-4, 1e-5);  // worst at -40
   EXPECT_NEAR(found.reference_degc.value_or(0), 20, 0.5);

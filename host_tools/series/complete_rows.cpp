@@ -1,4 +1,4 @@
-#include "series/blocks.hpp"
+#include "series/complete_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,40 +23,40 @@ RowRange longest(const std::vector<RowRange>& stretches) {
 
 }  // namespace
 
-std::size_t rows_per_block(const Recording& recording, double average_s) {
+std::size_t samples_per_row(const Recording& recording, double average_s) {
   if (!(recording.period_s > 0)) return 1;
-  const double rows = std::round(average_s / recording.period_s);
-  return static_cast<std::size_t>(std::clamp(rows, 1.0, static_cast<double>(kMostRows)));
+  const double samples = std::round(average_s / recording.period_s);
+  return static_cast<std::size_t>(std::clamp(samples, 1.0, static_cast<double>(kMostRows)));
 }
 
-Blocks block_means(const Recording& recording, double average_s) {
+CompleteRows complete_rows(const Recording& recording, double average_s) {
   const std::vector<RowRange> all = stretches_of(recording, {0, recording.rows()});
-  Blocks blocks;
-  blocks.rows_per_block = rows_per_block(recording, average_s);
+  CompleteRows rows;
+  rows.samples_per_row = samples_per_row(recording, average_s);
   std::vector<RowRange> stretches = all;
-  if (longest(all).size() < blocks.rows_per_block) {
+  if (longest(all).size() < rows.samples_per_row) {
     stretches = {longest(all)};
-    blocks.rows_per_block = stretches.front().size();
+    rows.samples_per_row = stretches.front().size();
   }
   for (const RowRange& stretch : stretches) {
-    const std::size_t count = stretch.size() / blocks.rows_per_block;
-    if (count > 0) blocks.means.stretch_starts.push_back(blocks.first_rows.size());
+    const std::size_t count = stretch.size() / rows.samples_per_row;
+    if (count > 0) rows.means.stretch_starts.push_back(rows.first_samples.size());
     for (std::size_t i = 0; i < count; ++i) {
-      blocks.first_rows.push_back(stretch.first + i * blocks.rows_per_block);
+      rows.first_samples.push_back(stretch.first + i * rows.samples_per_row);
     }
   }
-  blocks.means.file = recording.file;
-  blocks.means.period_s = recording.period_s * static_cast<double>(blocks.rows_per_block);
+  rows.means.file = recording.file;
+  rows.means.period_s = recording.period_s * static_cast<double>(rows.samples_per_row);
   for (const ColumnInfo& column : kColumns) {
     const std::vector<double>& values = recording[column.column];
     if (values.empty()) continue;
-    std::vector<double>& means = blocks.means[column.column];
-    means.reserve(blocks.first_rows.size());
-    for (const std::size_t row : blocks.first_rows) {
-      means.push_back(mean(values.data() + row, blocks.rows_per_block));
+    std::vector<double>& means = rows.means[column.column];
+    means.reserve(rows.first_samples.size());
+    for (const std::size_t first : rows.first_samples) {
+      means.push_back(mean(values.data() + first, rows.samples_per_row));
     }
   }
-  return blocks;
+  return rows;
 }
 
 }  // namespace fogcomp

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+
+/// Every number by which a recording is read and cut: its unit, where it comes from, and what holds
+/// it (a test of tests/unit/recording). The board's own limits are the core's and board_limits.hpp.
+namespace fogcomp::rules {
+
+// ---- Gaps and segments ------------------------------------------------------------------------
+/// Lengths of a row (or sample) between two beyond which something is missing: a row that is lost
+/// makes 2. csv_reader_test, segments_test.
+constexpr double kMaxSpacing = 1.5;
+
+/// Seconds: shorter gaps do not end a segment, across longer ones than the second the chamber may
+/// have done anything. Chosen: a coil follows in minutes. segments_test.
+constexpr double kMaxDropoutS = 1;
+constexpr double kMaxKnownGapS = 60;
+
+/// What is a ramp: so fast, degC/min (an hour for 3 degC), and so far, degC, or so many tolerances.
+/// Ramps of 0.1 to 10 degC/min are found alike. segments_test.
+constexpr double kMinRampDegcPerMin = 0.05;
+constexpr double kMinRampDegc = 2;
+constexpr double kMinRampTolerances = 4;
+/// Seconds; what is shorter is a corner. Chosen. segments_test.
+constexpr double kMinSoakS = 120;
+/// How far a temperature may leave a straight line, degC: at least this, so many standard
+/// deviations of its noise, so many steps of its sensor. segments_test.
+constexpr double kMinToleranceDegc = 0.3;
+constexpr double kToleranceSigmas = 5;
+constexpr double kToleranceSteps = 1.25;
+
+// ---- Rows that the board would refuse ---------------------------------------------------------
+/// Seconds: an excursion that lasts longer may be a soak of a recording that was joined from
+/// several. row_judge_test.
+constexpr double kMaxExcursionS = 600;
+/// Seconds between samples: between longer ones a live sensor may well repeat itself.
+/// row_judge_test.
+constexpr double kMaxFrozenSampleS = 1;
+
+// ---- What kind of file is it? -----------------------------------------------------------------
+/// One in so many characters is a control character: no text. stream_reader_test.
+constexpr std::ptrdiff_t kControlOneIn = 50;
+/// Blocks of 1 MiB without a frame: what comes then is no sensor's. stream_reader_test.
+constexpr std::size_t kMaxBlocksWithoutFrame = 64;
+/// Seconds between rows: beyond, time_s has another unit. csv_reader_test.
+constexpr double kMinPeriodS = 1e-6;
+constexpr double kMaxPeriodS = 86400;
+
+/// Roundings of double precision in a value that was calculated: a rate that moves by less stands
+/// still. rate_resolution_test.
+constexpr double kRoundings = 16;
+
+}  // namespace fogcomp::rules

@@ -1,0 +1,85 @@
+#include "diagnosis/evidence_space.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/diagnosis/made_evidence.hpp"
+
+namespace {
+
+using fogcomp::EvidenceSpace;
+using fogcomp::Hypothesis;
+
+fogcomp::Recording quiet_gyro() {
+  return fog::test::thinned(fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1),
+                            4);
+}
+
+Eigen::VectorXd without_all(const EvidenceSpace& evidence, const Hypothesis& hypothesis) {
+  return without(evidence, hypothesis, evidence.residual().size());
+}
+
+TEST(EvidenceSpace, WithoutAnyEffectIsWhatSmoothFunctionsLeave) {
+  const EvidenceSpace evidence = fog::test::MadeEvidence(quiet_gyro()).evidence();
+  const Eigen::MatrixXd& smooth = evidence.smooth.all;
+  const Eigen::VectorXd expected =
+      evidence.residual() - smooth * (smooth.transpose() * evidence.residual());
+  EXPECT_LT((without_all(evidence, {}) - expected).norm(), 1e-6 * expected.norm());
+  EXPECT_EQ(without(evidence, {}, 17), without_all(evidence, {}).head(17));
+}
+
+// Least squares: what is left has nothing in common with what was taken out, and the squares fall
+// by what the space says that all of it explains together.
+TEST(EvidenceSpace, WithoutAHypothesisIsAtRightAnglesToItsEffects) {
+  const EvidenceSpace evidence =
+      fog::test::MadeEvidence(quiet_gyro())
+          .evidence({{"thermal_hysteresis:radius=3", "thermal_hysteresis:radius=8"},
+                     {"polarization_ripple:period=9"}});
+  Hypothesis hypothesis;
+  hypothesis.parts = {{0, 1}, {1, 0}};
+  const Eigen::VectorXd left = without_all(evidence, hypothesis);
+  const double size = evidence.residual().norm();
+  for (const Hypothesis::Part& part : hypothesis.parts) {
+    const auto& basis = evidence.candidates[part.candidate].shapes[part.shape].basis;
+    EXPECT_LT((basis.transpose() * left).norm(), 1e-6 * size);
+  }
+  EXPECT_LT((evidence.smooth.all.transpose() * left).norm(), 1e-6 * size);
+  std::vector<fogcomp::ColumnRange> all = ranges_of(evidence.library, hypothesis);
+  all.push_back(evidence.structure);
+  EXPECT_NEAR(evidence.residual().squaredNorm() - left.squaredNorm(), evidence.space.gain(all),
+              1e-6 * size * size);
+}
+
+// All that competes lies in one space, in the order of the candidates, of unit length.
+TEST(EvidenceSpace, HoldsEveryShapeOfEveryCandidate) {
+  const fogcomp::Model model = fog::test::truth();
+  fogcomp::DiagnosisData data(model);
+  data.add(quiet_gyro());
+  const fogcomp::NoiseWeightedFit fit =
+      fit_rows(data.series(), model.terms, Eigen::MatrixXd(data.series().rows().size(), 0));
+  double done = 0;
+  const EvidenceSpace evidence =
+      make_evidence_space(data, fit, [&](double share) { done = std::max(done, share); });
+  EXPECT_GT(done, 0.5);
+  EXPECT_LE(done, 1);
+  ASSERT_EQ(evidence.library.size(), evidence.candidates.size());
+  ASSERT_GT(evidence.candidates.size(), 4U);
+  for (std::size_t i = 0; i < evidence.candidates.size(); ++i) {
+    const auto& shapes = evidence.candidates[i].shapes;
+    ASSERT_EQ(evidence.library[i].size(), shapes.size());
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+      const auto [first, count] = evidence.library[i][s];
+      const Eigen::VectorXd along = shapes[s].basis.transpose() * evidence.residual();
+      EXPECT_LT((evidence.space.along().segment(first, count) - along).norm(), 1e-9)
+          << evidence.candidates[i].effect;
+      EXPECT_LT((evidence.space.gram().block(first, first, count, count) -
+                 Eigen::MatrixXd::Identity(count, count))
+                    .norm(),
+                1e-9);
+    }
+  }
+  EXPECT_EQ(evidence.structure.count, evidence.smooth.all.cols());
+  EXPECT_GT(evidence.walk.columns.count, 0);
+  EXPECT_EQ(evidence.walk.columns.first, evidence.structure.first + evidence.structure.count);
+}
+
+}  // namespace

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/evidence_space.hpp"
+#include "model/effect_list.hpp"
+#include "support/least_squares.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+namespace fog::test {
+
+/// What a diagnosis knows of a recording after the fit of truth()'s effects, with candidates that a
+/// test chooses.
+class MadeEvidence {
+ public:
+  explicit MadeEvidence(const fogcomp::Recording& recording)
+      : series_(model_, fogcomp::Phase::zero) {
+    series_.add(fogcomp::make_blocks(recording));
+    fit_ = fit_rows(series_, model_.terms, run_offset_columns(series_.rows()));
+  }
+
+  /// `candidates`: per effect its shapes, as in "thermal_hysteresis:radius=5".
+  fogcomp::EvidenceSpace evidence(
+      const std::vector<std::vector<std::string>>& candidates = {}) const {
+    fogcomp::ModelRemover remover(series_.rows(), fit_);
+    fogcomp::VisibleStructure smooth = visible_structure(series_.rows(), remover);
+    fogcomp::ExplainedSpace space(remover.residual());
+    std::vector<fogcomp::Candidate> all;
+    fogcomp::Library library;
+    for (const std::vector<std::string>& shapes : candidates) {
+      all.emplace_back();
+      library.emplace_back();
+      for (const std::string& shape : shapes) {
+        const fogcomp::EffectTerm term = fogcomp::parse_effects(shape)[0];
+        const Eigen::MatrixXd basis =
+            fogcomp::orthonormal(remover(series_.regressors(term)).columns);
+        all.back().effect = term.name;
+        all.back().shapes.push_back({term, basis, 0});
+        library.back().push_back(space.add(basis));
+      }
+    }
+    const fogcomp::ColumnRange structure = space.add(smooth.all);
+    space.finish();
+    return {std::move(remover), std::move(all),     {},        std::move(smooth),
+            std::move(space),   std::move(library), structure, {}};
+  }
+
+  const fogcomp::SignalSeries& series() const { return series_; }
+  const fogcomp::NoiseWeightedFit& fit() const { return fit_; }
+
+ private:
+  fogcomp::Model model_ = truth();
+  fogcomp::SignalSeries series_;
+  fogcomp::NoiseWeightedFit fit_;
+};
+
+}  // namespace fog::test

@@ -1,0 +1,111 @@
+#include "diagnosis/walk_finding.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "unit/diagnosis/made_evidence.hpp"
+
+namespace {
+
+using fogcomp::EvidenceSpace;
+using fogcomp::NoiseModel;
+using fogcomp::WalkFinding;
+
+constexpr double kWalk = 0.01;  // deg/h/sqrt(h)
+constexpr Eigen::Index kModes = 8;
+
+// WalkingRows at right angles: four effects, two smooth functions, the modes of a walk, and many of
+// nothing. White noise of variance 1 in all of them; a walk of kWalk moves the first mode by 30
+// times that, the next ones by a half, a third...
+class WalkingRows {
+ public:
+  WalkingRows() : axes_(Eigen::MatrixXd::Identity(200, 200)), residual_(200) {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal;
+    for (double& value : residual_) value = normal(random);
+  }
+  void walk() {
+    for (Eigen::Index k = 0; k < kModes; ++k) residual_[6 + k] += 30.0 / static_cast<double>(k + 1);
+  }
+  void effect(double size) { residual_[0] += size; }
+
+  WalkFinding weigh(const NoiseModel& noise) const {
+    static const fog::test::MadeEvidence made(fog::test::thinned(
+        fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1), 20));
+    EvidenceSpace evidence = made.evidence();
+    evidence.space = fogcomp::ExplainedSpace(residual_);
+    evidence.candidates.clear();
+    evidence.library.clear();
+    Eigen::Index axis = 0;
+    for (const char* const effect : {"temperature_rate", "thermal_hysteresis:radius=5", "aging",
+                                     "polarization_ripple:period=9"}) {
+      const fogcomp::EffectTerm term = fogcomp::parse_effects(effect)[0];
+      const Eigen::MatrixXd basis = axes_.col(axis++);
+      evidence.candidates.push_back({term.name, {{term, basis, 0}}});
+      evidence.library.push_back({evidence.space.add(basis)});
+    }
+    evidence.structure = evidence.space.add(axes_.middleCols(4, 2));
+    Eigen::MatrixXd modes = axes_.middleCols(6, kModes);
+    for (Eigen::Index k = 0; k < kModes; ++k)
+      modes.col(k) *= 30 / kWalk / static_cast<double>(k + 1);
+    evidence.walk = add_walk(evidence.space, modes);
+    evidence.space.finish();
+    return weigh_walk(
+        evidence, find_hypotheses(evidence.space, evidence.candidates, evidence.library), noise, 1);
+  }
+
+ private:
+  Eigen::MatrixXd axes_;
+  Eigen::VectorXd residual_;
+};
+
+// Quiet parts that allow several walks alike, and know the noise well.
+NoiseModel quiet_noise() {
+  NoiseModel noise;
+  noise.from_quiet_parts = true;
+  noise.freedom = 200;
+  noise.white_variance = 1;
+  noise.walks = {{kWalk / 16, 0}, {kWalk, 0}, {kWalk * 16, 0}};
+  return noise;
+}
+
+// Beside it an effect that shows nothing is as likely as none: the chance is about a half.
+TEST(WalkFinding, OfAWalkIsTheLikeliestOneAndAloneEnough) {
+  WalkingRows rows;
+  rows.walk();
+  const WalkFinding finding = rows.weigh(quiet_noise());
+  EXPECT_EQ(finding.coefficient, kWalk);
+  EXPECT_NEAR(finding.chance, 0.5, 0.1);
+  EXPECT_TRUE(finding.may_be_all());
+  EXPECT_GT(finding.noise_alone, 0.01);
+}
+
+// What stands out of noise that walks is not the walk's, however much walks beside it.
+TEST(WalkFinding, IsNoneWhereAnEffectStandsOutOfIt) {
+  WalkingRows rows;
+  rows.walk();
+  rows.effect(40);
+  const WalkFinding finding = rows.weigh(quiet_noise());
+  EXPECT_EQ(finding.coefficient, 0);
+  EXPECT_EQ(finding.chance, 0);
+  EXPECT_FALSE(finding.may_be_all());
+}
+
+TEST(WalkFinding, IsNoneInWhiteNoise) {
+  EXPECT_EQ(WalkingRows().weigh(quiet_noise()).coefficient, 0);
+}
+
+TEST(WalkFinding, IsNoneThatTheQuietPartsRuleOutOrKnowNothingOf) {
+  WalkingRows rows;
+  rows.walk();
+  NoiseModel noise = quiet_noise();
+  for (NoiseModel::Walk& walk : noise.walks) walk.log_odds = -10;
+  EXPECT_EQ(rows.weigh(noise).coefficient, 0);
+  noise = quiet_noise();
+  noise.from_quiet_parts = false;
+  EXPECT_EQ(rows.weigh(noise).coefficient, 0);
+}
+
+}  // namespace
