@@ -29,7 +29,7 @@ struct AddCommand : Command {
                    "tanh(T/?w[2,30])'"}};
   Texts holdouts{
       this, {"holdout", "RUN", "a run to judge by instead of leaving parts out; may be repeated"}};
-  Flag force{this, "force", "keep the effect even if it does not help"};
+  Flag force{this, "force", "keep what is added even if it does not help"};
   Flag run_offsets{this, "run-offsets",
                    "every recording has a bias of its own; the model keeps the first's"};
   Integer<std::uint64_t> seed{
@@ -39,8 +39,8 @@ struct AddCommand : Command {
   RecordingOptions recording{this};
 
   AddCommand()
-      : Command("add", {"MODEL {EFFECT[:k=v] | --effect-expr ...} RUN...", 3, kAnyNumber},
-                "adds an effect, refits all, keeps it if it helps out of sample",
+      : Command("add", {"MODEL {EFFECT[:k=v]... | --effect-expr ...} RUN...", 3, kAnyNumber},
+                "adds one or several effects, refits all, keeps them if they help out of sample",
                 "fogcomp add gyro.model thermal_lag run.csv -o better.model") {
     stands_for_positional = &expression;
     words = effect_names();
@@ -56,16 +56,21 @@ struct AddCommand : Command {
 workflow::AddRequest AddCommand::request() const {
   workflow::AddRequest request;
   request.model = arguments[0];
-  const std::string& word = arguments[1];
-  const std::ptrdiff_t first_run = expression.given() ? 1 : 2;
+  const auto is_effect = [&](const std::string& word) {
+    return std::find(words.begin(), words.end(), word.substr(0, word.find(':'))) != words.end();
+  };
+  auto first_run = arguments.begin() + 1;
   if (!expression.given()) {
-    request.effect = word;
-  } else if (std::find(words.begin(), words.end(), word.substr(0, word.find(':'))) != words.end()) {
-    throw InputError("--effect-expr",
-                     "is one effect and '" + word + "' another; add them one after the other");
+    ++first_run;  // an effect, whatever it is called
+    first_run = std::find_if_not(first_run, arguments.end(), is_effect);
+    request.effects = {arguments.begin() + 1, first_run};
+    if (first_run == arguments.end()) throw InputError("add", "has no recording after the effects");
+  } else if (is_effect(*first_run)) {
+    throw InputError("--effect-expr", "is one effect and '" + *first_run +
+                                          "' another; add them one after the other");
   }
   request.expression = expression.find();
-  request.runs = {arguments.begin() + first_run, arguments.end()};
+  request.runs = {first_run, arguments.end()};
   request.hold_outs = holdouts.value();
   request.reading = recording.value();
   request.run_offsets = run_offsets.given();

@@ -49,6 +49,19 @@ void add_errors(Document& document, const Addition& addition) {
   for (const HalfTest& half : addition.halves) document.sentence(words(half_words(half)));
 }
 
+// Of several effects, each by itself and beside the others.
+void add_parts(Document& document, const Addition& addition) {
+  const auto judged = [](const std::optional<OutOfSample>& one) {
+    return one ? words(out_of_sample_words(*one)) : Text("not determined");
+  };
+  Table table;
+  table.columns = {"effect", "alone", "beside the others"};
+  for (const Addition::Part& part : addition.parts) {
+    table.rows.push_back({verbatim(part.effect), judged(part.alone), judged(part.beside)});
+  }
+  document.table(std::move(table));
+}
+
 Text before_and_after(const Addition::RunError& run) {
   return "Rms " + number(run.rms_before_dph) + " deg/h before, " + number(run.rms_after_dph) +
          " after.";
@@ -78,7 +91,12 @@ void add_run(Document& document, const Addition::RunError& run, const std::strin
 
 Document add_findings(const Addition& addition, const std::string& model,
                       const std::string& written) {
-  const EffectTerm& term = addition.model.terms[addition.changed];
+  Model changed;
+  std::vector<std::string> added;
+  for (const std::size_t i : addition.changed) {
+    changed.terms.push_back(addition.model.terms[i]);
+    added.push_back(addition.model.terms[i].name);
+  }
   std::vector<std::string> names;
   for (const EffectTerm& one : addition.model.terms) names.push_back(one.name);
   std::string runs;
@@ -86,7 +104,7 @@ Document add_findings(const Addition& addition, const std::string& model,
     if (!run.holdout) runs += " " + run.file;
   }
   Document document(
-      "fogcomp add " + model + " " + term.name + runs,
+      "fogcomp add " + model + " " + join(added, " ") + runs,
       words(std::string(addition.accepted ? "accepted: " : "refused: ") + addition.reason, names));
   if (written.empty()) {
     document.next("nothing was written; ask what else it could be",
@@ -98,8 +116,7 @@ Document add_findings(const Addition& addition, const std::string& model,
     document.sentence("note: " + words(warning, names));
   }
   if (addition.fit.network_judged) document.sentence(words(network_verdict(addition.fit)));
-  Model changed;
-  changed.terms = {term};
+  add_parts(document, addition);
   document.listing(describe(changed));
   add_errors(document, addition);
   for (std::size_t i = 0; i < addition.runs.size(); ++i) {

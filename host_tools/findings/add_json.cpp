@@ -15,6 +15,42 @@ Json halves_json(const std::vector<HalfTest>& halves) {
   });
 }
 
+Json judged_json(const std::optional<OutOfSample>& judged) {
+  if (!judged) return Json();
+  return Json::object()
+      .set("rms_before_dph", judged->rms_before_dph)
+      .set("rms_after_dph", judged->rms_after_dph)
+      .set("gain", judged->gain);
+}
+
+// All that were added; of several, each alone and beside the others.
+Json added_terms_json(const Addition& addition) {
+  Json effects = Json::array();
+  for (std::size_t i = 0; i < addition.changed.size(); ++i) {
+    const EffectTerm& term = addition.model.terms[addition.changed[i]];
+    Json parameters = Json::object();
+    set_parameters(parameters, term);
+    Json coefficients = Json::object();
+    set_coefficients(coefficients, term);
+    Json one = Json::object();
+    one.set("effect", term.name)
+        .set("parameters", std::move(parameters))
+        .set("coefficients", std::move(coefficients));
+    if (!addition.parts.empty()) {
+      one.set("alone", judged_json(addition.parts[i].alone))
+          .set("beside", judged_json(addition.parts[i].beside));
+    }
+    effects.push(std::move(one));
+  }
+  return effects;
+}
+
+std::vector<std::string> names_of(const Addition& addition) {
+  std::vector<std::string> names;
+  for (const std::size_t i : addition.changed) names.push_back(addition.model.terms[i].name);
+  return names;
+}
+
 Json runs_json(const std::vector<Addition::RunError>& runs) {
   return json_array(runs, [&](const Addition::RunError& run) {
     return Json::object()
@@ -31,7 +67,7 @@ Json runs_json(const std::vector<Addition::RunError>& runs) {
 }  // namespace
 
 Json add_json(const Addition& addition, const std::string& written) {
-  const EffectTerm& term = addition.model.terms[addition.changed];
+  const EffectTerm& term = addition.model.terms[addition.changed.front()];
   Json parameters = Json::object();
   set_parameters(parameters, term);
   Json coefficients = Json::object();
@@ -43,6 +79,8 @@ Json add_json(const Addition& addition, const std::string& written) {
   }
   Json result = Json::object();
   result.set("effect", term.name)
+      .set("effects", names_of(addition))
+      .set("terms", added_terms_json(addition))
       .set("accepted", addition.accepted)
       .set("reason", addition.reason)
       .set("out_of_sample_rms_before_dph", judged.rms_before_dph)

@@ -44,6 +44,14 @@ std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
   return effect;
 }
 
+// The command that adds a set.
+std::string add_set_command_line(const Diagnosis& diagnosis, const std::vector<std::string>& set,
+                                 const std::string& model, const std::string& runs) {
+  std::string line = "fogcomp add " + model;
+  for (const std::string& effect : set) line += " " + to_add(diagnosis, effect);
+  return line + " " + runs;
+}
+
 // The command that adds it. An expression has no quotes in it.
 std::string add_command_line(const Diagnosis& diagnosis, const std::string& effect,
                              const std::string& model, const std::string& runs) {
@@ -230,9 +238,14 @@ void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::stri
               const std::string& runs) {
   const std::string effect = effect_to_add(diagnosis);
   const std::vector<std::string> together = effects_together(diagnosis);
-  if (!together.empty()) {
+  const bool has_event = std::any_of(together.begin(), together.end(), [&](const auto& name) {
+    return is_event(diagnosis.find(name)->term());
+  });
+  if (has_event) {
     words.next = "fit again with " + joined(together, "and") +
-                 " among the --effects: `add` takes one effect at a time, which hardly helps";
+                 " among the --effects: it finds steps and masks them";
+  } else if (!together.empty()) {
+    words.command = add_set_command_line(diagnosis, together, model, runs) + " -o NEW.model";
   } else if (!effect.empty() && is_event(diagnosis.find(effect)->term())) {
     words.next = "fit again with " + effect + " among the --effects: it finds steps and masks them";
   } else if (!effect.empty()) {

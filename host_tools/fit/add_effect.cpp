@@ -9,6 +9,7 @@
 #include "fit/walk_rival.hpp"
 #include "model/shape_limits.hpp"
 #include "noise/autocorrelation.hpp"
+#include "support/input_error.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp {
@@ -66,14 +67,82 @@ FitSettings fit_settings(const Model& model, const AddSettings& settings) {
   return fit;
 }
 
-OutOfSample judge(const Model& before, const Addition& after, const SignalSeries& series,
-                  const std::vector<RunInBlocks>& holdouts, bool run_offsets) {
-  const Identification& identified = after.fit.identified;
-  if (holdouts.empty()) {
-    return cross_validate(series, before.terms, after.model.terms, after.changed,
-                          {identified.noise, identified.row_weights, run_offsets});
+// Steps that are searched for anew stand behind all other terms after a fit.
+std::size_t place_of(const std::string& name, const std::vector<EffectTerm>& terms) {
+  const auto found = std::find_if(terms.begin(), terms.end(),
+                                  [&](const EffectTerm& term) { return term.name == name; });
+  return static_cast<std::size_t>(found - terms.begin());
+}
+
+// What is needed to judge one model against another out of sample.
+struct Judge {
+  const SignalSeries& series;
+  const std::vector<RunInBlocks>& holdouts;
+  JudgedWith with;
+
+  // `after`: its terms `changed` are what it has more than `before`.
+  OutOfSample operator()(const Model& before, const Model& after,
+                         const std::vector<std::size_t>& changed) const {
+    if (holdouts.empty()) {
+      return cross_validate(series, before.terms, after.terms, changed, with);
+    }
+    return judge_on_holdouts(before, after, holdouts, with.noise, with.run_offsets);
   }
-  return judge_on_holdouts(before, after.model, holdouts, identified.noise, run_offsets);
+};
+
+// The effects of `given` with some of a change made, refitted; without a network.
+Model with_some(const Model& given, const EffectChange& change,
+                const std::vector<std::size_t>& chosen, const SignalSeries& series,
+                const AddSettings& settings) {
+  Model model = given;
+  model.network = RealNetwork();
+  for (const std::size_t i : chosen) {
+    const EffectTerm& term = change.terms[i];
+    if (i < model.terms.size()) {
+      model.terms[i] = term;
+    } else {
+      model.terms.push_back(term);
+    }
+  }
+  FitSettings fitting = fit_settings(model, settings);
+  fitting.network.hidden = 0;
+  fit_model(model, series, fitting);
+  return model;
+}
+
+// Of `after`, what has a name.
+std::vector<std::size_t> places_of(const EffectChange& change,
+                                   const std::vector<std::size_t>& chosen, const Model& model) {
+  std::vector<std::size_t> places;
+  for (const std::size_t i : chosen) places.push_back(place_of(change.terms[i].name, model.terms));
+  return places;
+}
+
+// Each effect of a set by itself, and beside the others.
+std::vector<Addition::Part> judge_parts(const Model& given, const EffectChange& change,
+                                        const Judge& judge, const AddSettings& settings) {
+  std::vector<Addition::Part> parts;
+  const auto fitted = [&](const std::vector<std::size_t>& chosen) {
+    return with_some(given, change, chosen, judge.series, settings);
+  };
+  const Model none = fitted({});
+  const Model all = fitted(change.changed);
+  for (const std::size_t i : change.changed) {
+    Addition::Part part{change.terms[i].name, {}, {}};
+    std::vector<std::size_t> others = change.changed;
+    others.erase(std::find(others.begin(), others.end(), i));
+    try {
+      const Model alone = fitted({i});
+      part.alone = judge(none, alone, places_of(change, {i}, alone));
+    } catch (const InputError&) {  // the data determine it only with the others
+    }
+    try {
+      part.beside = judge(fitted(others), all, places_of(change, {i}, all));
+    } catch (const InputError&) {
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 // What the change explains may be a random walk.
@@ -83,16 +152,12 @@ double chance_of_walk_instead(const Model& before, const Addition& after,
   std::vector<Eigen::MatrixXd> columns;
   for (const EffectTerm& term : before.terms) columns.push_back(series.regressors(term));
   columns.push_back(run_offset_columns(rows, run_offsets));
+  std::vector<Eigen::MatrixXd> added;
+  for (const std::size_t i : after.changed)
+    added.push_back(series.regressors(after.model.terms[i]));
   return chance_of_walk(rows, after.fit.identified.noise, after.fit.identified.row_weights,
-                        side_by_side(columns, rows.size()),
-                        series.regressors(after.model.terms[after.changed]), rows.drift_dph);
-}
-
-// Steps that are searched for anew stand behind all other terms after a fit.
-std::size_t place_of(const std::string& name, const std::vector<EffectTerm>& terms) {
-  const auto found = std::find_if(terms.begin(), terms.end(),
-                                  [&](const EffectTerm& term) { return term.name == name; });
-  return static_cast<std::size_t>(found - terms.begin());
+                        side_by_side(columns, rows.size()), side_by_side(added, rows.size()),
+                        rows.drift_dph);
 }
 
 // Why what is new in a term is not believed although it helps; "" where nothing speaks against it.
@@ -144,13 +209,22 @@ void decide(const Model& model, const std::optional<HistoryEntry::Holdout>& rise
       format("%s out of sample: the effects alone leave %s",
              judged.helps() ? "helps" : "does not help", out_of_sample_words(judged).c_str());
   if (!judged.helps()) return;
-  const std::string doubt = doubt_of(result.model.terms[result.changed], model);
+  std::string doubt;
+  for (const std::size_t i : result.changed) {
+    if (doubt.empty()) doubt = doubt_of(result.model.terms[i], model);
+  }
+  const auto needless =
+      std::find_if(result.parts.begin(), result.parts.end(),
+                   [](const Addition::Part& part) { return part.beside && !part.beside->helps(); });
   if (risen) {
     result.reason =
         format("makes the whole model worse on the holdouts: %s -> %s deg/h",
                rounded(risen->rms_before_dph).c_str(), rounded(risen->rms_after_dph).c_str());
   } else if (!doubt.empty()) {
     result.reason = doubt;
+  } else if (needless != result.parts.end()) {
+    result.reason = needless->effect +
+                    " brings nothing beside the others: " + out_of_sample_words(*needless->beside);
   } else if (result.chance_of_walk.value_or(0) >= rules::kMaxChanceOfWalk) {
     result.reason =
         "on these runs alone a random walk of the bias explains it as well: let a run that was not "
@@ -172,12 +246,15 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
   SignalSeries series(result.model);
   for (const RunInBlocks& run : training.runs) series.add(run.blocks);
   refit_both(before, result, series, settings);
-  result.changed = place_of(change.terms[change.changed].name, result.model.terms);
+  result.changed = places_of(change, change.changed, result.model);
 
   const Identification& identified = result.fit.identified;
-  result.out_of_sample = judge(before, result, series, holdouts, settings.run_offsets);
-  result.halves = judge_halves(series, before.terms, result.model.terms, result.changed,
-                               {identified.noise, identified.row_weights, settings.run_offsets});
+  const Judge judge{
+      series, holdouts, {identified.noise, identified.row_weights, settings.run_offsets}};
+  result.out_of_sample = judge(before, result.model, result.changed);
+  if (change.changed.size() > 1) result.parts = judge_parts(before, change, judge, settings);
+  result.halves =
+      judge_halves(series, before.terms, result.model.terms, result.changed, judge.with);
   if (result.out_of_sample.within_runs && identified.noise.from_quiet_parts) {
     result.chance_of_walk = chance_of_walk_instead(before, result, series, settings.run_offsets);
   }

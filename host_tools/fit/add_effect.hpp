@@ -21,7 +21,7 @@ struct AddSettings {
   std::function<void(double)> progress{};
 };
 
-/// A model with one effect more, or one changed, and whether that was worth it.
+/// A model with some effects more, or changed, and whether that was worth it.
 struct Addition {
   struct RunError {
     std::string file;
@@ -35,11 +35,18 @@ struct Addition {
     Comparison before;  ///< row by row
     Comparison after;
   };
-  Model model;                 ///< as refitted, with its history
-  std::size_t changed = 0;     ///< the term that was added or changed
-  FitResult fit;               ///< of the new model
-  std::vector<RunError> runs;  ///< training runs, then holdouts
-  OutOfSample out_of_sample;   ///< the effects alone, before against after
+  /// One of several effects that were added together.
+  struct Part {
+    std::string effect;
+    std::optional<OutOfSample> alone;   ///< without the others; nothing: not determined so
+    std::optional<OutOfSample> beside;  ///< when the others are there already
+  };
+  Model model;                       ///< as refitted, with its history
+  std::vector<std::size_t> changed;  ///< the terms that were added or changed
+  std::vector<Part> parts;           ///< of a set, as `changed`; empty for one effect
+  FitResult fit;                     ///< of the new model
+  std::vector<RunError> runs;        ///< training runs, then holdouts
+  OutOfSample out_of_sample;         ///< the effects alone, before against after
   /// Where no other run judged: chance that a random walk of the bias, and no effect, is what the
   /// addition explains, 0..1. Stretches of one run lie between others that walked along.
   std::optional<double> chance_of_walk;
@@ -57,7 +64,8 @@ struct Addition {
 /// there are none on stretches or runs left out; and if the whole model's rms on the holdouts has
 /// not risen beyond chance; on stretches of one run, if a random walk of the bias is unlikely, too
 /// (rules::kMaxChanceOfWalk); and if the data determine what is new: no shape at a bound or
-/// anywhere within its range, a coefficient larger than its uncertainty. Throws InputError for a
+/// anywhere within its range, a coefficient larger than its uncertainty; and of several, if each
+/// helps beside the others. Throws InputError for a
 /// run that lacks what the effect needs, and for data that cannot determine it.
 Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
                     const std::vector<RunInBlocks>& holdouts, const AddSettings& settings);

@@ -49,7 +49,7 @@ EffectTerm with_settings(const EffectTerm& old, const std::string& effect) {
 }  // namespace
 
 EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect) {
-  EffectChange change{terms, 0, effect};
+  EffectChange change{terms, {}, effect};
   const EffectTerm added = parse_one(effect);
   if (is_event(added)) {
     throw InputError("effect '" + effect + "'",
@@ -59,14 +59,15 @@ EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::stri
   }
   const auto old = std::find_if(terms.begin(), terms.end(),
                                 [&](const EffectTerm& term) { return term.name == added.name; });
-  change.changed = static_cast<std::size_t>(old - terms.begin());
+  const auto place = static_cast<std::size_t>(old - terms.begin());
+  change.changed = {place};
   if (old == terms.end()) {
     change.terms.push_back(added);
     return change;
   }
   const std::vector<EffectTerm> grown = grown_terms(*old);
   if (effect.find(':') == std::string::npos && !grown.empty()) {
-    change.terms[change.changed] = grown.front();
+    change.terms[place] = grown.front();
     return change;
   }
   const EffectTerm changed = with_settings(*old, effect);
@@ -78,13 +79,29 @@ EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::stri
                          ? "is in the model already; name a parameter to change, or another effect"
                          : "is in the model just so already; give another value or ?[min,max]");
   }
-  change.terms[change.changed] = changed;
+  change.terms[place] = changed;
   return change;
+}
+
+EffectChange change_effects(const std::vector<EffectTerm>& terms,
+                            const std::vector<std::string>& effects) {
+  EffectChange all{terms, {}, ""};
+  for (const std::string& effect : effects) {
+    const EffectChange one = change_effect(all.terms, effect);
+    const std::size_t place = one.changed.front();
+    if (std::find(all.changed.begin(), all.changed.end(), place) != all.changed.end()) {
+      throw InputError("effect '" + effect + "'", "is named twice; name it once");
+    }
+    all.terms = one.terms;
+    all.changed.push_back(place);
+    all.what += (all.what.empty() ? "" : ", ") + effect;
+  }
+  return all;
 }
 
 EffectChange change_expression(const std::vector<EffectTerm>& terms,
                                const std::string& definition) {
-  EffectChange change{terms, terms.size(), definition};
+  EffectChange change{terms, {terms.size()}, definition};
   add_expression(change.terms, definition);
   return change;
 }

@@ -7,11 +7,11 @@
 
 namespace fogcomp {
 
-/// A set of effects after one was added or changed.
+/// A set of effects after some were added or changed.
 struct EffectChange {
   std::vector<EffectTerm> terms;
-  std::size_t changed = 0;  ///< which of them
-  std::string what;         ///< as it was asked for; the model's history keeps it
+  std::vector<std::size_t> changed;  ///< which of them; at least one
+  std::string what;                  ///< as it was asked for; the model's history keeps it
 };
 
 /// `effect`: one effect as `fit --effects` has it. A new one goes to the end. One that is there
@@ -20,6 +20,10 @@ struct EffectChange {
 /// InputError for anything else than one effect, for an unknown one, and where nothing would
 /// change.
 EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect);
+
+/// Several effects, one after the other; at least one, none twice.
+EffectChange change_effects(const std::vector<EffectTerm>& terms,
+                            const std::vector<std::string>& effects);
 
 /// `definition`: `NAME = EXPRESSION`, a new term at the end. Throws InputError as add_expression()
 /// does.

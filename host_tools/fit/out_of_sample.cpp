@@ -133,14 +133,14 @@ bool tells_all(const Fold& fold, const Fold& all) {
 }
 
 // Every shape stays but those of one term.
-std::vector<EffectTerm> shapes_kept(std::vector<EffectTerm> terms, std::size_t free) {
+std::vector<EffectTerm> shapes_kept(std::vector<EffectTerm> terms,
+                                    const std::vector<std::size_t>& free) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    if (i != free) std::fill(terms[i].identified.begin(), terms[i].identified.end(), false);
+    if (std::find(free.begin(), free.end(), i) == free.end())
+      std::fill(terms[i].identified.begin(), terms[i].identified.end(), false);
   }
   return terms;
 }
-
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 struct Residuals {
   Eigen::VectorXd before;
@@ -165,16 +165,21 @@ Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTer
   return residuals;
 }
 
-// Whether every fold tells the coefficients of one term.
-bool tell_term(const std::vector<Fold>& folds, const SignalSeries& series,
-               const std::vector<EffectTerm>& terms, std::size_t term, const JudgedWith& with) {
-  Eigen::Index first = 0;
-  for (std::size_t i = 0; i < term; ++i) first += series.regressors(terms[i]).cols();
-  const Eigen::Index count = series.regressors(terms[term]).cols();
+// Whether every fold tells the coefficients of some terms.
+bool tell_terms(const std::vector<Fold>& folds, const SignalSeries& series,
+                const std::vector<EffectTerm>& terms, const std::vector<std::size_t>& asked,
+                const JudgedWith& with) {
   const Fold all = leave_out(series, terms, {}, with);
-  return std::all_of(folds.begin(), folds.end(), [&](const Fold& fold) {
-    return tells(fold, all, first, count, rules::kMuchWorse);
-  });
+  Eigen::Index first = 0;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const Eigen::Index count = series.regressors(terms[i]).cols();
+    const bool told = std::all_of(folds.begin(), folds.end(), [&](const Fold& fold) {
+      return tells(fold, all, first, count, rules::kMuchWorse);
+    });
+    if (!told && std::find(asked.begin(), asked.end(), i) != asked.end()) return false;
+    first += count;
+  }
+  return true;
 }
 
 Eigen::VectorXd residual_of_effects(Model model, const std::vector<RunInBlocks>& runs,
@@ -216,10 +221,10 @@ bool OutOfSample::helps() const {
 }
 
 OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectTerm>& before,
-                           const std::vector<EffectTerm>& after, std::size_t changed,
-                           const JudgedWith& with) {
+                           const std::vector<EffectTerm>& after,
+                           const std::vector<std::size_t>& changed, const JudgedWith& with) {
   const Rows& rows = series.rows();
-  const std::vector<EffectTerm> fixed_before = shapes_kept(before, kNone);
+  const std::vector<EffectTerm> fixed_before = shapes_kept(before, {});
   const std::vector<EffectTerm> fixed_after = shapes_kept(after, changed);
   const std::vector<RowRange> runs = rows.runs();
   // A run's own offset cannot be known without the run.
@@ -227,7 +232,7 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
     std::vector<Part> parts;
     for (const RowRange& run : runs) parts.push_back({run});
     const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
-    if (tell_term(left.added, series, fixed_after, changed, with)) {
+    if (tell_terms(left.added, series, fixed_after, changed, with)) {
       OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
       result.how = "on " + counted(runs.size(), "run") + ", each left out once";
       return result;
@@ -260,7 +265,8 @@ OutOfSample cross_validate_learner(const Rows& rows, const Eigen::VectorXd& resi
 
 std::vector<HalfTest> judge_halves(const SignalSeries& series,
                                    const std::vector<EffectTerm>& before,
-                                   const std::vector<EffectTerm>& after, std::size_t changed,
+                                   const std::vector<EffectTerm>& after,
+                                   const std::vector<std::size_t>& changed,
                                    const JudgedWith& with) {
   const Rows& rows = series.rows();
   Part first;
@@ -270,11 +276,11 @@ std::vector<HalfTest> judge_halves(const SignalSeries& series,
     first.push_back({run.first, middle});
     second.push_back({middle, run.end});
   }
-  const Fold all = leave_out(series, shapes_kept(after, kNone), {}, with);
+  const Fold all = leave_out(series, shapes_kept(after, {}), {}, with);
   std::vector<HalfTest> tests;
   for (const bool on_first : {true, false}) {
     const Part& judged = on_first ? second : first;
-    const Fold without = leave_out(series, shapes_kept(before, kNone), judged, with);
+    const Fold without = leave_out(series, shapes_kept(before, {}), judged, with);
     const Fold added = leave_out(series, shapes_kept(after, changed), judged, with);
     HalfTest test;
     test.identified_on = on_first ? "first" : "second";

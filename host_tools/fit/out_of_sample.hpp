@@ -52,13 +52,13 @@ struct JudgedWith {
 };
 
 /// Leaves every run out once where there are three or more and the others determine all effects,
-/// the changed one not much worse than all runs do. Else stretches of time, three times as long as
+/// the changed ones not much worse than all runs do. Else stretches of time, three times as long as
 /// noise or residual go together (but 10 to 50 in all), every fifth of them at once. `before`,
-/// `after`: identified on all of `series`; shapes stay as they are but for those of after[changed],
-/// which are searched anew without the data left out, as are all coefficients.
+/// `after`: identified on all of `series`; shapes stay as they are but for those of after[i], i in
+/// `changed`, which are searched anew without the data left out, as are all coefficients.
 OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectTerm>& before,
-                           const std::vector<EffectTerm>& after, std::size_t changed,
-                           const JudgedWith& with);
+                           const std::vector<EffectTerm>& after,
+                           const std::vector<std::size_t>& changed, const JudgedWith& with);
 
 /// Learns from the rows that have a weight, and says what it makes of all of them, deg/h.
 using Learner = std::function<Eigen::VectorXd(const Eigen::VectorXd& row_weights)>;
@@ -73,8 +73,8 @@ OutOfSample cross_validate_learner(const Rows& rows, const Eigen::VectorXd& resi
 /// First and second half, as cross_validate() would leave them out.
 std::vector<HalfTest> judge_halves(const SignalSeries& series,
                                    const std::vector<EffectTerm>& before,
-                                   const std::vector<EffectTerm>& after, std::size_t changed,
-                                   const JudgedWith& with);
+                                   const std::vector<EffectTerm>& after,
+                                   const std::vector<std::size_t>& changed, const JudgedWith& with);
 
 /// `holdouts`: runs that took no part in either fit; at least one. The effects alone, as the board
 /// has them: clamped to the trained range. With run_offsets every run has its mean removed.

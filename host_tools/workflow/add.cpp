@@ -8,7 +8,7 @@ Addition add(const AddRequest& request, const Observer& observer) {
   const Model model = load_model(request.model);
   const EffectChange change = request.expression
                                   ? change_expression(model.terms, *request.expression)
-                                  : change_effect(model.terms, request.effect);
+                                  : change_effects(model.terms, request.effects);
   ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = model.scale_factor;
   const TrainingRuns training = read_training_runs(request.runs, reading, model.average_s);

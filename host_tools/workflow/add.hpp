@@ -12,8 +12,8 @@ namespace fogcomp::workflow {
 
 struct AddRequest {
   std::string model;                      ///< file
-  std::string effect;                     ///< as change_effect() takes it
-  std::optional<std::string> expression;  ///< `NAME = EXPRESSION` instead of an effect
+  std::vector<std::string> effects;       ///< each as change_effect() takes it; judged together
+  std::optional<std::string> expression;  ///< `NAME = EXPRESSION` instead of effects
   std::vector<std::string> runs;          ///< recordings to fit to
   std::vector<std::string> hold_outs;     ///< to judge by, instead of leaving parts out
   ReadOptions reading;                    ///< model_scale_factor is the model's
@@ -21,8 +21,8 @@ struct AddRequest {
   std::uint64_t seed = 1;                 ///< of the network's first weights
 };
 
-/// Whether the effect is worth it is in the outcome, with the refitted model; nothing is written.
-/// Throws InputError as change_effect(), read_holdouts() and add_effect() do.
+/// Whether the effects are worth it is in the outcome, with the refitted model; nothing is written.
+/// Throws InputError as change_effects(), read_holdouts() and add_effect() do.
 Addition add(const AddRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

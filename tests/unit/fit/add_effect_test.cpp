@@ -24,6 +24,36 @@ TEST(AddEffect, AcceptsATrueEffect) {
   EXPECT_FALSE(result.model.history.back().forced);
 }
 
+TEST(AddEffect, JudgesSeveralTogetherAndEachAloneAndBesideTheOthers) {
+  const Model given = incomplete("bias,bias_temperature:order=2");
+  const Addition result = fogcomp::add_effect(
+      given, fogcomp::change_effects(given.terms, {"temperature_rate", "bias_temperature:order=3"}),
+      runs_of(truth(), {1}), {}, {});
+  EXPECT_TRUE(result.accepted) << result.reason;
+  EXPECT_EQ(result.changed, (std::vector<std::size_t>{2, 1}));
+  ASSERT_EQ(result.parts.size(), 2U);
+  for (const Addition::Part& part : result.parts) {
+    ASSERT_TRUE(part.alone && part.beside) << part.effect;
+    EXPECT_TRUE(part.beside->helps()) << part.effect;
+  }
+}
+
+TEST(AddEffect, RefusesASetOfWhichOneBringsNothing) {
+  const Model given = incomplete("bias,bias_temperature:order=3");
+  const Addition result = fogcomp::add_effect(
+      given,
+      fogcomp::change_effects(given.terms, {"temperature_rate", "thermal_hysteresis:radius=5"}),
+      runs_of(truth(), {1}), {}, {});
+  EXPECT_TRUE(result.out_of_sample.helps());
+  EXPECT_FALSE(result.accepted);
+  EXPECT_NE(result.reason.find("thermal_hysteresis"), std::string::npos) << result.reason;
+}
+
+TEST(EffectChange, TakesNoEffectTwice) {
+  const std::vector<fogcomp::EffectTerm> terms = fogcomp::parse_effects("bias");
+  EXPECT_THROW(fogcomp::change_effects(terms, {"shupe", "shupe:tau=300"}), fogcomp::InputError);
+}
+
 TEST(AddEffect, RefusesAUselessEffect) {
   const Addition result = add(kComplete, "thermal_hysteresis:radius=5", truth(), {1});
   EXPECT_FALSE(result.accepted);
@@ -45,14 +75,14 @@ TEST(AddEffect, KnowsItsEffectBehindAStepThatIsFoundAnew) {
   const Addition result =
       fogcomp::add_effect(given, fogcomp::change_effect(given.terms, "temperature_rate"),
                           runs_of(truth(), {1}), {}, {});
-  EXPECT_EQ(result.model.terms.at(result.changed).name, "temperature_rate");
+  EXPECT_EQ(result.model.terms.at(result.changed.at(0)).name, "temperature_rate");
   EXPECT_TRUE(result.accepted) << result.reason;
 }
 
 TEST(EffectChange, TakesOtherBoundsOfAParameterThatIsIdentified) {
   const std::vector<fogcomp::EffectTerm> terms = fogcomp::parse_effects("bias,polarization_ripple");
   const auto change = fogcomp::change_effect(terms, "polarization_ripple:period=?[2,10]");
-  const fogcomp::EffectTerm& changed = change.terms[change.changed];
+  const fogcomp::EffectTerm& changed = change.terms[change.changed.at(0)];
   EXPECT_EQ(changed.bounds[0].most, 10);
   EXPECT_LE(changed.parameters[0], 10);  // 13 was outside
   EXPECT_THROW(fogcomp::change_effect(terms, "polarization_ripple:period=?"), fogcomp::InputError);
@@ -162,7 +192,7 @@ TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
                                     runs_of(real, {1}), {}, {});
   EXPECT_TRUE(right.accepted) << right.reason;
   EXPECT_EQ(right.model.history.back().action, "add " + definition);
-  const fogcomp::EffectTerm& term = right.model.terms[right.changed];
+  const fogcomp::EffectTerm& term = right.model.terms[right.changed.at(0)];
   EXPECT_NEAR(term.parameters[0], 900, 4 * term.parameter_sigma[0]);
   const double sigma =
       fogcomp::in_natural_unit(term.sigma_dph[0], fogcomp::info_of(term).coefficients[0]);
@@ -173,7 +203,7 @@ TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
 TEST(EffectChange, RaisesWhatIsThere) {
   const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
   const auto order = fogcomp::change_effect(terms, "bias_temperature:order=4");
-  EXPECT_EQ(order.changed, 1U);
+  EXPECT_EQ(order.changed.at(0), 1U);
   ASSERT_EQ(order.terms.size(), 3U);
   EXPECT_EQ(order.terms[1].parameters, std::vector<double>{4});
 
@@ -189,7 +219,7 @@ TEST(EffectChange, RaisesWhatIsThere) {
 TEST(EffectChange, GrowsAnEffectThatIsThereAlready) {
   const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
   const auto higher = fogcomp::change_effect(terms, "bias_temperature");
-  EXPECT_EQ(higher.changed, 1U);
+  EXPECT_EQ(higher.changed.at(0), 1U);
   EXPECT_EQ(higher.terms[1].parameters[0], 4);
   const auto second = fogcomp::change_effect(terms, "thermal_hysteresis");
   EXPECT_TRUE(second.terms[2].identified[1]);

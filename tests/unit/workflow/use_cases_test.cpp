@@ -84,7 +84,7 @@ TEST_F(UseCases, FitCompareDiagnoseAndAddWithoutACommandLine) {
 
   AddRequest addition;
   addition.model = file;
-  addition.effect = effect_to_add(answer.ladder.first);
+  addition.effects = {effect_to_add(answer.ladder.first)};
   addition.runs = question.runs;
   addition.hold_outs = {path("second.csv")};
   const Addition added = add(addition);
@@ -203,7 +203,7 @@ TEST_F(UseCases, EndWhenTheirObserverSaysSo) {
   EXPECT_THROW(diagnose(question, observer), Cancelled);
   AddRequest addition;
   addition.model = question.model;
-  addition.effect = "temperature_rate";
+  addition.effects = {"temperature_rate"};
   addition.runs = question.runs;
   EXPECT_THROW(add(addition, observer), Cancelled);
   EXPECT_THROW(compare({{question.model}, question.runs, {}, {}, false}, observer), Cancelled);
