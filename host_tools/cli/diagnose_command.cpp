@@ -64,8 +64,8 @@ int DiagnoseCommand::run() const {
       findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
   if (page.wanted()) page.write(document);
   if (json.given()) {
-    const Json object = loop_wanted ? findings::ladder_json(found.ladder)
-                                    : findings::diagnosis_json(found.ladder.first);
+    const Json object = loop_wanted ? findings::ladder_json(found.ladder, files)
+                                    : findings::diagnosis_json(found.ladder.first, files);
     std::puts(object.text().c_str());
   } else {
     std::fputs(report::terminal(document).c_str(), stdout);

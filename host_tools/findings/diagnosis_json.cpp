@@ -1,5 +1,8 @@
 #include "findings/json.hpp"
 
+#include "findings/diagnosis_words.hpp"
+#include "support/text.hpp"
+
 #include "findings/json.hpp"
 
 namespace fogcomp::findings {
@@ -68,6 +71,9 @@ Json candidates_json(const std::vector<CandidateFinding>& candidates) {
 void set_verdict(Json& result, const Diagnosis& diagnosis) {
   result.set("verdict", name_of(diagnosis.verdict));
   result.set("effect", diagnosis.effect.empty() ? Json() : Json(diagnosis.effect));
+  std::vector<std::string> effects = effects_together(diagnosis);
+  if (effects.empty() && !diagnosis.effect.empty()) effects = {diagnosis.effect};
+  result.set("effects", effects);
   result.set("confusable", diagnosis.confusable);
   const bool proposed = diagnosis.experiment && !diagnosis.experiment->sentence.empty();
   result.set("experiment", proposed ? Json(diagnosis.experiment->sentence) : Json());
@@ -107,11 +113,20 @@ void set_residual(Json& result, const Diagnosis& diagnosis) {
                           .set("from_quiet_parts", diagnosis.noise.from_quiet_parts));
 }
 
+// The command to type now; null where there is none.
+Json next_json(const Diagnosis& diagnosis, const std::vector<std::string>& files) {
+  if (files.empty()) return Json();
+  const std::vector<std::string> runs(files.begin() + 1, files.end());
+  const std::string command = words_of(diagnosis, files[0], join(runs, " ")).command;
+  return command.empty() ? Json() : Json(command);
+}
+
 }  // namespace
 
-Json diagnosis_json(const Diagnosis& diagnosis) {
+Json diagnosis_json(const Diagnosis& diagnosis, const std::vector<std::string>& files) {
   Json result = Json::object();
   set_verdict(result, diagnosis);
+  result.set("next", next_json(diagnosis, files));
   result.set("fast", fast_json(diagnosis));
   result.set("where", Json::object()
                           .set("variable", diagnosis.variable)
@@ -128,7 +143,7 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
   return result;
 }
 
-Json ladder_json(const Ladder& ladder) {
+Json ladder_json(const Ladder& ladder, const std::vector<std::string>& files) {
   Json steps = json_array(ladder.steps, [&](const Ladder::Step& step) {
     return Json::object()
         .set("effect", step.effect)
@@ -137,10 +152,10 @@ Json ladder_json(const Ladder& ladder) {
         .set("rms_before_dph", step.rms_before_dph)
         .set("rms_after_dph", step.rms_after_dph);
   });
-  Json result = diagnosis_json(ladder.first);
+  Json result = diagnosis_json(ladder.first, files);
   result.set("added", ladder.added()).set("ladder", std::move(steps));
   result.set("left_alone", ladder.left_alone.empty() ? Json() : Json(ladder.left_alone));
-  result.set("last", diagnosis_json(ladder.last));
+  result.set("last", diagnosis_json(ladder.last, {}));
   return result;
 }
 

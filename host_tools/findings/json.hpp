@@ -23,9 +23,11 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output);
 /// The first model's runs at the top; all under "models".
 Json compare_json(const std::vector<ModelOnRuns>& models);
 
-Json diagnosis_json(const Diagnosis& diagnosis);
-/// The diagnosis of the model as given, the steps of the loop, and the diagnosis at its end.
-Json ladder_json(const Ladder& ladder);
+/// `files`: the model, then its runs, as a command names them.
+Json diagnosis_json(const Diagnosis& diagnosis, const std::vector<std::string>& files);
+/// The diagnosis of the model as given, the steps of the loop, and the diagnosis at its end, which
+/// is of no file.
+Json ladder_json(const Ladder& ladder, const std::vector<std::string>& files);
 
 /// `written`: the model file that was written, "" for none.
 Json add_json(const Addition& addition, const std::string& written);
