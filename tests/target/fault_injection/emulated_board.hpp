@@ -53,6 +53,8 @@ class EmulatedBoard {
 
  private:
   void start(const std::string& machine, const std::string& elf);
+  bool take_output();
+  bool exchange_at_sockets();
   int connect_to(const std::string& port);
   std::string command(const std::string& packet);
   std::string receive_packet();
