@@ -5,8 +5,8 @@ namespace {
 
 // Set at 97.5 % of full scale, cleared after 50 ms below 92.5 %: a demodulator near its end folds
 // or clips, and a rate that hovers there must not flicker between good and bad.
-constexpr std::int64_t kSetPerMille = 975;
-constexpr std::int64_t kClearPerMille = 925;
+constexpr std::int32_t kSetFortieths = 39;
+constexpr std::int32_t kClearFortieths = 37;
 constexpr std::uint32_t kClearUs = 50'000;
 
 // 20,000 deg/s^2 (350 rad/s^2) in LSB of Rate per microsecond: ten times what agile vehicles and
@@ -18,8 +18,9 @@ constexpr std::int64_t kMostStepPerUs =
 constexpr std::int64_t kAnyStep = std::int64_t{1} << 32U;
 constexpr std::uint32_t kSamplesForAnything = 1U << 30U;
 
-Rate share(Rate range, std::int64_t per_mille) {
-  return Rate::from_raw(static_cast<std::int32_t>(range.raw() * per_mille / 1000));
+// Rounded down, without 64 bits.
+Rate share(Rate range, std::int32_t fortieths) {
+  return Rate::from_raw(range.raw() / 40 * fortieths + range.raw() % 40 * fortieths / 40);
 }
 
 std::int64_t magnitude(std::int64_t value) {
@@ -33,8 +34,8 @@ std::int64_t distance(Rate a, Rate b) {
 }  // namespace
 
 RateMonitor::RateMonitor(Rate range, std::uint32_t sample_period_us)
-    : set_at_(share(range, kSetPerMille)),
-      clear_at_(share(range, kClearPerMille)),
+    : set_at_(share(range, kSetFortieths)),
+      clear_at_(share(range, kClearFortieths)),
       clear_samples_((kClearUs + sample_period_us - 1) / sample_period_us),
       inside_samples_(clear_samples_),
       most_step_(kMostStepPerUs * sample_period_us) {
