@@ -6,6 +6,7 @@
 #include "board/expression_code.hpp"
 #include "board/settling_time.hpp"
 #include "board/table_parts.hpp"
+#include "core/acquisition/extension_monitor.hpp"
 #include "core/bytes/crc.hpp"
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
@@ -76,6 +77,55 @@ void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
   const double settle_s = settling_time_s(model);
   out.note(format("blocks until all lags have settled (%.6g s)", settle_s));
   out.integer(std::llround(std::ceil(settle_s / timing.block_s)), "settle blocks");
+}
+
+// Up to half its trained span beyond it: there the error of a coefficient counts at most twice as
+// much as at the ends of the range. A step that training never saw has to be confirmed; of a
+// temperature physics says which. An input that stood still in training, or was not kept then, may
+// be whatever its format holds.
+struct InputLimits {
+  double min;
+  double max;
+  double step;
+};
+
+InputLimits input_limits(const Model& model, fog::Input input) {
+  const bool temperature = input == fog::Input::temperature2;
+  const auto& trained = model.input_ranges[extension_number(input)];
+  const double kMost = std::ldexp(1, 31 - fog::ExtensionValue::fractional_bits) - 1;
+  InputLimits limits{-kMost, kMost, kMost};
+  if (trained && trained->range.least < trained->range.most) {
+    const double margin = (trained->range.most - trained->range.least) / 2;
+    limits = {trained->range.least - margin, trained->range.most + margin, trained->step};
+  }
+  if (temperature) limits.step = std::ldexp(fog::kTemperatureStep.raw(), -16);
+  limits.min = std::max(limits.min, temperature ? kColdestDegc : -kMost);
+  limits.max = std::min(limits.max, temperature ? kWarmestDegc : kMost);
+  limits.step = std::min(limits.step, kMost);
+  if (limits.min <= limits.max) return limits;
+  throw InputError("export", format("%s was trained from %.4g to %.4g, which no board is told; "
+                                    "correct its unit and fit again",
+                                    description_of(input).column, trained->range.least,
+                                    trained->range.most));
+}
+
+void write_input_limits(TableWriter& out, const Model& model) {
+  const fog::InputMask needs = needs_of(model);
+  std::vector<fog::Input> inputs;
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    if (has(needs, fog::extension_input(i))) inputs.push_back(fog::extension_input(i));
+  }
+  out.note("inputs of extension records");
+  out.integer(static_cast<std::int64_t>(inputs.size()), "inputs");
+  for (const fog::Input input : inputs) {
+    const fog::InputDescription& description = description_of(input);
+    const InputLimits limits = input_limits(model, input);
+    out.note(format("%s: %.6g to %.6g %s, steps of more than %.4g to be confirmed",
+                    description.name, limits.min, limits.max, description.unit, limits.step));
+    for (const double limit : {limits.min, limits.max, limits.step}) {
+      out.real<fog::ExtensionValue>(limit, description.name);
+    }
+  }
 }
 
 double largest_coefficient(const Model& model) {
@@ -231,6 +281,7 @@ BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
       "provenance");
   write_calibration(out, model, timing);
   write_thermal(out, model, timing);
+  write_input_limits(out, model);
   const int fraction = fraction_within(largest_coefficient(model), fog::kLeastCoefficientFraction,
                                        fog::kMostCoefficientFraction);
   write_effects(out, model, timing, fraction);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 
 #include "core/bytes/crc.hpp"
@@ -184,6 +185,19 @@ Range read_range(ModelReader& in) {
   return {least, most};
 }
 
+// `NAME least most step`.
+void read_input_range(ModelReader& in, Model& model) {
+  const std::string name = in.word();
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (!is_extension(input.input) || name != input.name) continue;
+    const Range range = read_range(in);
+    model.input_ranges[extension_number(input.input)] =
+        InputRange{range, in.number(0, std::numeric_limits<double>::max())};
+    return;
+  }
+  in.fail("no extension record has an input '" + name + "'");
+}
+
 // A step, then what is known of it beyond the training error.
 void read_history(ModelReader& in, const std::string& key, std::vector<HistoryEntry>& history) {
   if (key == kHistory) {
@@ -277,6 +291,7 @@ const std::map<std::string, LineReader> kLines{
     {"range_degc_per_min",
      [](ModelReader& in, Model& m) { m.rate_range_degc_per_min = read_range(in); }},
     {"range_s", [](ModelReader& in, Model& m) { m.time_range_s = read_range(in); }},
+    {"input_range", read_input_range},
     {"noise_dph_rthz", [](ModelReader& in, Model& m) { m.noise_dph_rthz = read_dph(in); }},
     {"residual_rms_dph", [](ModelReader& in, Model& m) { m.residual_rms_dph = read_dph(in); }},
     {"uncertain_dph",
@@ -331,6 +346,12 @@ std::string model_text(const Model& model) {
   }
   if (const auto& time = model.time_range_s) {
     out.word("range_s").number(time->least).number(time->most).end_line();
+  }
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    const auto& input = model.input_ranges[i];
+    if (!input) continue;
+    out.word("input_range").word(description_of(fog::extension_input(i)).name);
+    out.number(input->range.least).number(input->range.most).number(input->step).end_line();
   }
   out.word("noise_dph_rthz").number(model.noise_dph_rthz).end_line();
   out.word("residual_rms_dph").number(model.residual_rms_dph).end_line();

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/acquisition/rate_monitor.hpp"
-#include "core/acquisition/temperature_monitor.hpp"
+#include "core/acquisition/reading_monitor.hpp"
 #include "recording/board_limits.hpp"
 #include "support/units.hpp"
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/acquisition/calibration.hpp"
+#include "core/acquisition/extension_monitor.hpp"
 #include "core/acquisition/sample_monitor.hpp"
 #include "core/compensation/drift_model.hpp"
 #include "core/denoise/denoiser.hpp"
@@ -46,6 +47,8 @@ class Compensator {
         calibration_(parameters.calibration),
         output_(parameters.output),
         monitor_(parameters.acquisition),
+        extension_monitor_(parameters.needs(), parameters.acquisition.input_limits,
+                           parameters.acquisition.sample_period_us, kConfirmUs),
         block_clock_(parameters.samples_per_block),
         collector_(parameters.needs()),
         pending_(parameters.needs()),
@@ -78,10 +81,16 @@ class Compensator {
     return encode(last_, out);
   }
 
-  /// A value that belongs to the next sample. One that no sensor can mean is as good as none.
+  /// A value that belongs to the next sample. One that no sensor can mean is as good as none; one
+  /// that shows that those before it were wrong makes an end of what came of them.
   void take(const ExtensionRecord& record) {
-    const bool is_temperature = record.input == Input::temperature2;
-    if (is_temperature && !is_possible(record.value)) return;
+    const ReadingUse use = extension_monitor_.judge(record);
+    if (use == ReadingUse::none) return;
+    if (use == ReadingUse::good_anew) {
+      drift_model_.stop();
+      collector_.forget(record.input);
+      pending_.forget(record.input);
+    }
     pending_.add(record.input, record.value);
   }
 
@@ -108,7 +117,8 @@ class Compensator {
     result.sequence = sample.sequence;
     result.drift = drift_model_.drift();
     result.status = fault_ | verdict.status | drift_model_.status() | input_missing_ |
-                    status_if(!verdict.temperature_confirmed, Status::drift_given_up) |
+                    status_if(!verdict.temperature_confirmed || !extension_monitor_.confirmed(),
+                              Status::drift_given_up) |
                     status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
     result.compensated = saturate_to<Rate>(difference(measured, result.drift));
 
@@ -123,6 +133,7 @@ class Compensator {
     result.temperature = last_temperature_;
     if (verdict.late) return result;
 
+    extension_monitor_.advance(verdict.missing + 1);
     finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are time that passes
     if (temperature_good) collector_.add_temperature(temperature);
     if (result.compensated_valid()) collector_.add_rate(result.compensated);
@@ -156,11 +167,11 @@ class Compensator {
   bool prepare_drift_model(const SampleMonitor::Verdict& verdict, Temperature temperature,
                            Rate measured) {
     const bool timed = !any(verdict.status, Status::sample_rate);
-    if (verdict.temperature == TemperatureUse::good_anew || !timed) {
+    if (verdict.temperature == ReadingUse::good_anew || !timed) {
       drift_model_.stop();
       collector_.forget_temperature();
     }
-    const bool good = timed && verdict.temperature != TemperatureUse::none;
+    const bool good = timed && verdict.temperature != ReadingUse::none;
     if (good && !drift_model_.started() && pending_.has_all()) {
       drift_model_.start({temperature, measured, block_clock_.elapsed(), pending_.means()});
     }
@@ -202,6 +213,7 @@ class Compensator {
   OutputSelection output_;
   StreamParser parser_;
   SampleMonitor monitor_;
+  ExtensionMonitor<Drift::inputs & kAllExtensionInputs> extension_monitor_;
   BlockClock block_clock_;
   Collector collector_;
   typename Collector::Extension pending_;  // what came since the last sample

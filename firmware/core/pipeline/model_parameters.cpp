@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "core/acquisition/extension_monitor.hpp"
 #include "core/bytes/byte_order.hpp"
 #include "core/bytes/crc.hpp"
 #include "core/pipeline/table_reader.hpp"
@@ -45,6 +46,11 @@ void read_thermal(TableReader& table, ModelParameters& parameters) {
                 thermal.most <= kMostTemperature);
   parameters.policy.hold_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
   parameters.policy.settle_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
+}
+
+// Whether there are enough of them finds whoever needs them.
+void read_input_limits(TableReader& table, AcquisitionParameters& acquisition) {
+  acquisition.input_limits = table.next_words(kInputLimitWords * next_count(table, kExtensionInputs));
 }
 
 // Returns which effects the table enables.
@@ -153,6 +159,7 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   TableReader table({words.data + kHeaderWords, words.size - kHeaderWords - 1});
   read_calibration(table, parameters);
   read_thermal(table, parameters);
+  read_input_limits(table, parameters.acquisition);
   const EffectMask enabled = read_effects(table, room.effect_fits, parameters.effects);
   read_expressions(table, room.expressions_fit, parameters.expressions);
   read_network(table, parameters.network);

@@ -8,7 +8,7 @@
 #include "core/acquisition/sample_rate_monitor.hpp"
 #include "core/acquisition/sequence_monitor.hpp"
 #include "core/acquisition/stuck_monitor.hpp"
-#include "core/acquisition/temperature_monitor.hpp"
+#include "core/acquisition/reading_monitor.hpp"
 
 namespace {
 
@@ -427,7 +427,7 @@ TEST_F(TemperatureMonitorTest, LimitsAreExactToTheLsb) {
 // As the board asks for it: half a second of readings of which each agrees with the one before it.
 class TemperatureConfirmationTest : public testing::Test {
  protected:
-  using Use = fog::TemperatureUse;
+  using Use = fog::ReadingUse;
   Use send(double temperature, int samples = 1) {
     for (int i = 0; i < samples; ++i) monitor_.judge(degc(temperature), true, 1);
     return monitor_.use();

@@ -60,7 +60,7 @@ void put_input(Table& table, const std::string& name, std::int32_t signal, std::
 // What stands before the effects.
 Table table_begun() {
   Table table;
-  table.put("magic", 0x464F474D).put("layout", 4).put("words", 0).put("model", 0x11223344);
+  table.put("magic", 0x464F474D).put("layout", 5).put("words", 0).put("model", 0x11223344);
   table.put("period", 5000).put("block", 200).put("multiplier", kHalf + 1).put("shift", 30);
   table.put("range", 1 << 20).put("stuck", 100);
   table.put("decay", 1001).put("gain", 2002);
@@ -68,6 +68,7 @@ Table table_begun() {
       .put("most", 60 * kOneDegree)
       .put("hold", 61)
       .put("settle", 121);
+  table.put("input limits", 1).put("input min", -7).put("input max", 8).put("input step", 9);
   table.put("fraction", 21);
   return table;
 }
@@ -115,6 +116,9 @@ TEST(ModelLimits, EveryWordArrivesWhereItBelongs) {
   EXPECT_EQ(got.thermal.most.raw(), 60 * kOneDegree);
   EXPECT_EQ(got.policy.hold_blocks, 61U);
   EXPECT_EQ(got.policy.settle_blocks, 121U);
+  ASSERT_EQ(got.acquisition.input_limits.size, 3U);
+  EXPECT_EQ(got.acquisition.input_limits[0], -7);
+  EXPECT_EQ(got.acquisition.input_limits[2], 9);
   EXPECT_EQ(got.effects.coefficient_fraction, 21);
   EXPECT_EQ(got.effects.enabled(), 1U);
   ASSERT_EQ(got.effects.by_id[0].coefficients.size, 1U);
