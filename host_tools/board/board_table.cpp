@@ -39,7 +39,8 @@ Timing timing_of(const BoardSettings& settings) {
   return timing;
 }
 
-void write_calibration(TableWriter& out, const Model& model, const Timing& timing) {
+void write_calibration(TableWriter& out, const Model& model, const GyroLimits& limits,
+                       const Timing& timing) {
   out.note(format("sample period, us (%.6g Hz)", 1e6 / static_cast<double>(timing.period_us)));
   out.integer(timing.period_us, "the sample period");
   out.note(format("samples per block (%.6g s)", timing.block_s));
@@ -47,8 +48,12 @@ void write_calibration(TableWriter& out, const Model& model, const Timing& timin
   out.note(
       format("rate = counts * multiplier / 2^shift (%.9g counts per deg/s)", model.scale_factor));
   out.gain(std::ldexp(3600 / model.scale_factor, fog::Rate::fractional_bits), "the scale factor");
-  out.note(format("range (+-%g deg/s)", kRangeDegPerS));
-  out.real<fog::Rate>(kRangeDegPerS * 3600, "the range");
+  const fog::RateLimits rate = board_limits(limits, timing.period_s);
+  out.note(format("range (+-%g deg/s)", limits.range_dps));
+  out.integer(rate.range.raw(), "the range");
+  out.note(
+      format("largest step of the rate in a sample (%g deg/s^2)", limits.max_acceleration_dps2));
+  out.integer(rate.step.raw(), "the step");
   const double stuck = kStuckSeconds * 1e6 / static_cast<double>(timing.period_us);
   out.note("counts in a row within one LSB that mean a stuck gyro");
   out.integer(std::llround(std::max(stuck, kLeastStuckSamples)), "stuck samples");
@@ -103,10 +108,10 @@ InputLimits input_limits(const Model& model, fog::Input input) {
   limits.max = std::min(limits.max, temperature ? kWarmestDegc : kMost);
   limits.step = std::min(limits.step, kMost);
   if (limits.min <= limits.max) return limits;
-  throw InputError("export", format("%s was trained from %.4g to %.4g, which no board is told; "
-                                    "correct its unit and fit again",
-                                    description_of(input).column, trained->range.least,
-                                    trained->range.most));
+  throw InputError("export",
+                   format("%s was trained from %.4g to %.4g, which no board is told; "
+                          "correct its unit and fit again",
+                          description_of(input).column, trained->range.least, trained->range.most));
 }
 
 void write_input_limits(TableWriter& out, const Model& model) {
@@ -279,7 +284,7 @@ BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
   out.integer(
       as_signed(fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size())),
       "provenance");
-  write_calibration(out, model, timing);
+  write_calibration(out, model, settings.limits.over(model.limits), timing);
   write_thermal(out, model, timing);
   write_input_limits(out, model);
   const int fraction = fraction_within(largest_coefficient(model), fog::kLeastCoefficientFraction,

@@ -14,6 +14,7 @@ struct BoardSettings {
   double sample_rate_hz = 200;
   fog::OutputSelection output = fog::OutputSelection::kvh;
   bool extension = false;  ///< the demodulator sends extension records
+  GivenLimits limits{};    ///< in place of the model's
 };
 
 /// A model in the integers of the firmware (firmware/SPEC.md, "Model table").

@@ -10,6 +10,7 @@
 #include "core/effects/effect.hpp"
 #include "model/expression_effect.hpp"
 #include "model/network.hpp"
+#include "recording/board_limits.hpp"
 
 namespace fogcomp {
 
@@ -88,6 +89,7 @@ struct Model {
   DenoiseSettings denoise;
 
   double scale_factor = 0;      ///< counts per deg/s of the board's sensor stream
+  GyroLimits limits{};          ///< by which the board judges the rate
   double derivative_tau_s = 0;  ///< of each of the two lags behind dT/dt
   double least_degc = 0;        ///< trained range; the board clamps to it
   double most_degc = 0;

@@ -282,8 +282,12 @@ double read_signed_dph(ModelReader& in) {
 // What a line holds, by its first word; but for the history.
 using LineReader = void (*)(ModelReader&, Model&);
 const std::map<std::string, LineReader> kLines{
-    // As --scale-factor, --derivative-tau, --average take them.
+    // As the options of these names take them.
     {"scale_factor", [](ModelReader& in, Model& m) { m.scale_factor = in.number(1e-6, 1e15); }},
+    {"range_dps",
+     [](ModelReader& in, Model& m) { m.limits.range_dps = in.number(1e-3, kMaxRangeDps); }},
+    {"max_acceleration_dps2",
+     [](ModelReader& in, Model& m) { m.limits.max_acceleration_dps2 = in.number(1e-3, 1e9); }},
     {"derivative_tau_s",
      [](ModelReader& in, Model& m) { m.derivative_tau_s = in.number(1e-3, 1e5); }},
     {"average_s", [](ModelReader& in, Model& m) { m.average_s = in.number(1e-6, 1e6); }},
@@ -339,6 +343,8 @@ std::string model_text(const Model& model) {
   ModelWriter out;
   out.word(kTitleLine).end_line();
   out.word("scale_factor").number(model.scale_factor).end_line();
+  out.word("range_dps").number(model.limits.range_dps).end_line();
+  out.word("max_acceleration_dps2").number(model.limits.max_acceleration_dps2).end_line();
   out.word("derivative_tau_s").number(model.derivative_tau_s).end_line();
   out.word("range_degc").number(model.least_degc).number(model.most_degc).end_line();
   if (const auto& rate = model.rate_range_degc_per_min) {

@@ -32,7 +32,8 @@ void read_calibration(TableReader& table, ModelParameters& parameters) {
   parameters.samples_per_block = static_cast<std::uint32_t>(table.next(1, kMost32));
   parameters.calibration.multiplier = table.next(1 << 30, kMost32);
   parameters.calibration.shift = table.next(0, 62);
-  parameters.acquisition.range = next_positive<Rate>(table);
+  parameters.acquisition.rate.range = next_positive<Rate>(table);
+  parameters.acquisition.rate.step = next_positive<RateStep>(table);
   parameters.acquisition.stuck_samples = static_cast<std::uint32_t>(table.next(0, kMost32));
 }
 
@@ -50,7 +51,8 @@ void read_thermal(TableReader& table, ModelParameters& parameters) {
 
 // Whether there are enough of them finds whoever needs them.
 void read_input_limits(TableReader& table, AcquisitionParameters& acquisition) {
-  acquisition.input_limits = table.next_words(kInputLimitWords * next_count(table, kExtensionInputs));
+  acquisition.input_limits =
+      table.next_words(kInputLimitWords * next_count(table, kExtensionInputs));
 }
 
 // Returns which effects the table enables.

@@ -62,7 +62,7 @@ Table table_begun() {
   Table table;
   table.put("magic", 0x464F474D).put("layout", 5).put("words", 0).put("model", 0x11223344);
   table.put("period", 5000).put("block", 200).put("multiplier", kHalf + 1).put("shift", 30);
-  table.put("range", 1 << 20).put("stuck", 100);
+  table.put("range", 1 << 20).put("step", 77).put("stuck", 100);
   table.put("decay", 1001).put("gain", 2002);
   table.put("least", -40 * kOneDegree)
       .put("most", 60 * kOneDegree)
@@ -108,7 +108,8 @@ TEST(ModelLimits, EveryWordArrivesWhereItBelongs) {
   EXPECT_EQ(got.samples_per_block, 200U);
   EXPECT_EQ(got.calibration.multiplier, kHalf + 1);
   EXPECT_EQ(got.calibration.shift, 30);
-  EXPECT_EQ(got.acquisition.range.raw(), 1 << 20);
+  EXPECT_EQ(got.acquisition.rate.range.raw(), 1 << 20);
+  EXPECT_EQ(got.acquisition.rate.step.raw(), 77);
   EXPECT_EQ(got.acquisition.stuck_samples, 100U);
   EXPECT_EQ(got.thermal.derivative.decay.raw(), 1001);
   EXPECT_EQ(got.thermal.derivative.rate_gain.raw(), 2002);
@@ -159,6 +160,7 @@ TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
       {"multiplier", kHalf, INT32_MAX},
       {"shift", 0, 62},
       {"range", 1, INT32_MAX},
+      {"step", 1, INT32_MAX},
       {"stuck", 0, INT32_MAX},
       {"decay", 1, INT32_MAX},
       {"gain", 1, INT32_MAX},

@@ -61,6 +61,16 @@ TEST(ModelFile, KeepsTheWholeHistory) {
   EXPECT_NEAR(read.history[1].excess_removed().value_or(0), 0.88494, 1e-5);
 }
 
+TEST(ModelFile, KeepsTheLimitsOfTheGyro) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  model.limits = {200, 2500};
+  const std::string text = fogcomp::model_text(model);
+  const fogcomp::Model read = fogcomp::parse_model(text, "gyro.model");
+  EXPECT_EQ(fogcomp::model_text(read), text);
+  EXPECT_EQ(read.limits.range_dps, 200);
+  EXPECT_EQ(read.limits.max_acceleration_dps2, 2500);
+}
+
 TEST(ModelFile, KeepsWhatTrainingCoveredOfAnInput) {
   fogcomp::Model model = fog::test::paper_like_model();
   model.input_ranges[extension_number(fog::Input::supply)] =
