@@ -12,13 +12,13 @@
 #define FOG_MODEL_NETWORK_INPUTS 0x3u /* bit = input; 0: no network */
 #define FOG_MODEL_TAPS 16
 #define FOG_MODEL_LEVELS 5
-#define FOG_MODEL_WORDS 149
+#define FOG_MODEL_WORDS 151
 
 static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* magic number, layout version */
   1179600717, 5,
   /* words in this table */
-  149,
+  151,
   /* CRC-32 of the model file */
   -1984029311,
   /* sample period, us (200 Hz) */
@@ -41,6 +41,8 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   -2582528, 4102963,
   /* blocks for which a drift is held without a temperature (60 s) */
   60,
+  /* blocks for which a held drift is within 0.0235 deg/h */
+  13,
   /* blocks until all lags have settled (210 s) */
   210,
   /* inputs of extension records */
@@ -99,8 +101,10 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   150689, 106553, 75344, 53277, 37672,
   /* output: 0 KVH format A, 1 compact, 2 both */
   0,
+  /* flags that make a rate not valid; beside the usual ones thermal_settling, denoiser_filling, input_missing, drift_outdated */
+  4929415,
   /* CRC-32 of the words above */
-  -1225877646,
+  -721100728,
 };
 
 #endif

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "board/expression_code.hpp"
+#include "board/held_accuracy.hpp"
 #include "board/settling_time.hpp"
 #include "board/table_parts.hpp"
 #include "core/acquisition/extension_monitor.hpp"
@@ -78,7 +79,11 @@ void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
   out.real<fog::Temperature>(least, "the coldest trained temperature");
   out.real<fog::Temperature>(most, "the warmest trained temperature");
   out.note(format("blocks for which a drift is held without a temperature (%g s)", kHoldSeconds));
-  out.integer(hold_blocks(timing.block_s), "hold blocks");
+  const std::uint32_t hold = hold_blocks(timing.block_s);
+  out.integer(hold, "hold blocks");
+  const std::uint32_t accurate = accurate_hold_blocks(model, timing.block_s, hold);
+  out.note(format("blocks for which a held drift is within %.3g deg/h", model.residual_rms_dph));
+  out.integer(accurate, "accurate blocks");
   const double settle_s = settling_time_s(model);
   out.note(format("blocks until all lags have settled (%.6g s)", settle_s));
   out.integer(std::llround(std::ceil(settle_s / timing.block_s)), "settle blocks");
@@ -299,6 +304,11 @@ BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
   check_noise_fits(table, denoise_word, model.denoise);
   out.note("output: 0 KVH format A, 1 compact, 2 both");
   out.integer(static_cast<std::int32_t>(settings.output), "output");
+  out.note("flags that make a rate not valid; beside the usual ones " +
+           (settings.invalidating == fog::Status::none
+                ? "none"
+                : join(flag_names(settings.invalidating), ", ")));
+  out.integer(static_cast<std::int32_t>(settings.invalidating | fog::kRateInvalid), "flags");
   table.words[size_word] = static_cast<std::int32_t>(table.words.size() + 1);
   out.note("CRC-32 of the words above");
   out.integer(0, "CRC");

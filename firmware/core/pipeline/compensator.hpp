@@ -46,6 +46,7 @@ class Compensator {
         proof_(proof),
         calibration_(parameters.calibration),
         output_(parameters.output),
+        invalidating_(parameters.invalidating),
         monitor_(parameters.acquisition),
         extension_monitor_(parameters.needs(), parameters.acquisition.input_limits,
                            parameters.acquisition.sample_period_us, kConfirmUs),
@@ -123,20 +124,26 @@ class Compensator {
     result.compensated = saturate_to<Rate>(difference(measured, result.drift));
 
     // A late sample is answered, but time stands: it has no place in what runs at the sample rate.
+    const bool measured_well = !any(result.status, kRateInvalid);
+    result.status |= status_if(any(result.status, invalidating_), Status::rate_refused);
     if (!verdict.late) {
-      denoised_ = denoiser_.step(result.compensated, result.compensated_valid());
+      denoised_ = denoiser_.step(result.compensated, measured_well);
+      count_refused(measured_well && !result.compensated_valid());
       if (temperature_good) last_temperature_ = temperature;
     }
     result.denoised = denoised_.rate;
-    result.status |= status_if(!denoised_.valid, Status::denoised_invalid) |
-                     status_if(denoiser_.filling(), Status::denoiser_filling);
+    result.status |=
+        status_if(!denoised_.valid || samples_after_refused_ > 0, Status::denoised_invalid) |
+        status_if(denoiser_.filling(), Status::denoiser_filling);
+    result.status |= status_if(any(result.status, invalidating_ | Status::denoised_invalid),
+                               Status::denoised_refused);
     result.temperature = last_temperature_;
     if (verdict.late) return result;
 
     extension_monitor_.advance(verdict.missing + 1);
     finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are time that passes
     if (temperature_good) collector_.add_temperature(temperature);
-    if (result.compensated_valid()) collector_.add_rate(result.compensated);
+    if (measured_well) collector_.add_rate(result.compensated);
     collector_.add_extension(pending_);
     pending_.clear();
     finish_blocks(block_clock_.advance(1));
@@ -154,6 +161,16 @@ class Compensator {
     constexpr std::uint32_t kMost = 64;
     const std::uint32_t steps = parameters.policy.hold_blocks / parameters.samples_per_block;
     return steps < kMost ? steps + 1 : kMost;
+  }
+
+  // A rate that is refused though it was measured well is not replaced in the denoiser. So from the
+  // first of them to the delay after the last the denoised rate is not valid.
+  void count_refused(bool refused) {
+    if (refused) {
+      samples_after_refused_ = denoiser_.delay() + 1;
+    } else if (samples_after_refused_ > 0) {
+      --samples_after_refused_;
+    }
   }
 
   static Fixed<std::int64_t, Rate::fractional_bits> difference(Rate a, Rate b) {
@@ -211,6 +228,7 @@ class Compensator {
   ImageProof proof_;
   const CalibrationParameters& calibration_;
   OutputSelection output_;
+  Status invalidating_;
   StreamParser parser_;
   SampleMonitor monitor_;
   ExtensionMonitor<Drift::inputs & kAllExtensionInputs> extension_monitor_;
@@ -222,6 +240,7 @@ class Compensator {
   std::uint32_t catch_up_steps_;
   Denoiser<kTaps, kLevels> denoiser_;
   DenoiserOutput denoised_;
+  std::size_t samples_after_refused_ = 0;
   Temperature last_temperature_{};
   OutputSample last_;
   std::uint32_t frames_ = 0;

@@ -46,6 +46,7 @@ void read_thermal(TableReader& table, ModelParameters& parameters) {
   table.require(kLeastTemperature <= thermal.least && thermal.least <= thermal.most &&
                 thermal.most <= kMostTemperature);
   parameters.policy.hold_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
+  parameters.policy.accurate_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
   parameters.policy.settle_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
 }
 
@@ -167,6 +168,8 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   read_network(table, parameters.network);
   read_denoise(table, parameters.denoise);
   parameters.output = static_cast<OutputSelection>(table.next(0, 2));
+  parameters.invalidating = static_cast<Status>(table.next());
+  table.require((parameters.invalidating & ~kMayInvalidate) == kRateInvalid);
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
   if ((parameters.expressions.used & ~room.expressions) != 0U) return ModelError::not_in_image;
   if ((enabled & ~room.effects) != 0U || (parameters.network.used() & ~room.network_inputs) != 0U ||

@@ -52,6 +52,7 @@ struct ModelParameters {
   NetworkParameters network;
   DenoiseParameters denoise;
   OutputSelection output = OutputSelection::kvh;
+  Status invalidating = kRateInvalid;  ///< any of these makes a rate not valid
 
   /// What the model needs beside the coil's temperature.
   InputMask needs() const {

@@ -27,10 +27,8 @@ class ExtensionTest : public CompensatorTest {
         if (term.name == name) model_.terms.push_back(term);
       }
     }
-    table_ = fogcomp::make_board_table(model_, {200, fog::OutputSelection::kvh, true});
-    parameters_ = fogcomp::read_board_table(table_, "test");
-    pipeline_ =
-        std::make_unique<fogcomp::HostCompensator>(parameters_, fog::ImageProof::not_needed());
+    settings_.extension = true;
+    restart();
   }
 
   void take(fog::Input input, double value) {
@@ -118,7 +116,8 @@ class SecondTemperature : public ExtensionTest {
     std::vector<Status> status;
   };
 
-  // Until the model has settled and 90 s longer; `second` makes of the true second temperature what its sensor says.
+  // Until the model has settled and 90 s longer; `second` makes of the true second temperature what
+  // its sensor says.
   template <class Second>
   Run ramp(Second second) {
     pipeline_ =
@@ -176,12 +175,9 @@ TEST_F(SecondTemperature, ThatJumpsAndIsConfirmedStartsTheModelAnew) {
 class TrainedField : public ExtensionTest {
  protected:
   TrainedField() {
-    model_.input_ranges[extension_number(fog::Input::magnetic)] =
-        fogcomp::InputRange{{0, 100}, 5};
-    table_ = fogcomp::make_board_table(model_, {200, fog::OutputSelection::kvh, true});
-    parameters_ = fogcomp::read_board_table(table_, "test");
-    pipeline_ =
-        std::make_unique<fogcomp::HostCompensator>(parameters_, fog::ImageProof::not_needed());
+    model_.input_ranges[extension_number(fog::Input::magnetic)] = fogcomp::InputRange{{0, 100}, 5};
+    settings_.extension = true;
+    restart();
     run_with_field(50, 400);
   }
   OutputSample run_with_field(double field_ut, int samples) {
