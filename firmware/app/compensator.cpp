@@ -6,6 +6,7 @@
 #include "app/health.hpp"
 #include "app/own_temperature.hpp"
 #include "app/pipeline.hpp"
+#include "core/pipeline/silence_clock.hpp"
 #include "hal/clock.hpp"
 #include "hal/rate_sink.hpp"
 #include "hal/reset_report.hpp"
@@ -52,33 +53,58 @@ SampleTime sample_time() {
   return {hal::clock_is_accurate(), hal::milliseconds()};
 }
 
-void send_compensated(Pipeline& pipeline, std::uint8_t byte) {
-  std::array<std::uint8_t, kMostOutputBytes> frames;
-  const std::size_t size = pipeline.feed(byte, frames.data(), with_own_temperature, sample_time);
-  if (size == 0) return;
+using Frames = std::array<std::uint8_t, kMostOutputBytes>;
+
+void send(const Frames& frames, std::size_t size) {
   hal::write_output_stream(frames.data(), size);
-  count_health(pipeline.last());
+  count_health(pipeline().last());
   test_on();
+}
+
+void send_compensated(std::uint8_t byte, SilenceClock& silence) {
+  Frames frames;
+  const std::size_t size = pipeline().feed(byte, frames.data(), with_own_temperature, sample_time);
+  if (size == 0) return;
+  silence.restart(hal::milliseconds());
+  send(frames, size);
+}
+
+// Where time does not pass as it should nobody can say that samples are late.
+void break_silence(SilenceClock& silence) {
+  while (silence.due(hal::milliseconds())) {
+    if (!hal::clock_keeps_time()) continue;
+    Frames frames;
+    send(frames, pipeline().answer_silence(frames.data()));
+  }
+}
+
+// The watchdog comes first: a start that hangs is a board that is silent for ever.
+void start() {
+  hal::start_watchdog(hal::kWatchdogStartMs);
+  platform::start_board();
+  hal::kick_watchdog();
+  self_test().run_all();
+  hal::kick_watchdog();
+  announce(platform::describe_board(), hal::reset_report());
+  start_own_thermometer();
+  hal::start_watchdog(hal::kWatchdogLoopMs);
 }
 
 }  // namespace
 
 void run() {
-  platform::start_board();
-  self_test().run_all();
-  announce(platform::describe_board(), hal::reset_report());
-  start_own_thermometer();
-  hal::start_watchdog();
+  start();
   std::array<std::uint8_t, 64> chunk;
-  Pipeline& product = pipeline();
+  SilenceClock silence(model().parameters.acquisition.sample_period_us, hal::milliseconds());
   for (;;) {
     const std::size_t size = hal::read_sensor_stream(chunk.data(), chunk.size());
     if (size == 0) hal::wait_for_event();
-    for (std::size_t i = 0; i < size; ++i) send_compensated(product, chunk[i]);
+    for (std::size_t i = 0; i < size; ++i) send_compensated(chunk[i], silence);
+    break_silence(silence);
     answer_requests();
     if (hal::milliseconds() - tested_ms >= kIdleMs) test_on();
     advance_own_thermometer();
-    hal::kick_watchdog();  // here and nowhere else: kicked means that the loop went round
+    hal::kick_watchdog();  // nowhere else in the loop: kicked means that it went round
   }
 }
 

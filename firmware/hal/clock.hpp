@@ -12,6 +12,10 @@ std::uint32_t milliseconds();
 /// time.
 bool clock_is_accurate();
 
+/// Whether milliseconds() pass as they should, within 10 %: with any oscillator, not in an
+/// emulator.
+bool clock_keeps_time();
+
 /// Waits for the next interrupt (a received byte, the millisecond tick) where the processor can.
 void wait_for_event();
 

@@ -82,6 +82,15 @@ class Compensator {
     return encode(last_, out);
   }
 
+  /// Where no sample has come: writes frames that say so to `out` and returns their size. Nothing
+  /// else changes; the time that has passed comes with the next sample.
+  std::size_t answer_silence(std::uint8_t* out) {
+    proof_.take();
+    last_.status |= fault_ | Status::no_samples | Status::rate_refused | Status::denoised_refused |
+                    status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
+    return encode(last_, out);
+  }
+
   /// A value that belongs to the next sample. One that no sensor can mean is as good as none; one
   /// that shows that those before it were wrong makes an end of what came of them.
   void take(const ExtensionRecord& record) {

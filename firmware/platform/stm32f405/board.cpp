@@ -12,6 +12,12 @@ bool fog::hal::clock_is_accurate() {
   return !platform::clock_tree().is_fallback;
 }
 
+// Even the internal oscillator locks the PLL: what does not is an emulator, or a part that is
+// broken.
+bool fog::hal::clock_keeps_time() {
+  return platform::clock_tree().has_full_speed;
+}
+
 namespace fog::platform {
 
 void start_board() {

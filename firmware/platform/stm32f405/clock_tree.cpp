@@ -39,8 +39,8 @@ constexpr PllInput kCrystal{Rcc::kHseOn, Rcc::kHseReady, Rcc::kPllFromHse,
 constexpr PllInput kInternal{Rcc::kHsiOn, Rcc::kHsiReady,        0,
                              kInternalHz, "internal oscillator", true};
 
-constexpr ClockTree kAsResetLeftIt{kInternalHz, kInternalHz, kInternalHz,
-                                   "internal oscillator, no PLL", true};
+constexpr ClockTree kAsResetLeftIt{
+    kInternalHz, kInternalHz, kInternalHz, "internal oscillator, no PLL", true, false};
 
 ClockTree running = kAsResetLeftIt;
 
@@ -71,7 +71,7 @@ bool switch_to_pll() {
 
 bool run_from(const PllInput& input) {
   if (!lock_pll(input) || !switch_to_pll()) return false;
-  running = {kCoreHz, kCoreHz / 4U, kCoreHz / 2U, input.name, input.is_fallback};
+  running = {kCoreHz, kCoreHz / 4U, kCoreHz / 2U, input.name, input.is_fallback, true};
   return true;
 }
 

@@ -9,7 +9,8 @@ struct ClockTree {
   std::uint32_t apb1_hz;
   std::uint32_t apb2_hz;
   const char* source;
-  bool is_fallback;  ///< not the crystal at full speed
+  bool is_fallback;     ///< not the crystal at full speed
+  bool has_full_speed;  ///< 168 MHz, from whatever
 };
 
 /// Brings the core to 168 MHz, from the crystal if it starts, else from the internal oscillator.

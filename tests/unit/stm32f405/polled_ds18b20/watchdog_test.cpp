@@ -13,7 +13,7 @@ using fog::test::Stm32Faults;
 
 TEST(Watchdog, BitesAfter100MillisecondsOfItsNominalOscillator) {
   Stm32F405Model board;
-  fog::hal::start_watchdog();
+  fog::hal::start_watchdog(fog::hal::kWatchdogLoopMs);
   EXPECT_TRUE(board.watchdog_runs());
   EXPECT_NEAR(board.watchdog_timeout_s(32'000), 0.1, 1e-9);
   EXPECT_LT(board.watchdog_timeout_s(17'000), 0.2);  // the slowest that the data sheet allows
@@ -23,11 +23,21 @@ TEST(Watchdog, BitesAfter100MillisecondsOfItsNominalOscillator) {
   for (const std::string& violation : board.violations()) ADD_FAILURE() << violation;
 }
 
+TEST(Watchdog, HasHalfASecondForTheStart) {
+  Stm32F405Model board;
+  fog::hal::start_watchdog(fog::hal::kWatchdogStartMs);
+  EXPECT_NEAR(board.watchdog_timeout_s(32'000), 0.5, 1e-9);
+  fog::hal::start_watchdog(fog::hal::kWatchdogLoopMs);
+  EXPECT_NEAR(board.watchdog_timeout_s(32'000), 0.1, 1e-9);
+  EXPECT_EQ(board.watchdog_kicks(), 2U);
+  for (const std::string& violation : board.violations()) ADD_FAILURE() << violation;
+}
+
 TEST(Watchdog, RunsEvenWhereItsSettingsNeverArrive) {
   Stm32Faults faults;
   faults.watchdog_never_updates = true;
   Stm32F405Model board(faults);
-  fog::hal::start_watchdog();
+  fog::hal::start_watchdog(fog::hal::kWatchdogLoopMs);
   EXPECT_TRUE(board.watchdog_runs());
   EXPECT_LT(board.accesses(), 150'000U);
 }
