@@ -19,10 +19,16 @@ bool fog::hal::clock_keeps_time() {
 }
 
 namespace fog::platform {
+namespace {
+
+// A crystal that dies now and then would be a loop of restarts.
+constexpr std::uint32_t kMostClockFailures = 3;
+
+}  // namespace
 
 void start_board() {
   report_reset(take_hardware_reset_cause());
-  start_clock_tree();
+  start_clock_tree(hal::reset_report().counts.clock_failures < kMostClockFailures);
   start_tick(clock_tree().core_hz);
   open_console_port();
   open_output_port();

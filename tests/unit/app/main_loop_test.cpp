@@ -50,6 +50,9 @@ struct Board {
   std::deque<std::uint8_t> line;
   std::vector<Frame> frames;
   std::vector<std::string> calls;
+  std::uint32_t faults = 0;  // restarts before
+  int good_runs = 0;
+  int other_speeds = 0;
 
   void tick() {
     ++now_ms;
@@ -132,8 +135,15 @@ MemoryMap memory_map() {
 }
 
 const ResetReport& reset_report() {
-  static const ResetReport report{ResetCause::power_on, {}};
+  static ResetReport report{ResetCause::power_on, {}, {}};
+  report.counts.faults = board->faults;
   return report;
+}
+void report_good_run() {
+  ++board->good_runs;
+}
+void try_another_speed() {
+  ++board->other_speeds;
 }
 
 }  // namespace hal
@@ -203,6 +213,44 @@ TEST(MainLoop, BreaksASilenceWithinTwoPeriodsAndGoesOnAtTheSampleRate) {
   for (std::size_t i = 1; i < here.frames.size(); ++i) {
     EXPECT_EQ(here.frames[i].bytes[29], (here.frames[i - 1].bytes[29] + 1) % 128) << i;
   }
+}
+
+TEST(MainLoop, ABoardThatFailsAgainAndAgainOnlySaysThatNothingIsValid) {
+  Board here;
+  here.faults = 5;
+  here.sends = [](std::uint32_t ms) { return ms % 5 == 0; };
+  run_for(here, 3000);
+  EXPECT_NEAR(static_cast<double>(here.frames.size()), 600, 5);
+  for (const Frame& frame : here.frames) {
+    EXPECT_FALSE(frame.marks_valid());
+    EXPECT_TRUE(frame.has_right_crc());
+  }
+  EXPECT_EQ(here.good_runs, 0);
+}
+
+TEST(MainLoop, FaultsAreForgottenAfterAMinute) {
+  Board here;
+  here.now_ms = 0;
+  here.faults = 4;
+  here.sends = [](std::uint32_t ms) { return ms % 5 == 0; };
+  run_for(here, 59'900);
+  EXPECT_EQ(here.good_runs, 0);
+  here.now_ms = 0;
+  here.line.clear();
+  run_for(here, 61'000);
+  EXPECT_EQ(here.good_runs, 1);
+}
+
+TEST(MainLoop, TriesAnotherSpeedWhereWhatComesIsNoFrame) {
+  Board here;
+  run_for(here, 3000);
+  EXPECT_EQ(here.other_speeds, 0) << "nothing comes";
+  here.sends = [&](std::uint32_t) {
+    here.line.push_back(0x5A);
+    return false;
+  };
+  run_for(here, 3000);
+  EXPECT_NEAR(here.other_speeds, 6, 1) << "every half second";
 }
 
 TEST(MainLoop, TakesNothingForASilenceWhereTimeDoesNotPassAsItShould) {
