@@ -12,6 +12,7 @@
 #define FOG_MODEL_NETWORK_INPUTS 0x3u /* bit = input; 0: no network */
 #define FOG_MODEL_TAPS 16
 #define FOG_MODEL_LEVELS 5
+#define FOG_MODEL_OUTPUT 0 /* frames: 0 KVH, 1 compact, 2 both */
 #define FOG_MODEL_WORDS 151
 
 static const int32_t fog_model[FOG_MODEL_WORDS] = {

@@ -25,9 +25,9 @@ namespace fog {
 /// The whole pipeline: bytes of the sensor stream in, bytes of the output stream out. The order of
 /// the stages is that of process(). Shape limits are template parameters so that an image holds
 /// just what its model needs: `kEffects` of the registry, `kExpressions`, a network of
-/// `kNetworkInputs`, filters up to `kTaps` x `kLevels`.
+/// `kNetworkInputs`, filters up to `kTaps` x `kLevels`, `kOutput` frames or, with both, any.
 template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs,
-          std::size_t kTaps, std::size_t kLevels>
+          std::size_t kTaps, std::size_t kLevels, OutputSelection kOutput = OutputSelection::both>
 class Compensator {
  public:
   static constexpr ModelShape room{kEffects,
@@ -36,7 +36,8 @@ class Compensator {
                                    kTaps,
                                    kLevels,
                                    effect_fits<kEffects>,
-                                   expression_check<kExpressions>()};
+                                   expression_check<kExpressions>(),
+                                   kOutput};
 
   /// `parameters` must have been read with this class's room; parameters of a refused table make a
   /// pipeline that answers every sample and marks none valid. `proof` of the image's integrity is
@@ -218,16 +219,25 @@ class Compensator {
     if (blocks > 0) drift_model_.hold(blocks);
   }
 
+  bool sends(OutputSelection frame) const {
+    return kOutput == frame || output_ == frame || output_ == OutputSelection::both;
+  }
+
   std::size_t encode(const OutputSample& sample, std::uint8_t* out) {
     std::size_t size = 0;
     const auto append = [&](const auto& frame) {
       for (const std::uint8_t byte : frame) out[size++] = byte;
     };
-    if (output_ != OutputSelection::compact)
-      append(encode_kvh_frame(sample, frames_, proof_.for_frames()));
-    if (output_ != OutputSelection::kvh) {
-      append(encode_compact_frame(sample, static_cast<std::uint16_t>(denoiser_.delay()),
-                                  proof_.for_frames()));
+    if constexpr (kOutput != OutputSelection::compact) {
+      if (sends(OutputSelection::kvh)) {
+        append(encode_kvh_frame(sample, frames_, proof_.for_frames()));
+      }
+    }
+    if constexpr (kOutput != OutputSelection::kvh) {
+      if (sends(OutputSelection::compact)) {
+        append(encode_compact_frame(sample, static_cast<std::uint16_t>(denoiser_.delay()),
+                                    proof_.for_frames()));
+      }
     }
     ++frames_;
     return size;

@@ -174,7 +174,8 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   if ((parameters.expressions.used & ~room.expressions) != 0U) return ModelError::not_in_image;
   if ((enabled & ~room.effects) != 0U || (parameters.network.used() & ~room.network_inputs) != 0U ||
       parameters.denoise.levels() > room.levels ||
-      (room.taps != kAnyTaps && parameters.denoise.taps() != room.taps)) {
+      (room.taps != kAnyTaps && parameters.denoise.taps() != room.taps) ||
+      (room.output != OutputSelection::both && parameters.output != room.output)) {
     return ModelError::not_in_image;
   }
   return ModelError::none;
@@ -221,8 +222,8 @@ const char* describe(ModelError error) {
     case ModelError::out_of_range:
       return "model table holds a value out of range";
     case ModelError::not_in_image:
-      return "model uses an effect, operation, network input or filter that this image was not "
-             "built with";
+      return "model uses an effect, operation, network input, filter or frame that this image was "
+             "not built with";
   }
   return "unknown";
 }

@@ -31,6 +31,7 @@ struct ModelShape {
   std::size_t levels = 0;  ///< at most
   EffectCheck effect_fits = fog::effect_fits<kAllEffects>;
   ExpressionCheck expressions_fit = fog::expressions_fit;
+  OutputSelection output = OutputSelection::both;  ///< these frames; both: whatever
 };
 
 /// Room for any model.

@@ -334,6 +334,37 @@ TEST(CompensatorOfAnImage, SendsWhatTheOneWithRoomForEverythingSends) {
       fog::test::paper_like_model());
 }
 
+template <fog::OutputSelection kOutput>
+void expect_room_for_its_own_frames_alone(fog::OutputSelection other) {
+  using Image = fog::Compensator<kThreeEffects, 0, kTemperatureAndRate, 16, 5, kOutput>;
+  fog::ModelParameters parameters;
+  for (const auto refused : {other, fog::OutputSelection::both}) {
+    const fogcomp::BoardTable table =
+        fogcomp::make_board_table(fog::test::paper_like_model(), {200, refused});
+    EXPECT_EQ(fog::read_model(table.span(), Image::room, parameters),
+              fog::ModelError::not_in_image);
+  }
+  const fogcomp::BoardTable table =
+      fogcomp::make_board_table(fog::test::paper_like_model(), {200, kOutput});
+  ASSERT_EQ(fog::read_model(table.span(), Image::room, parameters), fog::ModelError::none);
+  Image image(parameters, fog::ImageProof::not_needed());
+  fogcomp::HostCompensator any(parameters, fog::ImageProof::not_needed());
+  std::uint8_t from_image[fog::kMostOutputBytes];
+  std::uint8_t from_any[fog::kMostOutputBytes];
+  const auto frame = fog::encode_sensor_frame({1, 700, 20 * kDegree, true, true});
+  for (const std::uint8_t byte : frame) {
+    const std::size_t size = image.feed(byte, from_image);
+    ASSERT_EQ(any.feed(byte, from_any), size);
+    EXPECT_TRUE(std::equal(from_image, from_image + size, from_any));
+  }
+}
+
+TEST(CompensatorOfAnImage, HasRoomForItsOwnFramesAlone) {
+  using Output = fog::OutputSelection;
+  expect_room_for_its_own_frames_alone<Output::kvh>(Output::compact);
+  expect_room_for_its_own_frames_alone<Output::compact>(Output::kvh);
+}
+
 TEST(CompensatorOfAnImage, NeedsNeitherNetworkNorDenoiser) {
   fogcomp::Model model = fog::test::paper_like_model();
   model.network = {};
