@@ -6,6 +6,7 @@
 #include "app/health.hpp"
 #include "app/own_temperature.hpp"
 #include "app/pipeline.hpp"
+#include "core/pipeline/silence_clock.hpp"
 #include "hal/clock.hpp"
 #include "hal/rate_sink.hpp"
 #include "hal/reset_report.hpp"
@@ -18,21 +19,32 @@
 namespace fog::app {
 namespace {
 
+// Each line in a function of its own: their texts are never on the stack together.
+[[gnu::noinline]] void announce_model() {
+  platform::TextLine line;
+  line.text("model ").hex(model().parameters.provenance).text(": ");
+  hal::write_console(line.text(describe(model().error)).text("\r\n").c_str());
+}
+
+[[gnu::noinline]] void announce_board(const platform::BoardDescription& board,
+                                      hal::ResetCause reset_cause) {
+  platform::TextLine line;
+  line.text("fogcomp ").text(board.name).text(" ready, clock ").decimal(board.core_clock_hz);
+  line.text(" Hz, reset cause ").text(describe(reset_cause));
+  line.text(", clock from ").text(board.clock_source).text("\r\n");
+  hal::write_console(line.c_str());
+}
+
 // The last but one line says whether the weights are good, the last whether the image is. Without
 // them the board still answers every sample, with a rate that is not valid: a user sees a fault
 // rather than silence.
-void announce(const platform::BoardDescription& board, const hal::ResetReport& reset) {
-  platform::TextLine line;
-  line.text("fogcomp ").text(board.name).text(" ready, clock ").decimal(board.core_clock_hz);
-  line.text(" Hz, reset cause ").text(describe(reset.cause));
-  line.text(", clock from ").text(board.clock_source).text("\r\n");
-  hal::write_console(line.c_str());
+[[gnu::noinline]] void announce(const platform::BoardDescription& board,
+                                const hal::ResetReport& reset) {
+  announce_board(board, reset.cause);
   if (board.clock_is_fallback) hal::write_console("FALLBACK CLOCK\r\n");
   if (!board.restarts_when_power_dips) hal::write_console("NO BROWN-OUT RESET\r\n");
   announce_crash(reset.last_crash);
-  platform::TextLine weights;
-  weights.text("model ").hex(model().parameters.provenance).text(": ");
-  hal::write_console(weights.text(describe(model().error)).text("\r\n").c_str());
+  announce_model();
   const bool intact = self_test().start_crc() == kIntactImage;
   hal::write_console(intact ? "image: good\r\n" : "image: DAMAGED, no rate is valid\r\n");
   if (!self_test().memory_good()) hal::write_console("memory: FAILS, no rate is valid\r\n");
@@ -52,33 +64,95 @@ SampleTime sample_time() {
   return {hal::clock_is_accurate(), hal::milliseconds()};
 }
 
-void send_compensated(Pipeline& pipeline, std::uint8_t byte) {
-  std::array<std::uint8_t, kMostOutputBytes> frames;
-  const std::size_t size = pipeline.feed(byte, frames.data(), with_own_temperature, sample_time);
-  if (size == 0) return;
+using Frames = std::array<std::uint8_t, kMostOutputBytes>;
+
+void send(const Frames& frames, std::size_t size) {
   hal::write_output_stream(frames.data(), size);
-  count_health(pipeline.last());
+  count_health(pipeline().last());
   test_on();
+}
+
+void send_compensated(std::uint8_t byte, SilenceClock& silence) {
+  Frames frames;
+  const std::size_t size = pipeline().feed(byte, frames.data(), with_own_temperature, sample_time);
+  if (size == 0) return;
+  silence.restart(hal::milliseconds());
+  send(frames, size);
+}
+
+// Bytes that are no frames may come at a bit rate that is not this board's.
+void understand_the_line() {
+  constexpr std::uint32_t kFramesBetweenTries = 100;
+  static std::uint32_t frames = 0;
+  static std::uint32_t discarded = 0;
+  if (++frames < kFramesBetweenTries) return;
+  frames = 0;
+  if (pipeline().discarded_bytes() != discarded) hal::try_another_speed();
+  discarded = pipeline().discarded_bytes();
+}
+
+// Where time does not pass as it should nobody can say that samples are late. Out of line, as what
+// follows it: their frames and texts are not to be on the stack while others are.
+[[gnu::noinline]] void break_silence(SilenceClock& silence) {
+  while (silence.due(hal::milliseconds())) {
+    if (!hal::clock_keeps_time()) continue;
+    Frames frames;
+    send(frames, pipeline().answer_silence(frames.data()));
+    understand_the_line();
+  }
+}
+
+SilenceClock silence_from_now() {
+  return SilenceClock(model().parameters.acquisition.sample_period_us, hal::milliseconds());
+}
+
+constexpr std::uint32_t kMostFaults = 5;
+constexpr std::uint32_t kGoodRunMs = 60'000;
+
+// A board that fails again and again, however it is restarted, does no more than say that nothing
+// is valid; until somebody resets it.
+[[gnu::noinline]] void answer_without_samples() {
+  hal::write_console("SAFE MODE, no rate is valid\r\n");
+  for (SilenceClock silence = silence_from_now();;) {
+    hal::wait_for_event();
+    break_silence(silence);
+    answer_requests();
+    hal::kick_watchdog();
+  }
+}
+
+// The watchdog comes first: a start that hangs is a board that is silent for ever.
+void start() {
+  hal::start_watchdog(hal::kWatchdogStartMs);
+  platform::start_board();
+  hal::kick_watchdog();
+  if (hal::reset_report().counts.faults >= kMostFaults) answer_without_samples();
+  self_test().run_all();
+  hal::kick_watchdog();
+  announce(platform::describe_board(), hal::reset_report());
+  start_own_thermometer();
+  hal::start_watchdog(hal::kWatchdogLoopMs);
 }
 
 }  // namespace
 
 void run() {
-  platform::start_board();
-  self_test().run_all();
-  announce(platform::describe_board(), hal::reset_report());
-  start_own_thermometer();
-  hal::start_watchdog();
+  start();
   std::array<std::uint8_t, 64> chunk;
-  Pipeline& product = pipeline();
-  for (;;) {
+  SilenceClock silence = silence_from_now();
+  for (bool proven = false;;) {
     const std::size_t size = hal::read_sensor_stream(chunk.data(), chunk.size());
     if (size == 0) hal::wait_for_event();
-    for (std::size_t i = 0; i < size; ++i) send_compensated(product, chunk[i]);
+    for (std::size_t i = 0; i < size; ++i) send_compensated(chunk[i], silence);
+    break_silence(silence);
     answer_requests();
     if (hal::milliseconds() - tested_ms >= kIdleMs) test_on();
     advance_own_thermometer();
-    hal::kick_watchdog();  // here and nowhere else: kicked means that the loop went round
+    if (!proven && hal::milliseconds() >= kGoodRunMs) {
+      hal::report_good_run();
+      proven = true;
+    }
+    hal::kick_watchdog();  // nowhere else in the loop: kicked means that it went round
   }
 }
 

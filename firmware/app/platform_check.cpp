@@ -120,7 +120,7 @@ void raise_unused_interrupt() {
 
 // The emulated STM32 has no watchdog: there this returns, which is said, and the check ends.
 void stop_main_loop() {
-  hal::start_watchdog();
+  hal::start_watchdog(hal::kWatchdogLoopMs);
   const std::uint32_t start_ms = hal::milliseconds();
   progress.hung_at_ms = start_ms;
   while (hal::milliseconds() - start_ms < 5000) hal::wait_for_event();
@@ -129,7 +129,7 @@ void stop_main_loop() {
 }
 
 void stop_everything() {
-  hal::start_watchdog();
+  hal::start_watchdog(hal::kWatchdogLoopMs);
   asm volatile("cpsid i");
   for (;;) {
   }

@@ -30,7 +30,9 @@ class SelfTest {
   bool memory_good() const { return memory_good_; }
   std::uint32_t start_crc() const { return start_crc_; }  ///< of image and constants
   std::uint32_t image_passes() const { return image_passes_; }
-  std::uint32_t memory_passes() const { return memory_blocks_ / memory_.blocks(); }
+  std::uint32_t memory_passes() const {
+    return memory_blocks_ / static_cast<std::uint32_t>(memory_.blocks());
+  }
 
  private:
   bool memory_step();

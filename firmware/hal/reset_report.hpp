@@ -31,12 +31,22 @@ struct CrashRecord {
   std::uint32_t uptime_ms;
 };
 
+/// Restarts of the board's own since power was lost or somebody pulled the reset pin.
+struct RestartCounts {
+  std::uint32_t clock_failures;
+  std::uint32_t faults;  ///< and watchdog, and self-test; since the last good run
+};
+
 struct ResetReport {
   ResetCause cause;
   CrashRecord last_crash;
+  RestartCounts counts;
 };
 
 /// Valid once the board has been started.
 const ResetReport& reset_report();
+
+/// The board has run well for long enough: the faults before it count no more.
+void report_good_run();
 
 }  // namespace fog::hal

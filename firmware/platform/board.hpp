@@ -13,8 +13,8 @@ struct BoardDescription {
   bool restarts_when_power_dips;  ///< the brown-out reset is on, so far as the board can tell
 };
 
-/// Clocks, ports and the millisecond tick: after it everything in hal/ works, except that the
-/// watchdog waits for start_watchdog(). Called once, first.
+/// Clocks, ports and the millisecond tick: after it everything in hal/ works. Called once; before
+/// it only the watchdog may be started.
 void start_board();
 
 /// Valid after start_board().

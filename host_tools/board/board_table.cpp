@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "board/expression_code.hpp"
+#include "board/held_accuracy.hpp"
 #include "board/settling_time.hpp"
 #include "board/table_parts.hpp"
+#include "core/acquisition/extension_monitor.hpp"
 #include "core/bytes/crc.hpp"
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
@@ -38,7 +40,8 @@ Timing timing_of(const BoardSettings& settings) {
   return timing;
 }
 
-void write_calibration(TableWriter& out, const Model& model, const Timing& timing) {
+void write_calibration(TableWriter& out, const Model& model, const GyroLimits& limits,
+                       const Timing& timing) {
   out.note(format("sample period, us (%.6g Hz)", 1e6 / static_cast<double>(timing.period_us)));
   out.integer(timing.period_us, "the sample period");
   out.note(format("samples per block (%.6g s)", timing.block_s));
@@ -46,8 +49,12 @@ void write_calibration(TableWriter& out, const Model& model, const Timing& timin
   out.note(
       format("rate = counts * multiplier / 2^shift (%.9g counts per deg/s)", model.scale_factor));
   out.gain(std::ldexp(3600 / model.scale_factor, fog::Rate::fractional_bits), "the scale factor");
-  out.note(format("range (+-%g deg/s)", kRangeDegPerS));
-  out.real<fog::Rate>(kRangeDegPerS * 3600, "the range");
+  const fog::RateLimits rate = board_limits(limits, timing.period_s);
+  out.note(format("range (+-%g deg/s)", limits.range_dps));
+  out.integer(rate.range.raw(), "the range");
+  out.note(
+      format("largest step of the rate in a sample (%g deg/s^2)", limits.max_acceleration_dps2));
+  out.integer(rate.step.raw(), "the step");
   const double stuck = kStuckSeconds * 1e6 / static_cast<double>(timing.period_us);
   out.note("counts in a row within one LSB that mean a stuck gyro");
   out.integer(std::llround(std::max(stuck, kLeastStuckSamples)), "stuck samples");
@@ -72,10 +79,63 @@ void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
   out.real<fog::Temperature>(least, "the coldest trained temperature");
   out.real<fog::Temperature>(most, "the warmest trained temperature");
   out.note(format("blocks for which a drift is held without a temperature (%g s)", kHoldSeconds));
-  out.integer(hold_blocks(timing.block_s), "hold blocks");
+  const std::uint32_t hold = hold_blocks(timing.block_s);
+  out.integer(hold, "hold blocks");
+  const std::uint32_t accurate = accurate_hold_blocks(model, timing.block_s, hold);
+  out.note(format("blocks for which a held drift is within %.3g deg/h", model.residual_rms_dph));
+  out.integer(accurate, "accurate blocks");
   const double settle_s = settling_time_s(model);
   out.note(format("blocks until all lags have settled (%.6g s)", settle_s));
   out.integer(std::llround(std::ceil(settle_s / timing.block_s)), "settle blocks");
+}
+
+// Up to half its trained span beyond it: there the error of a coefficient counts at most twice as
+// much as at the ends of the range. A step that training never saw has to be confirmed; of a
+// temperature physics says which. An input that stood still in training, or was not kept then, may
+// be whatever its format holds.
+struct InputLimits {
+  double min;
+  double max;
+  double step;
+};
+
+InputLimits input_limits(const Model& model, fog::Input input) {
+  const bool temperature = input == fog::Input::temperature2;
+  const auto& trained = model.input_ranges[extension_number(input)];
+  const double kMost = std::ldexp(1, 31 - fog::ExtensionValue::fractional_bits) - 1;
+  InputLimits limits{-kMost, kMost, kMost};
+  if (trained && trained->range.least < trained->range.most) {
+    const double margin = (trained->range.most - trained->range.least) / 2;
+    limits = {trained->range.least - margin, trained->range.most + margin, trained->step};
+  }
+  if (temperature) limits.step = std::ldexp(fog::kTemperatureStep.raw(), -16);
+  limits.min = std::max(limits.min, temperature ? kColdestDegc : -kMost);
+  limits.max = std::min(limits.max, temperature ? kWarmestDegc : kMost);
+  limits.step = std::min(limits.step, kMost);
+  if (limits.min <= limits.max) return limits;
+  throw InputError("export",
+                   format("%s was trained from %.4g to %.4g, which no board is told; "
+                          "correct its unit and fit again",
+                          description_of(input).column, trained->range.least, trained->range.most));
+}
+
+void write_input_limits(TableWriter& out, const Model& model) {
+  const fog::InputMask needs = needs_of(model);
+  std::vector<fog::Input> inputs;
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    if (has(needs, fog::extension_input(i))) inputs.push_back(fog::extension_input(i));
+  }
+  out.note("inputs of extension records");
+  out.integer(static_cast<std::int64_t>(inputs.size()), "inputs");
+  for (const fog::Input input : inputs) {
+    const fog::InputDescription& description = description_of(input);
+    const InputLimits limits = input_limits(model, input);
+    out.note(format("%s: %.6g to %.6g %s, steps of more than %.4g to be confirmed",
+                    description.name, limits.min, limits.max, description.unit, limits.step));
+    for (const double limit : {limits.min, limits.max, limits.step}) {
+      out.real<fog::ExtensionValue>(limit, description.name);
+    }
+  }
 }
 
 double largest_coefficient(const Model& model) {
@@ -229,8 +289,9 @@ BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
   out.integer(
       as_signed(fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size())),
       "provenance");
-  write_calibration(out, model, timing);
+  write_calibration(out, model, settings.limits.over(model.limits), timing);
   write_thermal(out, model, timing);
+  write_input_limits(out, model);
   const int fraction = fraction_within(largest_coefficient(model), fog::kLeastCoefficientFraction,
                                        fog::kMostCoefficientFraction);
   write_effects(out, model, timing, fraction);
@@ -243,6 +304,11 @@ BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
   check_noise_fits(table, denoise_word, model.denoise);
   out.note("output: 0 KVH format A, 1 compact, 2 both");
   out.integer(static_cast<std::int32_t>(settings.output), "output");
+  out.note("flags that make a rate not valid; beside the usual ones " +
+           (settings.invalidating == fog::Status::none
+                ? "none"
+                : join(flag_names(settings.invalidating), ", ")));
+  out.integer(static_cast<std::int32_t>(settings.invalidating | fog::kRateInvalid), "flags");
   table.words[size_word] = static_cast<std::int32_t>(table.words.size() + 1);
   out.note("CRC-32 of the words above");
   out.integer(0, "CRC");

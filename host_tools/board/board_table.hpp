@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "board/status_names.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "model/model.hpp"
 
@@ -14,6 +15,9 @@ struct BoardSettings {
   double sample_rate_hz = 200;
   fog::OutputSelection output = fog::OutputSelection::kvh;
   bool extension = false;  ///< the demodulator sends extension records
+  GivenLimits limits{};    ///< in place of the model's
+  /// Beside fog::kRateInvalid: with any of these flags no rate is valid.
+  fog::Status invalidating = kDefaultInvalidating;
 };
 
 /// A model in the integers of the firmware (firmware/SPEC.md, "Model table").

@@ -55,6 +55,8 @@ std::string header_text(const BoardTable& table, const std::string& model_name,
                  static_cast<unsigned>(parameters.network.used()));
   text += format("#define FOG_MODEL_TAPS %zu\n", parameters.denoise.taps());
   text += format("#define FOG_MODEL_LEVELS %zu\n", parameters.denoise.levels());
+  text += format("#define FOG_MODEL_OUTPUT %d /* frames: 0 KVH, 1 compact, 2 both */\n",
+                 static_cast<int>(parameters.output));
   text += format("#define FOG_MODEL_WORDS %zu\n\n", table.words.size());
   text += std::string("static const int32_t ") + kTableStart + "\n" + table_lines(table) + "};\n\n";
   text += "#endif\n";

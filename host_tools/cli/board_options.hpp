@@ -1,14 +1,20 @@
 #pragma once
 
 #include "board/board_table.hpp"
+#include "board/status_names.hpp"
 #include "cli/option.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::cli {
 
 /// The options of the commands that make a board's table.
 struct BoardOptions : OptionGroup {
   using OptionGroup::OptionGroup;
-  BoardSettings value() const { return {sample_rate.value(), output.value(), extension.given()}; }
+  BoardSettings value() const {
+    BoardSettings settings{sample_rate.value(), output.value(), extension.given()};
+    settings.invalidating = parse_flags(invalid.value(), fog::kMayInvalidate, "--invalid");
+    return settings;
+  }
 
   Number sample_rate{
       this, {"sample-rate", "HZ", "of the board's sensor stream", "200"}, {1e-3, 1e5}};
@@ -17,6 +23,10 @@ struct BoardOptions : OptionGroup {
                                       {{"kvh", fog::OutputSelection::kvh},
                                        {"compact", fog::OutputSelection::compact},
                                        {"both", fog::OutputSelection::both}}};
+  Text invalid{
+      this,
+      {"invalid", "FLAGS", "with any of these no rate is valid (firmware/SPEC.md); or none",
+       join(flag_names(kDefaultInvalidating), ","), kRare}};
   Flag extension{this, "extension", "the demodulator sends extension records (firmware/SPEC.md)"};
 };
 

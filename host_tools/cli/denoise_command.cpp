@@ -7,6 +7,7 @@
 
 #include "cli/command.hpp"
 #include "cli/denoise_options.hpp"
+#include "cli/gyro_limit_options.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/watch.hpp"
 #include "recording/columns.hpp"
@@ -86,6 +87,7 @@ struct DenoiseCommand : Command {
   Flag json{this, "json", "one JSON object on stdout"};
   DenoiseOptions denoising{this};
   RecordingOptions recording{this};
+  GyroLimitOptions limits{this};
 
   DenoiseCommand()
       : Command("denoise", {"RUN", 1, 1},
@@ -99,8 +101,10 @@ struct DenoiseCommand : Command {
 int DenoiseCommand::run() const {
   output.required();
   const DenoiseMethod method = denoising.value();
+  ReadOptions reading = recording.value();
+  reading.limits = limits.value();
   const DenoiseOutcome found =
-      workflow::denoise({arguments.front(), recording.value(), method}, Watch().observer());
+      workflow::denoise({arguments.front(), reading, method}, Watch().observer());
   if (found.report.shortened_values > 0) {
     std::fprintf(stderr, "%s: %s between gaps too close for %s got fewer\n",
                  found.recording.file.c_str(),

@@ -4,6 +4,7 @@
 
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
+#include "cli/gyro_limit_options.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
@@ -56,6 +57,7 @@ struct ExportCommand : Command {
       this, "write it even if the integers are too far off, or the fit too uncertain"};
   Flag json{this, "json", "one JSON object on stdout"};
   BoardOptions board{this};
+  GyroLimitOptions limits{this};
 
   ExportCommand()
       : Command("export", {"MODEL", 1, 1}, "the C header of weights for the firmware",
@@ -64,8 +66,9 @@ struct ExportCommand : Command {
   }
   int run() const override {
     output.required();
-    const ExportOutcome exported =
-        workflow::export_header({arguments[0], board.value(), allow_error.given()});
+    workflow::ExportRequest request{arguments[0], board.value(), allow_error.given()};
+    request.board.limits = limits.value();
+    const ExportOutcome exported = workflow::export_header(request);
     write_file(output.value(), exported.header);
     if (json.given()) {
       print_json(exported, output.value());

@@ -16,6 +16,7 @@ workflow::FitRequest FitOptions::request(const std::vector<std::string>& runs,
   workflow::FitRequest request;
   request.runs = runs;
   request.reading = reading;
+  request.reading.limits = limits.value();
   request.hidden = training.network.find();
   request.activation = training.activation.value();
   request.trainer = training.trainer.find();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/denoise_options.hpp"
+#include "cli/gyro_limit_options.hpp"
 #include "cli/training_options.hpp"
 #include "fit/network_inputs.hpp"
 #include "model/catalogue.hpp"
@@ -53,6 +54,7 @@ struct FitOptions : OptionGroup {
        "heursure", kRare},
       in_order<fog::ThresholdRule>(kBoardRules)};
   HardOrSoft mode{this, kRare};
+  GyroLimitOptions limits{this};
   Choice<std::optional<ThresholdRule>> denoise_rows{
       this,
       {"denoise-rows", "RULE", "denoise what the network is trained on, by heursure, ...", "none",

@@ -5,28 +5,13 @@
 #include <vector>
 
 #include "board/health_query.hpp"
+#include "board/status_names.hpp"
 #include "cli/command.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
 namespace {
-
-// In the order of the bits (firmware/SPEC.md, "Status flags").
-constexpr const char* kFlagNames[] = {
-    "gyro_invalid",        "rate_out_of_range",   "gyro_stuck",       "sequence_gap",
-    "temperature_invalid", "temperature_clamped", "drift_held",       "drift_given_up",
-    "thermal_settling",    "denoiser_filling",    "model_refused",    "denoised_invalid",
-    "input_missing",       "rate_jump",           "temperature_jump", "temperature_frozen",
-    "self_test_failed",    "sample_rate",         "history_unknown"};
-
-std::vector<std::string> flag_names(fog::Status status) {
-  std::vector<std::string> names;
-  for (std::size_t bit = 0; bit < std::size(kFlagNames); ++bit) {
-    if (any(status, static_cast<fog::Status>(1U << bit))) names.emplace_back(kFlagNames[bit]);
-  }
-  return names;
-}
 
 std::string in_words(const std::vector<std::string>& names) {
   return names.empty() ? "none" : join(names, ", ");

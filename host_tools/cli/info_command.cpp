@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/gyro_limit_options.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
@@ -22,6 +23,7 @@ struct InfoCommand : Command {
   ReportOption report{this};
   Flag json{this, "json", "print one JSON object"};
   RecordingOptions recording{this};
+  GyroLimitOptions limits{this};
 
   InfoCommand()
       : Command("info", {"RUN", 1, 1},
@@ -31,7 +33,8 @@ struct InfoCommand : Command {
 };
 
 int InfoCommand::run() const {
-  const workflow::InfoRequest request{arguments.front(), recording.value(), average.find()};
+  workflow::InfoRequest request{arguments.front(), recording.value(), average.find()};
+  request.reading.limits = limits.value();
   ReportFile page(report);
   const auto [run, summary] = workflow::info(request, Watch().observer());
   const findings::Document document = findings::info_findings(run, summary);

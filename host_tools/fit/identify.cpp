@@ -69,6 +69,7 @@ void set_ranges(Model& model, const Rows& rows) {
   model.rate_range_degc_per_min =
       range_of(count, [&](std::size_t i) { return rows.signals[i].temperature_rate; });
   model.time_range_s = range_of(count, [&](std::size_t i) { return rows.time_s[i]; });
+  model.input_ranges = rows.input_ranges;
 }
 
 bool is_sought(const EffectTerm& term) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "core/effects/effect.hpp"
 #include "model/expression_effect.hpp"
 #include "model/network.hpp"
+#include "recording/board_limits.hpp"
 
 namespace fogcomp {
 
@@ -72,6 +74,14 @@ struct Range {
   bool holds(double value) const { return value >= least && value <= most; }
 };
 
+/// What training covered of an input of extension records, in its unit.
+struct InputRange {
+  Range range;
+  double step = 0;  ///< largest change from one row of a recording to the next
+};
+/// Of each such input, by its number; nothing for one that the recordings do not have.
+using InputRanges = std::array<std::optional<InputRange>, fog::kExtensionInputs>;
+
 /// A drift model as it is fitted, saved and exported. Drift = sum of effects + network.
 struct Model {
   std::vector<EffectTerm> terms;
@@ -79,6 +89,7 @@ struct Model {
   DenoiseSettings denoise;
 
   double scale_factor = 0;      ///< counts per deg/s of the board's sensor stream
+  GyroLimits limits{};          ///< by which the board judges the rate
   double derivative_tau_s = 0;  ///< of each of the two lags behind dT/dt
   double least_degc = 0;        ///< trained range; the board clamps to it
   double most_degc = 0;
@@ -86,6 +97,7 @@ struct Model {
   /// none.
   std::optional<Range> rate_range_degc_per_min{};  ///< cooling (negative) to heating
   std::optional<Range> time_range_s{};             ///< since power-on
+  InputRanges input_ranges{};                      ///< the board judges its inputs by them
   double noise_dph_rthz = 0;    ///< white noise density of the rate: std of a 1 s mean
   double residual_rms_dph = 0;  ///< on the training data, rows of average_s
   double average_s = 10;

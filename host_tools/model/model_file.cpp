@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 
 #include "core/bytes/crc.hpp"
@@ -184,6 +185,19 @@ Range read_range(ModelReader& in) {
   return {least, most};
 }
 
+// `NAME least most step`.
+void read_input_range(ModelReader& in, Model& model) {
+  const std::string name = in.word();
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (!is_extension(input.input) || name != input.name) continue;
+    const Range range = read_range(in);
+    model.input_ranges[extension_number(input.input)] =
+        InputRange{range, in.number(0, std::numeric_limits<double>::max())};
+    return;
+  }
+  in.fail("no extension record has an input '" + name + "'");
+}
+
 // A step, then what is known of it beyond the training error.
 void read_history(ModelReader& in, const std::string& key, std::vector<HistoryEntry>& history) {
   if (key == kHistory) {
@@ -268,8 +282,12 @@ double read_signed_dph(ModelReader& in) {
 // What a line holds, by its first word; but for the history.
 using LineReader = void (*)(ModelReader&, Model&);
 const std::map<std::string, LineReader> kLines{
-    // As --scale-factor, --derivative-tau, --average take them.
+    // As the options of these names take them.
     {"scale_factor", [](ModelReader& in, Model& m) { m.scale_factor = in.number(1e-6, 1e15); }},
+    {"range_dps",
+     [](ModelReader& in, Model& m) { m.limits.range_dps = in.number(1e-3, kMaxRangeDps); }},
+    {"max_acceleration_dps2",
+     [](ModelReader& in, Model& m) { m.limits.max_acceleration_dps2 = in.number(1e-3, 1e9); }},
     {"derivative_tau_s",
      [](ModelReader& in, Model& m) { m.derivative_tau_s = in.number(1e-3, 1e5); }},
     {"average_s", [](ModelReader& in, Model& m) { m.average_s = in.number(1e-6, 1e6); }},
@@ -277,6 +295,7 @@ const std::map<std::string, LineReader> kLines{
     {"range_degc_per_min",
      [](ModelReader& in, Model& m) { m.rate_range_degc_per_min = read_range(in); }},
     {"range_s", [](ModelReader& in, Model& m) { m.time_range_s = read_range(in); }},
+    {"input_range", read_input_range},
     {"noise_dph_rthz", [](ModelReader& in, Model& m) { m.noise_dph_rthz = read_dph(in); }},
     {"residual_rms_dph", [](ModelReader& in, Model& m) { m.residual_rms_dph = read_dph(in); }},
     {"uncertain_dph",
@@ -324,6 +343,8 @@ std::string model_text(const Model& model) {
   ModelWriter out;
   out.word(kTitleLine).end_line();
   out.word("scale_factor").number(model.scale_factor).end_line();
+  out.word("range_dps").number(model.limits.range_dps).end_line();
+  out.word("max_acceleration_dps2").number(model.limits.max_acceleration_dps2).end_line();
   out.word("derivative_tau_s").number(model.derivative_tau_s).end_line();
   out.word("range_degc").number(model.least_degc).number(model.most_degc).end_line();
   if (const auto& rate = model.rate_range_degc_per_min) {
@@ -331,6 +352,12 @@ std::string model_text(const Model& model) {
   }
   if (const auto& time = model.time_range_s) {
     out.word("range_s").number(time->least).number(time->most).end_line();
+  }
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    const auto& input = model.input_ranges[i];
+    if (!input) continue;
+    out.word("input_range").word(description_of(fog::extension_input(i)).name);
+    out.number(input->range.least).number(input->range.most).number(input->step).end_line();
   }
   out.word("noise_dph_rthz").number(model.noise_dph_rthz).end_line();
   out.word("residual_rms_dph").number(model.residual_rms_dph).end_line();

@@ -133,7 +133,8 @@ Recording read_recording(const std::string& path, const ReadOptions& options) {
   }
   find_stretches(recording);
   if (options.keep_refused_rows) return recording;
-  leave_out_refused_rows(recording, lines, options.watch);
+  leave_out_refused_rows(recording, lines, options.limits.over(options.model_limits),
+                         options.watch);
   if (recording.refused_rows > 0) find_stretches(recording);
   return recording;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/signal/inputs.hpp"
+#include "recording/board_limits.hpp"
 
 namespace fogcomp {
 
@@ -83,6 +84,9 @@ struct ReadOptions {
   /// The same as the model in hand has it: for files that have nothing but counts, where no other
   /// is given.
   std::optional<double> model_scale_factor;
+  /// By which the board judges the rate, and those of the model in hand where none are given.
+  GivenLimits limits{};
+  GyroLimits model_limits{};
   bool skip_bad_rows = false;
   /// Keeps the rows that the board would refuse: for its own code, which judges them itself.
   bool keep_refused_rows = false;

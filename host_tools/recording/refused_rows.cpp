@@ -19,9 +19,9 @@ namespace {
 /// What the messages say, while the rows are still there.
 class Words {
  public:
-  Words(const Recording& recording, const LineNumbers& lines,
+  Words(const Recording& recording, const LineNumbers& lines, const GyroLimits& limits,
         const std::vector<RefusedRow>& refused)
-      : recording_(recording), lines_(lines), refused_(refused) {}
+      : recording_(recording), lines_(lines), limits_(limits), refused_(refused) {}
 
   /// "temperature 85 degC at line 901 (then lines 1801, 2701, 3601, ...) is ...".
   std::string fault(const std::vector<std::size_t>& rows, Refusal why) const {
@@ -92,7 +92,7 @@ class Words {
       case Refusal::temperature_jump:
         return format("jumps by %.3g degC, faster than any coil", jump_degc(row));
       case Refusal::rate_beyond_range:
-        return format("is beyond the full scale of %g deg/s", kRangeDegPerS);
+        return format("is beyond the full scale of %g deg/s", limits_.range_dps);
       case Refusal::rate_jump:
         return "leaps faster than anything turns";
     }
@@ -101,6 +101,7 @@ class Words {
 
   const Recording& recording_;
   const LineNumbers& lines_;
+  const GyroLimits& limits_;
   const std::vector<RefusedRow>& refused_;
 };
 
@@ -121,9 +122,8 @@ const char* likely_cause(const Recording& recording, Refusal why) {
   return temperature_question(*least, *most);
 }
 
-void name_refused_rows(const Recording& recording, const LineNumbers& lines,
+void name_refused_rows(const Recording& recording, const Words& words,
                        const std::vector<RefusedRow>& refused, const ReadWatch& watch) {
-  const Words words(recording, lines, refused);
   for (const Refusal why :
        {Refusal::impossible_temperature, Refusal::power_on_temperature, Refusal::temperature_jump,
         Refusal::rate_beyond_range, Refusal::rate_jump}) {
@@ -173,15 +173,13 @@ void remove_rows(std::vector<double>& column, const std::vector<RefusedRow>& ref
 }  // namespace
 
 void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
-                            const ReadWatch& watch) {
-  const std::vector<RefusedRow> refused = refused_rows(recording);
+                            const GyroLimits& limits, const ReadWatch& watch) {
+  const std::vector<RefusedRow> refused = refused_rows(recording, limits);
   const std::vector<RowRange> frozen = frozen_temperatures(recording);
-  if (!frozen.empty()) {
-    const Words words(recording, lines, refused);
-    watch.say(recording.file, words.frozen(frozen));
-  }
+  const Words words(recording, lines, limits, refused);
+  if (!frozen.empty()) watch.say(recording.file, words.frozen(frozen));
   if (refused.empty()) return;
-  name_refused_rows(recording, lines, refused, watch);
+  name_refused_rows(recording, words, refused, watch);
   recording.labels = labels_without(recording, refused);
   for (const ColumnInfo& info : kColumns) remove_rows(recording[info.column], refused);
   recording.refused_rows = refused.size();

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/acquisition/rate_monitor.hpp"
-#include "core/acquisition/temperature_monitor.hpp"
+#include "core/acquisition/reading_monitor.hpp"
 #include "recording/board_limits.hpp"
 #include "recording/decision_rules.hpp"
 #include "support/units.hpp"
@@ -111,11 +111,12 @@ class RowJudge {
   static constexpr double kAnyRateS = 1;  // from one end of the range to the other takes 0.06 s
 
  public:
-  explicit RowJudge(const Recording& recording)
+  RowJudge(const Recording& recording, const GyroLimits& limits)
       : time_s_(recording.time_s),
         temperature_degc_(recording.temperature_degc),
         rate_dph_(recording.rate_dph),
-        rate_period_us_(elapsed_us(std::clamp(recording.period_s, 1e-6, kAnyRateS))) {}
+        rate_period_us_(elapsed_us(std::clamp(recording.period_s, 1e-6, kAnyRateS))),
+        rate_(board_limits(limits, rate_period_us_ * 1e-6), rate_period_us_) {}
 
   std::vector<RefusedRow> judge() {
     const std::size_t first = first_confirmed();
@@ -240,14 +241,14 @@ class RowJudge {
   std::size_t jump_ = 0;
   std::size_t left_ = 0;  // good row before jump_
   std::uint32_t rate_period_us_;
-  fog::RateMonitor rate_{board_rate(kRangeDegPerS * kDphPerDegreePerSecond), rate_period_us_};
+  fog::RateMonitor rate_;
   std::vector<RefusedRow> refused_;
 };
 
 }  // namespace
 
-std::vector<RefusedRow> refused_rows(const Recording& recording) {
-  return RowJudge(recording).judge();
+std::vector<RefusedRow> refused_rows(const Recording& recording, const GyroLimits& limits) {
+  return RowJudge(recording, limits).judge();
 }
 
 std::vector<RowRange> frozen_temperatures(const Recording& recording) {

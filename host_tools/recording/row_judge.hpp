@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "recording/board_limits.hpp"
 #include "recording/recording.hpp"
 #include "recording/segments.hpp"
 
@@ -31,8 +32,8 @@ struct RefusedRow {
 /// * the first readings are judged backwards from the first that its successor confirms;
 /// * a temperature that the board would believe in the end, and that was left within 10 min as no
 ///   coil leaves one, is refused from its beginning.
-/// A recording that says nothing but 85 degC is a soak. Full scale is kRangeDegPerS.
-std::vector<RefusedRow> refused_rows(const Recording& recording);
+/// A recording that says nothing but 85 degC is a soak.
+std::vector<RefusedRow> refused_rows(const Recording& recording, const GyroLimits& limits);
 
 /// Where the board would call the temperature frozen, for longer than it holds a drift. Only looked
 /// for in rows of a second or less: in longer ones the end of a ramp looks the same.

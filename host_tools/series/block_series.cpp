@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "recording/rate_resolution.hpp"
+#include "recording/row_range.hpp"
 
 namespace fogcomp {
 namespace {
@@ -44,6 +45,22 @@ fog::InputMask inputs_of(const Recording& recording) {
   return inputs;
 }
 
+// A gap may hide any change.
+InputRanges input_ranges_of(const Recording& recording) {
+  InputRanges ranges{};
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    const std::vector<double>& column = recording.extension[i];
+    if (column.empty()) continue;
+    const auto [min, max] = std::minmax_element(column.begin(), column.end());
+    InputRange& range = ranges[i].emplace(InputRange{{*min, *max}});
+    for (std::size_t row = 1; row < column.size(); ++row) {
+      if (is_gap(recording.time_s[row] - recording.time_s[row - 1], recording.period_s)) continue;
+      range.step = std::max(range.step, std::abs(column[row] - column[row - 1]));
+    }
+  }
+  return ranges;
+}
+
 }  // namespace
 
 std::int64_t sample_number(const Recording& recording, std::size_t row) {
@@ -63,6 +80,7 @@ BlockSeries make_blocks(const Recording& recording) {
   series.samples_per_block = samples_per_block(recording.period_s);
   series.block_s = recording.period_s > 0 ? recording.period_s * series.samples_per_block : 1;
   series.inputs = inputs_of(recording);
+  series.input_ranges = input_ranges_of(recording);
   series.rounding_dph = rate_resolution(recording).rounding_dph();
   // Blocks that had passed since power-on when the recording began.
   const double earlier = recording.time_s[0] / series.block_s;

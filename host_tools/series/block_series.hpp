@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/thermal/block_means.hpp"
+#include "model/model.hpp"
 #include "model/real_numbers.hpp"
 #include "recording/recording.hpp"
 
@@ -26,6 +27,7 @@ struct BlockSeries {
   std::vector<Block> blocks;
   fog::BlockMeans<RealNumbers> first;  ///< the first sample: what the board starts from
   fog::InputMask inputs = 0;           ///< that the recording has
+  InputRanges input_ranges{};          ///< of its rows
   /// Standard deviation of the error that rounding makes in a sample's rate: of its digits, of the
   /// numbers that the computer holds it in.
   double rounding_dph = 0;

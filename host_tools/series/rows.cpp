@@ -28,6 +28,17 @@ void add_weighted(double weight, const Signals& signals, Signals& sum) {
   add_weighted(weight, signals.block, sum.block);
 }
 
+void widen(InputRanges& ranges, const InputRanges& by) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (!by[i]) continue;
+    if (!ranges[i]) ranges[i] = by[i];
+    InputRange& range = *ranges[i];
+    range.range.least = std::min(range.range.least, by[i]->range.least);
+    range.range.most = std::max(range.range.most, by[i]->range.most);
+    range.step = std::max(range.step, by[i]->step);
+  }
+}
+
 }  // namespace
 
 std::vector<RowRange> Rows::runs() const {
@@ -91,6 +102,7 @@ RowAverager::RowAverager(const BlockSeries& blocks, double average_s, Rows& rows
   rows.row_s = std::max(rows.row_s, static_cast<double>(blocks_per_row_) * blocks.block_s);
   const double samples = static_cast<double>(blocks_per_row_) * blocks.samples_per_block;
   rows.rounding_dph = std::max(rows.rounding_dph, blocks.rounding_dph / std::sqrt(samples));
+  widen(rows.input_ranges, blocks.input_ranges);
 }
 
 std::int32_t RowAverager::take(const BlockSeries::Block& block, const Signals& signals,

@@ -24,6 +24,7 @@ struct Rows {
   std::vector<fog::Signals<RealNumbers>> signals;    ///< means, as late as the board has them
   std::vector<fog::BlockMeans<RealNumbers>> inputs;  ///< means of what was measured meanwhile
   std::vector<std::size_t> run_starts;               ///< first row of each recording
+  InputRanges input_ranges{};                        ///< of all recordings together
 
   Eigen::Index size() const { return drift_dph.size(); }
   /// The rows of each recording.

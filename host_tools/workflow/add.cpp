@@ -11,6 +11,7 @@ Addition add(const AddRequest& request, const Observer& observer) {
                                   : change_effects(model.terms, request.effects);
   ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = model.scale_factor;
+  reading.model_limits = model.limits;
   const TrainingRuns training = read_training_runs(request.runs, reading, model.average_s);
   const Holdouts judges = read_holdouts(request.hold_outs, reading, model.average_s, training.runs);
   observer.say(training.notes);

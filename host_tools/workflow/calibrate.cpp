@@ -89,6 +89,7 @@ ModelOnRuns on_hold_outs(const CalibrationRequest& request, const FitOutcome& fi
                          const Observer& observer) {
   ReadOptions reading = observer.heard(request.fit.reading);
   reading.model_scale_factor = fit.model.scale_factor;
+  reading.model_limits = fit.model.limits;
   ModelOnRuns model{request.model_file, fit.model, {}};
   const Holdouts hold_outs =
       read_holdouts(request.hold_outs, reading, fit.model.average_s, fit.runs);

@@ -28,6 +28,7 @@ std::vector<ModelOnRuns> compare(const CompareRequest& request, const Observer& 
   const double row_s = request.average_s.value_or(models[0].model.average_s);
   ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = models[0].model.scale_factor;
+  reading.model_limits = models[0].model.limits;
   KnownRows known;
   for (std::size_t i = 0; i < request.runs.size(); ++i) {
     const std::string& file = request.runs[i];

@@ -22,6 +22,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observe
   DiagnoseOutcome outcome{std::move(own), DiagnosisData(model, offered(request, model)), {}, {}};
   ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = model.scale_factor;
+  reading.model_limits = model.limits;
   BoardError as_given;
   std::vector<std::string> notes;
   for (const std::string& file : request.runs) {

@@ -1,5 +1,7 @@
 #include "workflow/export_header.hpp"
 
+#include <cmath>
+
 #include "board/header.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
@@ -19,11 +21,21 @@ std::uint32_t data_hash(const Model& model) {
 }
 
 // What the board does without, a sentence each.
-std::vector<std::string> left_out(const Model& model) {
+std::vector<std::string> left_out(const Model& model, const fog::ModelParameters& parameters) {
   std::vector<std::string> notes;
   for (const EffectTerm& term : model.terms) {
     const char* reason = info_of(term).host_only;
     if (reason != nullptr) notes.push_back(term.name + " is left out: " + reason);
+  }
+  const fog::AcquisitionParameters& board = parameters.acquisition;
+  const double step_dps = std::ldexp(board.rate.step.raw(), -fog::RateStep::fractional_bits) / 3600;
+  const double range_dps = std::ldexp(board.rate.range.raw(), -fog::Rate::fractional_bits) / 3600;
+  if (step_dps >= range_dps) {
+    notes.push_back(
+        format("a rate that folds at +-%g deg/s is not told from one that turned about: "
+               "in a sample of %g ms it may change by %.4g deg/s; give "
+               "--max-acceleration if it cannot",
+               range_dps, board.sample_period_us * 1e-3, step_dps));
   }
   return notes;
 }
@@ -62,9 +74,10 @@ BoardErrors verify_board(const Model& model, const fog::ModelParameters& paramet
 ExportOutcome board_header(const Model& model, const std::string& file, const BoardSettings& board,
                            bool allow_error) {
   const BoardTable table = make_board_table(model, board);
-  const BoardErrors errors = verify_board(model, read_board_table(table, file), file, allow_error);
+  const fog::ModelParameters parameters = read_board_table(table, file);
+  const BoardErrors errors = verify_board(model, parameters, file, allow_error);
   return {header_text(table, file_name(file), data_hash(model)), table.words.size(),
-          errors.quantization, errors.network, left_out(model)};
+          errors.quantization, errors.network, left_out(model, parameters)};
 }
 
 ExportOutcome export_header(const ExportRequest& request) {

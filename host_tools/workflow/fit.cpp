@@ -59,6 +59,7 @@ Plan plan_of(const FitRequest& request) {
   if (plan.wanted.network.hidden > 0) plan.model.network.inputs = settings.network_inputs;
   // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
   plan.reading = request.reading;
+  plan.model.limits = plan.reading.limits.over({});
   plan.model.scale_factor = plan.reading.scale_factor.value_or(kDefaultScaleFactor);
   std::swap(plan.reading.scale_factor, plan.reading.model_scale_factor);
   return plan;

@@ -7,12 +7,10 @@ cd "$(dirname "$0")/../.."
 seed=${1:-1}
 programs=build/host/tests/target/fault_injection
 cmake --preset host >/dev/null
-cmake --build build/host --target boot_flips running_flips >/dev/null
-for board in stm32f405 mps2_an386; do
-  cmake --preset "$board" >/dev/null
-  cmake --build "build/$board" --target fogcomp >/dev/null
-done
+cmake --build build/host --target boot_flips running_flips make_model >/dev/null
+images=build/host/firmware_images
+tests/target/lenient_images.sh "$images" build/host/tests/target/make_model
 echo "== booted with one bit flipped"
-tests/target/flip_bits.sh "$programs" netduinoplus2 build/stm32f405/fogcomp.elf boot all all 2000 "$seed"
+tests/target/flip_bits.sh "$programs" netduinoplus2 "$images/lenient/stm32f405.elf" boot all all 2000 "$seed"
 echo "== one bit flipped while running"
-tests/target/flip_bits.sh "$programs" mps2-an386 build/mps2_an386/fogcomp.elf running 100 4 300 "$seed"
+tests/target/flip_bits.sh "$programs" mps2-an386 "$images/lenient/mps2_an386.elf" running 100 4 300 "$seed"

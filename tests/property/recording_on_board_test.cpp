@@ -48,8 +48,10 @@ fogcomp::Recording recording_with_gaps() {
 // Drift of the board at the first sample of each block, by the block's number.
 std::map<std::int64_t, double> board_drift(const fogcomp::Model& model,
                                            const fogcomp::Recording& recording) {
-  const fogcomp::BoardTable table =
-      fogcomp::make_board_table(model, {1 / kPeriodS, fog::OutputSelection::kvh, true});
+  fogcomp::BoardSettings settings = fog::test::lenient_board();
+  settings.sample_rate_hz = 1 / kPeriodS;
+  settings.extension = true;
+  const fogcomp::BoardTable table = fogcomp::make_board_table(model, settings);
   const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
   fogcomp::HostCompensator board(parameters, fog::ImageProof::not_needed());
   std::array<std::uint8_t, fog::kMostOutputBytes> frames;

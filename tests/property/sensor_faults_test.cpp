@@ -55,7 +55,8 @@ class SensorFaults : public testing::Test {
     return most + 1;
   }
 
-  fogcomp::BoardTable table_ = fogcomp::make_board_table(fog::test::paper_like_model(), {});
+  fogcomp::BoardTable table_ =
+      fogcomp::make_board_table(fog::test::paper_like_model(), fog::test::lenient_board());
   fog::ModelParameters parameters_;
   std::unique_ptr<fogcomp::HostCompensator> board_;
   OutputSample last_;

@@ -64,6 +64,13 @@ inline fogcomp::Model paper_like_model() {
   return model;
 }
 
+/// A board at 200 Hz whose rate is valid wherever a model may choose.
+inline fogcomp::BoardSettings lenient_board() {
+  fogcomp::BoardSettings settings;
+  settings.invalidating = Status::none;
+  return settings;
+}
+
 /// The table of a board whose denoiser is this, for a gyro with so much white noise at 1 Hz.
 inline fogcomp::BoardTable denoiser_table(const fogcomp::DenoiseSettings& settings,
                                           double noise_dph_rthz = 0.075) {

@@ -1,5 +1,8 @@
 #include "support/stm32f405_model.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace fog::test {
 namespace {
 
@@ -12,6 +15,8 @@ constexpr std::uint32_t kAdc1 = 0x40012000;
 constexpr std::uint32_t kWatchdog = 0x40003000;
 constexpr std::uint32_t kInterruptEnable = 0xE000E100;
 constexpr std::uint32_t kInterruptDisable = 0xE000E180;
+constexpr std::uint32_t kInterruptPend = 0xE000E200;
+constexpr std::uint32_t kInterruptUnpend = 0xE000E280;
 
 constexpr std::uint32_t kRccControl = kRcc + 0x00;
 constexpr std::uint32_t kRccPll = kRcc + 0x04;
@@ -36,6 +41,7 @@ constexpr std::uint32_t kInternalHz = 16'000'000;
 // How long things take, in accesses: different from one another, and short beside every bound.
 constexpr std::uint64_t kCrystalStart = 900;
 constexpr std::uint64_t kPllLock = 150;
+constexpr std::uint64_t kPllStop = 40;
 constexpr std::uint64_t kWatchdogUpdate = 70;
 constexpr std::uint64_t kByte = 11;
 constexpr std::uint64_t kConversion = 5;
@@ -51,9 +57,37 @@ bool within(std::uint32_t address, std::uint32_t base, std::uint32_t size) {
 
 }  // namespace
 
-Stm32F405Model::Stm32F405Model(const Stm32Faults& wrong) : faults(wrong) {
+Stm32F405Model::Stm32F405Model(const Stm32Faults& wrong, Stm32Start start,
+                               std::uint32_t soldered_hz)
+    : faults(wrong), crystal_hz(soldered_hz) {
   registers_[kRccControl] = 0x00000083;  // reset values: HSI on and ready
   registers_[kRccPll] = 0x24003010;
+  switch (start) {
+    case Stm32Start::reset:
+      break;
+    case Stm32Start::openocd:  // target/stm32f4x.cfg: 16 / 8 * 64 / 2
+      registers_[kRccControl] |= 1U << 24U;
+      registers_[kRccPll] = 0x07001008U | (64U << 6U);
+      registers_[kFlashAccess] = 2;
+      registers_[kRccConfiguration] = 0xAU | (4U << 10U);
+      break;
+    case Stm32Start::boot_loader:  // 96 MHz, oscillator bypass off, CSS on
+      registers_[kRccControl] |= (1U << 24U) | (1U << 19U) | (1U << 16U);
+      registers_[kRccPll] =
+          (1U << 22U) | 0x07000000U | (1U << 16U) | (192U << 6U) | (crystal_hz / 2'000'000U * 2U);
+      registers_[kFlashAccess] = 3 | (7U << 8U);
+      registers_[kRccConfiguration] = 0xAU | (5U << 10U) | (4U << 13U);
+      enabled_interrupts_ = {67, 77};  // USB
+      pending_interrupts_ = {67};
+      watchdog_started_ = true;
+      registers_[kWatchdog + 0x04] = 6;
+      registers_[kWatchdog + 0x08] = 0xFFF;
+      break;
+    case Stm32Start::crystal:
+      registers_[kRccControl] |= 1U << 16U;
+      registers_[kRccConfiguration] = 0x5U;
+      break;
+  }
   usarts_[1] = UsartState(0x40011000, 2, 37);
   usarts_[2] = UsartState(0x40004400, 1, 38);
   usarts_[3] = UsartState(0x40004800, 1, 39);
@@ -65,8 +99,18 @@ std::uint32_t Stm32F405Model::stored(std::uint32_t address) const {
   return found == registers_.end() ? 0 : found->second;
 }
 
-std::uint32_t Stm32F405Model::read(std::uint32_t address) {
+// Five cycles of whatever the core runs from; and the watchdog does not wait.
+void Stm32F405Model::pass_time() {
   ++accesses_;
+  elapsed_s_ += 5.0 / core_hz();
+  constexpr double kSlowestLsiHz = 47'000;  // for the firmware the fastest is the worst
+  if (watchdog_started_ && elapsed_s_ - watchdog_kicked_at_s_ > watchdog_timeout_s(kSlowestLsiHz)) {
+    violate("the watchdog bit");
+  }
+}
+
+std::uint32_t Stm32F405Model::read(std::uint32_t address) {
+  pass_time();
   let_dma_run();
   if (within(address, kRcc, 0x400)) return read_clock(address);
   if (address == kWatchdog + 0x0C) {
@@ -80,7 +124,7 @@ std::uint32_t Stm32F405Model::read(std::uint32_t address) {
 }
 
 void Stm32F405Model::write(std::uint32_t address, std::uint32_t value) {
-  ++accesses_;
+  pass_time();
   let_dma_run();
   if (within(address, kRcc, 0x400)) return write_clock(address, value);
   if (within(address, kWatchdog, 0x400)) return write_watchdog(address, value);
@@ -102,9 +146,17 @@ void Stm32F405Model::write(std::uint32_t address, std::uint32_t value) {
     if (within(address, kInterruptDisable, 0x20)) {
       enabled_interrupts_.erase((address - kInterruptDisable) * 8 + i);
     }
+    if (within(address, kInterruptPend, 0x20)) {
+      pending_interrupts_.insert((address - kInterruptPend) * 8 + i);
+    }
+    if (within(address, kInterruptUnpend, 0x20)) {
+      pending_interrupts_.erase((address - kInterruptUnpend) * 8 + i);
+    }
   }
+  if (address == kFlashAccess && (value & 8U) != 0) violate("there are 7 wait states at most");
   if (address == kFlashAccess && faults.latency_not_taken) value &= ~7U;
   registers_[address] = value;
+  if (address == kFlashAccess) check_flash();
 }
 
 void Stm32F405Model::need_clock(std::uint32_t enable, unsigned number, const char* what) {
@@ -116,24 +168,42 @@ void Stm32F405Model::need_clock(std::uint32_t enable, unsigned number, const cha
 bool Stm32F405Model::oscillator_ready(bool crystal) const {
   const std::uint32_t control = stored(kRccControl);
   if (!crystal) return bit(control, 0);
-  return bit(control, 16) && !faults.crystal_dead && accesses_ >= crystal_ready_at_;
+  return bit(control, 16) && bit(control, 18) == oscillator && !faults.crystal_dead &&
+         accesses_ >= crystal_ready_at_;
+}
+
+// A step of the trim is about a quarter of a percent; 16 is the middle (7.3.1).
+double Stm32F405Model::internal_hz() const {
+  const auto trim = static_cast<double>((stored(kRccControl) >> 3U) & 31U);
+  return kInternalHz * (1 + internal_error) * (1 + 0.0025 * (trim - 16));
 }
 
 // 7.3.2. Limits: VCO input 1 to 2 MHz, VCO 100 to 432 MHz, output up to 168 MHz.
 std::uint32_t Stm32F405Model::pll_hz() const {
   const std::uint32_t pll = stored(kRccPll);
-  const std::uint32_t source = bit(pll, 22) ? crystal_hz : kInternalHz;
+  const std::uint32_t source =
+      bit(pll, 22) ? crystal_hz : static_cast<std::uint32_t>(std::lround(internal_hz()));
   const std::uint32_t m = pll & 63U;
   const std::uint64_t input = m == 0 ? 0 : source / m;
   const std::uint64_t vco = input * ((pll >> 6U) & 511U);
   const std::uint64_t output = vco / (2U * ((pll >> 16U) & 3U) + 2U);
-  const bool possible = input >= 1'000'000 && input <= 2'000'000 && vco >= 100'000'000 &&
-                        vco <= 432'000'000 && output <= 168'000'000;
+  // An internal oscillator that is off is within the limits all the same.
+  const double allowed = bit(pll, 22) ? 1 : 1.09;
+  const bool possible = static_cast<double>(input) * allowed >= 1e6 &&
+                        static_cast<double>(input) <= 2e6 * allowed && vco >= 100'000'000 &&
+                        vco <= 432'000'000 && static_cast<double>(output) <= 168e6 * allowed;
   return possible ? static_cast<std::uint32_t>(output) : 0;
 }
 
 std::uint32_t Stm32F405Model::core_hz() const {
-  return ((stored(kRccConfiguration) >> 2U) & 3U) == 2 ? pll_hz() : kInternalHz;
+  switch ((stored(kRccConfiguration) >> 2U) & 3U) {
+    case 1:
+      return crystal_hz;
+    case 2:
+      return pll_hz();
+    default:
+      return static_cast<std::uint32_t>(std::lround(internal_hz()));
+  }
 }
 
 std::uint32_t Stm32F405Model::bus_hz(int bus) const {
@@ -149,8 +219,10 @@ std::uint32_t Stm32F405Model::read_clock(std::uint32_t address) {
   const bool locks = !faults.pll_never_locks &&
                      !(from_crystal && faults.crystal_too_poor_to_lock) &&
                      oscillator_ready(from_crystal) && pll_hz() != 0 && accesses_ >= pll_ready_at_;
+  const bool stopping = !bit(value, 24) && accesses_ < pll_stopped_at_;
   return (value & ~0x02020002U) | (oscillator_ready(false) ? 1U << 1U : 0U) |
-         (oscillator_ready(true) ? 1U << 17U : 0U) | (bit(value, 24) && locks ? 1U << 25U : 0U);
+         (oscillator_ready(true) ? 1U << 17U : 0U) |
+         ((bit(value, 24) && locks) || stopping ? 1U << 25U : 0U);
 }
 
 void Stm32F405Model::write_clock(std::uint32_t address, std::uint32_t value) {
@@ -159,24 +231,56 @@ void Stm32F405Model::write_clock(std::uint32_t address, std::uint32_t value) {
     if (bit(value, 16) && !bit(old, 16)) crystal_ready_at_ = accesses_ + kCrystalStart;
     if (bit(value, 24) && !bit(old, 24)) pll_ready_at_ = accesses_ + kPllLock;
     if (!bit(value, 0)) violate("the internal oscillator switched off: nothing to fall back to");
+    const std::uint32_t runs_from = (stored(kRccConfiguration) >> 2U) & 3U;
+    if (bit(old, 24) && !bit(value, 24)) {
+      if (runs_from == 2) {
+        violate("the PLL stopped that is the clock");
+        value |= 1U << 24U;  // 7.3.1: this bit cannot be reset
+      } else {
+        pll_stopped_at_ = accesses_ + kPllStop;
+      }
+    }
+    if (bit(old, 16) && !bit(value, 16) && runs_from == 1) {
+      violate("the crystal stopped that is the clock");
+      value |= 1U << 16U;
+    }
+    if (bit(old ^ value, 18) && bit(old, 16)) {
+      violate("bypass changed while the oscillator is on");
+      value = (value & ~(1U << 18U)) | (old & (1U << 18U));
+    }
   }
-  if (address == kRccPll && bit(stored(kRccControl), 24)) violate("PLL set up while it runs");
+  if (address == kRccPll && (bit(stored(kRccControl), 24) || accesses_ < pll_stopped_at_)) {
+    violate("PLL set up while it runs");
+    return;  // 7.3.2: it is not written
+  }
   if (address == kRccStatus && bit(value, 24)) reset_flags = 0;
   if (address == kRccConfiguration) return switch_clock(value);
   registers_[address] = value;
 }
 
-// 7.3.3, and 3.5.1 for the wait states at 2.7 V and more.
+// 3.5.1: what a wait state is good for depends on the supply; below 2.1 V there is no prefetch.
+void Stm32F405Model::check_flash() {
+  const double hz_per_state = supply_v >= 2.7   ? 30e6
+                              : supply_v >= 2.4 ? 24e6
+                              : supply_v >= 2.1 ? 22e6
+                                                : 20e6;
+  const std::uint32_t access = stored(kFlashAccess);
+  const double highest = hz_per_state * ((access & 7U) + 1) * (1 + std::abs(internal_error));
+  if (core_hz() > highest) violate("flash too slow for the clock");
+  if (supply_v < 2.1 && bit(access, 8)) violate("prefetch below 2.1 V");
+}
+
+// 7.3.3.
 void Stm32F405Model::switch_clock(std::uint32_t value) {
   const std::uint32_t running = (stored(kRccConfiguration) >> 2U) & 3U;
   std::uint32_t wanted = value & 3U;
   if (wanted == 2 && !bit(read_clock(kRccControl), 25)) violate("switched to a PLL not ready");
   if (faults.clock_not_switched) wanted = running;
   registers_[kRccConfiguration] = (value & ~0xCU) | (wanted << 2U);
-  const std::uint32_t wait_states = stored(kFlashAccess) & 7U;
-  if (core_hz() > 30'000'000U * (wait_states + 1)) violate("flash too slow for the clock");
-  if (bus_hz(1) > 42'000'000) violate("APB1 too fast");
-  if (bus_hz(2) > 84'000'000) violate("APB2 too fast");
+  check_flash();
+  const double allowed = 1 + std::abs(internal_error);
+  if (bus_hz(1) > 42e6 * allowed) violate("APB1 too fast");
+  if (bus_hz(2) > 84e6 * allowed) violate("APB2 too fast");
 }
 
 // ---- watchdog: chapter 21 ----
@@ -184,6 +288,7 @@ void Stm32F405Model::switch_clock(std::uint32_t value) {
 void Stm32F405Model::write_watchdog(std::uint32_t address, std::uint32_t value) {
   if (address == kWatchdog) {
     watchdog_unlocked_ = value == 0x5555;
+    if (value == 0xCCCC || value == 0xAAAA) watchdog_kicked_at_s_ = elapsed_s_;
     if (value == 0xCCCC) watchdog_started_ = true;
     if (value == 0xAAAA) ++watchdog_kicks_;
     return;
@@ -227,7 +332,8 @@ std::uint32_t Stm32F405Model::read_usart(UsartState& usart, std::uint32_t offset
   if (offset == 0x00) {
     usart.overrun_seen = usart.overrun;
     const bool ready = !faults.transmitters_stuck && accesses_ >= usart.transmit_ready_at;
-    return (ready ? 0xC0U : 0U) | (usart.received ? 1U << 5U : 0U) |
+    const bool complete = ready && accesses_ >= usart.transmit_complete_at;
+    return (ready ? 0x80U : 0U) | (complete ? 0x40U : 0U) | (usart.received ? 1U << 5U : 0U) |
            (usart.overrun ? 1U << 3U : 0U);
   }
   if (offset != 0x04) return stored(usart.base + offset);
@@ -249,7 +355,9 @@ void Stm32F405Model::write_usart(UsartState& usart, std::uint32_t offset, std::u
     violate("byte for a transmitter that is off");
   }
   if (accesses_ < usart.transmit_ready_at) violate("byte written over the last one");
-  usart.transmit_ready_at = accesses_ + kByte;
+  // The shift register takes the byte when it has sent the one before (30.3.2).
+  usart.transmit_ready_at = std::max(accesses_ + 1, usart.transmit_complete_at);
+  usart.transmit_complete_at = usart.transmit_ready_at + kByte;
   const auto byte = static_cast<std::uint8_t>(value);
   if (!faults.transmitters_stuck) usart.sent.push_back(byte);
   // A half-duplex line hears itself (30.3.10).

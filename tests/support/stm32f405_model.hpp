@@ -26,17 +26,30 @@ struct Stm32Faults {
   bool converter_dead = false;
 };
 
+/// What runs when the firmware is entered.
+enum class Stm32Start : std::uint8_t {
+  reset,
+  openocd,      ///< after its `reset init`: 64 MHz from the internal oscillator's PLL
+  boot_loader,  ///< 96 MHz from the crystal's, watched; interrupts on and pending, the watchdog
+                ///< runs
+  crystal,      ///< straight from the crystal
+};
+
 /// The peripherals of an STM32F405 as RM0090 describes them, so far as the firmware uses them and
 /// an emulator does not have them. Bits are numbers here, read in the manual once more, so that a
 /// wrong constant of the firmware is not agreed with. Time is counted in accesses to registers.
 /// What the manual forbids is noted in violations().
 class Stm32F405Model : public RegisterModel {
  public:
-  explicit Stm32F405Model(const Stm32Faults& faults = {});
+  explicit Stm32F405Model(const Stm32Faults& faults = {}, Stm32Start start = Stm32Start::reset,
+                          std::uint32_t crystal_hz = 8'000'000);
 
   Stm32Faults faults;
-  std::uint32_t reset_flags = 0;          ///< RCC_CSR
-  std::uint32_t crystal_hz = 8'000'000;   ///< what is soldered to the part
+  std::uint32_t reset_flags = 0;  ///< RCC_CSR
+  std::uint32_t crystal_hz;       ///< what is soldered to the part
+  bool oscillator = false;        ///< it drives OSC_IN: a crystal's amplifier sees nothing
+  double internal_error = 0;      ///< of the internal oscillator, untrimmed: up to 0.08
+  double supply_v = 3.3;
   std::function<std::uint32_t()> analog;  ///< code of the next conversion
   /// What the half-duplex line shows for a byte at a bit rate.
   std::function<std::uint8_t(std::uint32_t baud, std::uint8_t sent)> one_wire;
@@ -46,6 +59,8 @@ class Stm32F405Model : public RegisterModel {
 
   const std::set<std::string>& violations() const { return violations_; }
   std::uint64_t accesses() const { return accesses_; }
+  /// An access takes at least 5 cycles of the core: the shortest time that they can have taken.
+  double elapsed_s() const { return elapsed_s_; }
   /// As long as so many accesses take.
   void let_pass(std::uint64_t accesses) {
     accesses_ += accesses;
@@ -59,6 +74,8 @@ class Stm32F405Model : public RegisterModel {
   /// A serial port by its number: 1, 2, 3, 6.
   void receive(int usart, std::uint8_t byte);
   bool interrupt_pending(int usart) const;  ///< and enabled at the interrupt controller
+  const std::set<std::uint32_t>& enabled_interrupts() const { return enabled_interrupts_; }
+  const std::set<std::uint32_t>& pending_interrupts() const { return pending_interrupts_; }
   const std::vector<std::uint8_t>& sent(int usart) { return usarts_[usart].sent; }
   std::uint32_t baud(int usart) const;
 
@@ -78,7 +95,8 @@ class Stm32F405Model : public RegisterModel {
     bool overrun = false;
     bool overrun_seen = false;
     std::uint8_t data = 0;
-    std::uint64_t transmit_ready_at = 0;
+    std::uint64_t transmit_ready_at = 0;     // the data register is empty
+    std::uint64_t transmit_complete_at = 0;  // ... and so is the shift register
     std::vector<std::uint8_t> sent;
   };
 
@@ -86,6 +104,9 @@ class Stm32F405Model : public RegisterModel {
   void need_clock(std::uint32_t enable, unsigned bit, const char* what);
   std::uint32_t pll_hz() const;
   bool oscillator_ready(bool crystal) const;
+  double internal_hz() const;
+  void check_flash();
+  void pass_time();
 
   std::uint32_t read_clock(std::uint32_t address);
   void write_clock(std::uint32_t address, std::uint32_t value);
@@ -104,9 +125,13 @@ class Stm32F405Model : public RegisterModel {
   std::uint64_t accesses_ = 0;
   std::map<int, UsartState> usarts_;
   std::set<std::uint32_t> enabled_interrupts_;
+  std::set<std::uint32_t> pending_interrupts_;
+  double elapsed_s_ = 0;
 
   std::uint64_t crystal_ready_at_ = 0;
   std::uint64_t pll_ready_at_ = 0;
+  std::uint64_t pll_stopped_at_ = 0;
+  double watchdog_kicked_at_s_ = 0;
   bool watchdog_started_ = false;
   bool watchdog_unlocked_ = false;
   std::uint64_t watchdog_updated_at_ = 0;

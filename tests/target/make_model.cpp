@@ -1,13 +1,16 @@
 // make_model OUT.model INPUTS [EFFECT|NAME=EXPRESSION...]: a model of these effects at their
 // typical size, without any of all that a board can have, and of a network with so many inputs (0:
 // no network) and 10 neurons. For the images of the target tests and of tests/bench.
+// make_model OUT.h lenient HEADER: a header without flags that make a rate not valid by choice.
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "board/header.hpp"
 #include "model/model_file.hpp"
+#include "support/output_file.hpp"
 #include "support/typical_effects.hpp"
 
 namespace {
@@ -41,15 +44,28 @@ void run(const std::string& output, int inputs, const std::vector<std::string>& 
   fogcomp::save_model(model, output);
 }
 
+// The same board, whose rate is valid wherever a model may choose. The flags stand before the CRC.
+void write_lenient(const std::string& header, const std::string& output) {
+  fogcomp::BoardTable table = fogcomp::parse_header(fogcomp::read_file(header), header);
+  table.words[table.words.size() - 2] = static_cast<std::int32_t>(fog::kRateInvalid);
+  table.words.back() = static_cast<std::int32_t>(fog::model_table_crc(table.span()));
+  table.notes = {{0, "as " + header + ", with no flags but the usual"}};
+  fogcomp::write_file(output, fogcomp::header_text(table, "lenient", 0));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::fputs("usage: make_model OUT.model INPUTS [EFFECT...]\n", stderr);
+    std::fputs("usage: make_model OUT.model INPUTS [EFFECT...] | OUT.h lenient HEADER\n", stderr);
     return 2;
   }
   try {
-    run(argv[1], std::stoi(argv[2]), {argv + 3, argv + argc});
+    if (argc == 4 && std::string(argv[2]) == "lenient") {
+      write_lenient(argv[3], argv[1]);
+    } else {
+      run(argv[1], std::stoi(argv[2]), {argv + 3, argv + argc});
+    }
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "make_model: %s\n", error.what());

@@ -5,21 +5,16 @@ namespace {
 
 // Set at 97.5 % of full scale, cleared after 50 ms below 92.5 %: a demodulator near its end folds
 // or clips, and a rate that hovers there must not flicker between good and bad.
-constexpr std::int64_t kSetPerMille = 975;
-constexpr std::int64_t kClearPerMille = 925;
+constexpr std::int32_t kSetFortieths = 39;
+constexpr std::int32_t kClearFortieths = 37;
 constexpr std::uint32_t kClearUs = 50'000;
 
-// 20,000 deg/s^2 (350 rad/s^2) in LSB of Rate per microsecond: ten times what agile vehicles and
-// rate tables do. A gyro that seems to be faster had its phase jump or its frame spoilt.
-constexpr std::int64_t kMostStepPerUs =
-    20'000LL * 3600 * (1LL << Rate::fractional_bits) / 1'000'000;
-
-// From one end of Rate to the other: more is never needed, and products stay below 2^63.
-constexpr std::int64_t kAnyStep = std::int64_t{1} << 32U;
+// As many as anything needs; times a step they stay below 2^63.
 constexpr std::uint32_t kSamplesForAnything = 1U << 30U;
 
-Rate share(Rate range, std::int64_t per_mille) {
-  return Rate::from_raw(static_cast<std::int32_t>(range.raw() * per_mille / 1000));
+// Rounded down, without 64 bits.
+Rate share(Rate range, std::int32_t fortieths) {
+  return Rate::from_raw(range.raw() / 40 * fortieths + range.raw() % 40 * fortieths / 40);
 }
 
 std::int64_t magnitude(std::int64_t value) {
@@ -30,27 +25,36 @@ std::int64_t distance(Rate a, Rate b) {
   return magnitude(std::int64_t{a.raw()} - std::int64_t{b.raw()});
 }
 
-}  // namespace
-
-RateMonitor::RateMonitor(Rate range, std::uint32_t sample_period_us)
-    : set_at_(share(range, kSetPerMille)),
-      clear_at_(share(range, kClearPerMille)),
-      clear_samples_((kClearUs + sample_period_us - 1) / sample_period_us),
-      inside_samples_(clear_samples_),
-      most_step_(kMostStepPerUs * sample_period_us) {
-  if (most_step_ > kAnyStep) most_step_ = kAnyStep;
+std::uint32_t sum_of_samples(std::uint32_t a, std::uint32_t b) {
+  return b < kSamplesForAnything - a ? a + b : kSamplesForAnything;
 }
 
-Status RateMonitor::judge(Rate measured, bool gyro_valid, std::uint32_t elapsed) {
+}  // namespace
+
+RateMonitor::RateMonitor(const RateLimits& limits, std::uint32_t sample_period_us)
+    : range_(limits.range),
+      set_at_(share(range_, kSetFortieths)),
+      clear_at_(share(range_, kClearFortieths)),
+      clear_samples_((kClearUs + sample_period_us - 1) / sample_period_us),
+      inside_samples_(clear_samples_),
+      most_step_(shift_left(std::int64_t{limits.step.raw()},
+                            Rate::fractional_bits - RateStep::fractional_bits)) {}
+
+Status RateMonitor::judge(Rate measured, bool trusted, std::uint32_t elapsed) {
   const bool out_of_range = judge_range(measured, elapsed);
-  since_accepted_ = elapsed < kSamplesForAnything - since_accepted_ ? since_accepted_ + elapsed
-                                                                    : kSamplesForAnything;
+  since_accepted_ = sum_of_samples(since_accepted_, elapsed);
+  unseen_samples_ = sum_of_samples(unseen_samples_, elapsed);
+  if (most_step_ * unseen_samples_ >= range_.raw()) turned_unseen_ = true;
   const bool jump = jumped(measured, elapsed);
   last_ = measured;
-  if (gyro_valid && !out_of_range && !jump) {
-    has_accepted_ = true;
-    accepted_ = measured;
-    since_accepted_ = 0;
+  if (trusted) {
+    unseen_samples_ = 0;
+    if (!jump && magnitude(measured.raw()) < set_at_.raw()) {
+      has_accepted_ = true;
+      accepted_ = measured;
+      since_accepted_ = 0;
+      turned_unseen_ = false;
+    }
   }
   return status_if(out_of_range, Status::rate_out_of_range) | status_if(jump, Status::rate_jump);
 }
@@ -72,10 +76,13 @@ bool RateMonitor::judge_range(Rate measured, std::uint32_t elapsed) {
 
 // A spike is refused, and the good sample after it accepted, because it is near the last good one.
 // A new steady rate is accepted as soon as it can have been reached: it must agree with the sample
-// before it, too, or a rate that leaps to and fro would be believed now and then.
+// before it, too, or a rate that leaps to and fro would be believed now and then. What leapt by
+// more than the range while every sample was seen has folded: it went out at one end of the range
+// and came in at the other, and is right again when it comes back the same way.
 bool RateMonitor::jumped(Rate measured, std::uint32_t elapsed) const {
   const std::int64_t step = distance(measured, accepted_);
   if (!has_accepted_ || step <= most_step_) return false;
+  if (step > range_.raw() && !turned_unseen_) return true;
   return step > most_step_ * since_accepted_ || distance(measured, last_) > most_step_ * elapsed;
 }
 

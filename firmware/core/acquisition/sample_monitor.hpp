@@ -3,27 +3,32 @@
 #include <cstdint>
 
 #include "core/acquisition/rate_monitor.hpp"
+#include "core/acquisition/reading_monitor.hpp"
 #include "core/acquisition/sample_rate_monitor.hpp"
 #include "core/acquisition/sample_time.hpp"
 #include "core/acquisition/sequence_monitor.hpp"
 #include "core/acquisition/stuck_monitor.hpp"
-#include "core/acquisition/temperature_monitor.hpp"
 #include "core/frames/sensor_frame.hpp"
+#include "core/signal/span.hpp"
 
 namespace fog {
+
+/// For so long the first readings of an input, or those far from the last good one, have to agree.
+constexpr std::uint32_t kConfirmUs = 500'000;
 
 /// Limits of what a live gyro and its temperature sensor can send.
 struct AcquisitionParameters {
   std::uint32_t sample_period_us = 1;
-  Rate range = Rate::highest();     ///< full scale, > 0
-  std::uint32_t stuck_samples = 0;  ///< counts in a row within an LSB: a stuck gyro; 0: never
+  RateLimits rate;
+  std::uint32_t stuck_samples = 0;        ///< counts in a row within an LSB: a stuck gyro; 0: never
+  Span<const std::int32_t> input_limits;  ///< of the extension inputs that the model needs
 };
 
 /// Judges each sample by itself and by those before it.
 class SampleMonitor {
  public:
   struct Verdict : SequenceMonitor::Verdict {
-    TemperatureUse temperature = TemperatureUse::none;
+    ReadingUse temperature = ReadingUse::none;
     bool temperature_confirmed = false;  ///< there was a reading that can be trusted
   };
 
@@ -31,15 +36,13 @@ class SampleMonitor {
       : sequence_(parameters.sample_period_us),
         sample_rate_(parameters.sample_period_us),
         stuck_(parameters.stuck_samples),
-        rate_(parameters.range, parameters.sample_period_us),
+        rate_(parameters.rate, parameters.sample_period_us),
         temperature_(parameters.sample_period_us, kConfirmUs) {}
 
   /// `measured` is the sample's calibrated rate; `now` is when it came.
   Verdict judge(const SensorSample& sample, Rate measured, SampleTime now = {});
 
  private:
-  static constexpr std::uint32_t kConfirmUs = 500'000;  // of a first or far temperature
-
   SequenceMonitor sequence_;
   SampleRateMonitor sample_rate_;
   StuckMonitor stuck_;

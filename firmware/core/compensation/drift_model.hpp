@@ -15,7 +15,8 @@ namespace fog {
 
 /// How long the model may go without what it needs, and how long it takes to settle.
 struct DriftPolicy {
-  std::uint32_t hold_blocks = 0;    ///< last drift is used for at most this many
+  std::uint32_t hold_blocks = 0;      ///< last drift is used for at most this many
+  std::uint32_t accurate_blocks = 0;  ///< ... and is as good as the model for this many
   std::uint32_t settle_blocks = 0;  ///< after a (re)start the lags are not yet where they would be
 };
 
@@ -100,6 +101,7 @@ class DriftModel {
 
   Status status() const {
     return flags_ | status_if(held_blocks_ > 0, Status::drift_held) |
+           status_if(held_blocks_ > policy_.accurate_blocks, Status::drift_outdated) |
            status_if(!started_ || held_blocks_ > policy_.hold_blocks, Status::drift_given_up) |
            status_if(settling_blocks_ > 0, Status::thermal_settling);
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/acquisition/calibration.hpp"
+#include "core/acquisition/extension_monitor.hpp"
 #include "core/acquisition/sample_monitor.hpp"
 #include "core/compensation/drift_model.hpp"
 #include "core/denoise/denoiser.hpp"
@@ -24,9 +25,9 @@ namespace fog {
 /// The whole pipeline: bytes of the sensor stream in, bytes of the output stream out. The order of
 /// the stages is that of process(). Shape limits are template parameters so that an image holds
 /// just what its model needs: `kEffects` of the registry, `kExpressions`, a network of
-/// `kNetworkInputs`, filters up to `kTaps` x `kLevels`.
+/// `kNetworkInputs`, filters up to `kTaps` x `kLevels`, `kOutput` frames or, with both, any.
 template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs,
-          std::size_t kTaps, std::size_t kLevels>
+          std::size_t kTaps, std::size_t kLevels, OutputSelection kOutput = OutputSelection::both>
 class Compensator {
  public:
   static constexpr ModelShape room{kEffects,
@@ -35,7 +36,8 @@ class Compensator {
                                    kTaps,
                                    kLevels,
                                    effect_fits<kEffects>,
-                                   expression_check<kExpressions>()};
+                                   expression_check<kExpressions>(),
+                                   kOutput};
 
   /// `parameters` must have been read with this class's room; parameters of a refused table make a
   /// pipeline that answers every sample and marks none valid. `proof` of the image's integrity is
@@ -45,7 +47,10 @@ class Compensator {
         proof_(proof),
         calibration_(parameters.calibration),
         output_(parameters.output),
+        invalidating_(parameters.invalidating),
         monitor_(parameters.acquisition),
+        extension_monitor_(parameters.needs(), parameters.acquisition.input_limits,
+                           parameters.acquisition.sample_period_us, kConfirmUs),
         block_clock_(parameters.samples_per_block),
         collector_(parameters.needs()),
         pending_(parameters.needs()),
@@ -78,10 +83,25 @@ class Compensator {
     return encode(last_, out);
   }
 
-  /// A value that belongs to the next sample. One that no sensor can mean is as good as none.
+  /// Where no sample has come: writes frames that say so to `out` and returns their size. Nothing
+  /// else changes; the time that has passed comes with the next sample.
+  std::size_t answer_silence(std::uint8_t* out) {
+    proof_.take();
+    last_.status |= fault_ | Status::no_samples | Status::rate_refused | Status::denoised_refused |
+                    status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
+    return encode(last_, out);
+  }
+
+  /// A value that belongs to the next sample. One that no sensor can mean is as good as none; one
+  /// that shows that those before it were wrong makes an end of what came of them.
   void take(const ExtensionRecord& record) {
-    const bool is_temperature = record.input == Input::temperature2;
-    if (is_temperature && !is_possible(record.value)) return;
+    const ReadingUse use = extension_monitor_.judge(record);
+    if (use == ReadingUse::none) return;
+    if (use == ReadingUse::good_anew) {
+      drift_model_.stop();
+      collector_.forget(record.input);
+      pending_.forget(record.input);
+    }
     pending_.add(record.input, record.value);
   }
 
@@ -108,24 +128,32 @@ class Compensator {
     result.sequence = sample.sequence;
     result.drift = drift_model_.drift();
     result.status = fault_ | verdict.status | drift_model_.status() | input_missing_ |
-                    status_if(!verdict.temperature_confirmed, Status::drift_given_up) |
+                    status_if(!verdict.temperature_confirmed || !extension_monitor_.confirmed(),
+                              Status::drift_given_up) |
                     status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
     result.compensated = saturate_to<Rate>(difference(measured, result.drift));
 
     // A late sample is answered, but time stands: it has no place in what runs at the sample rate.
+    const bool measured_well = !any(result.status, kRateInvalid);
+    result.status |= status_if(any(result.status, invalidating_), Status::rate_refused);
     if (!verdict.late) {
-      denoised_ = denoiser_.step(result.compensated, result.compensated_valid());
+      denoised_ = denoiser_.step(result.compensated, measured_well);
+      count_refused(measured_well && !result.compensated_valid());
       if (temperature_good) last_temperature_ = temperature;
     }
     result.denoised = denoised_.rate;
-    result.status |= status_if(!denoised_.valid, Status::denoised_invalid) |
-                     status_if(denoiser_.filling(), Status::denoiser_filling);
+    result.status |=
+        status_if(!denoised_.valid || samples_after_refused_ > 0, Status::denoised_invalid) |
+        status_if(denoiser_.filling(), Status::denoiser_filling);
+    result.status |= status_if(any(result.status, invalidating_ | Status::denoised_invalid),
+                               Status::denoised_refused);
     result.temperature = last_temperature_;
     if (verdict.late) return result;
 
+    extension_monitor_.advance(verdict.missing + 1);
     finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are time that passes
     if (temperature_good) collector_.add_temperature(temperature);
-    if (result.compensated_valid()) collector_.add_rate(result.compensated);
+    if (measured_well) collector_.add_rate(result.compensated);
     collector_.add_extension(pending_);
     pending_.clear();
     finish_blocks(block_clock_.advance(1));
@@ -145,6 +173,16 @@ class Compensator {
     return steps < kMost ? steps + 1 : kMost;
   }
 
+  // A rate that is refused though it was measured well is not replaced in the denoiser. So from the
+  // first of them to the delay after the last the denoised rate is not valid.
+  void count_refused(bool refused) {
+    if (refused) {
+      samples_after_refused_ = denoiser_.delay() + 1;
+    } else if (samples_after_refused_ > 0) {
+      --samples_after_refused_;
+    }
+  }
+
   static Fixed<std::int64_t, Rate::fractional_bits> difference(Rate a, Rate b) {
     using Wide = Fixed<std::int64_t, Rate::fractional_bits>;
     return Wide::from_raw(a.raw()) - Wide::from_raw(b.raw());
@@ -156,11 +194,11 @@ class Compensator {
   bool prepare_drift_model(const SampleMonitor::Verdict& verdict, Temperature temperature,
                            Rate measured) {
     const bool timed = !any(verdict.status, Status::sample_rate);
-    if (verdict.temperature == TemperatureUse::good_anew || !timed) {
+    if (verdict.temperature == ReadingUse::good_anew || !timed) {
       drift_model_.stop();
       collector_.forget_temperature();
     }
-    const bool good = timed && verdict.temperature != TemperatureUse::none;
+    const bool good = timed && verdict.temperature != ReadingUse::none;
     if (good && !drift_model_.started() && pending_.has_all()) {
       drift_model_.start({temperature, measured, block_clock_.elapsed(), pending_.means()});
     }
@@ -181,16 +219,25 @@ class Compensator {
     if (blocks > 0) drift_model_.hold(blocks);
   }
 
+  bool sends(OutputSelection frame) const {
+    return kOutput == frame || output_ == frame || output_ == OutputSelection::both;
+  }
+
   std::size_t encode(const OutputSample& sample, std::uint8_t* out) {
     std::size_t size = 0;
     const auto append = [&](const auto& frame) {
       for (const std::uint8_t byte : frame) out[size++] = byte;
     };
-    if (output_ != OutputSelection::compact)
-      append(encode_kvh_frame(sample, frames_, proof_.for_frames()));
-    if (output_ != OutputSelection::kvh) {
-      append(encode_compact_frame(sample, static_cast<std::uint16_t>(denoiser_.delay()),
-                                  proof_.for_frames()));
+    if constexpr (kOutput != OutputSelection::compact) {
+      if (sends(OutputSelection::kvh)) {
+        append(encode_kvh_frame(sample, frames_, proof_.for_frames()));
+      }
+    }
+    if constexpr (kOutput != OutputSelection::kvh) {
+      if (sends(OutputSelection::compact)) {
+        append(encode_compact_frame(sample, static_cast<std::uint16_t>(denoiser_.delay()),
+                                    proof_.for_frames()));
+      }
     }
     ++frames_;
     return size;
@@ -200,8 +247,10 @@ class Compensator {
   ImageProof proof_;
   const CalibrationParameters& calibration_;
   OutputSelection output_;
+  Status invalidating_;
   StreamParser parser_;
   SampleMonitor monitor_;
+  ExtensionMonitor<Drift::inputs & kAllExtensionInputs> extension_monitor_;
   BlockClock block_clock_;
   Collector collector_;
   typename Collector::Extension pending_;  // what came since the last sample
@@ -210,6 +259,7 @@ class Compensator {
   std::uint32_t catch_up_steps_;
   Denoiser<kTaps, kLevels> denoiser_;
   DenoiserOutput denoised_;
+  std::size_t samples_after_refused_ = 0;
   Temperature last_temperature_{};
   OutputSample last_;
   std::uint32_t frames_ = 0;

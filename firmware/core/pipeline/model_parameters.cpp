@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "core/acquisition/extension_monitor.hpp"
 #include "core/bytes/byte_order.hpp"
 #include "core/bytes/crc.hpp"
 #include "core/pipeline/table_reader.hpp"
@@ -31,7 +32,8 @@ void read_calibration(TableReader& table, ModelParameters& parameters) {
   parameters.samples_per_block = static_cast<std::uint32_t>(table.next(1, kMost32));
   parameters.calibration.multiplier = table.next(1 << 30, kMost32);
   parameters.calibration.shift = table.next(0, 62);
-  parameters.acquisition.range = next_positive<Rate>(table);
+  parameters.acquisition.rate.range = next_positive<Rate>(table);
+  parameters.acquisition.rate.step = next_positive<RateStep>(table);
   parameters.acquisition.stuck_samples = static_cast<std::uint32_t>(table.next(0, kMost32));
 }
 
@@ -44,7 +46,14 @@ void read_thermal(TableReader& table, ModelParameters& parameters) {
   table.require(kLeastTemperature <= thermal.least && thermal.least <= thermal.most &&
                 thermal.most <= kMostTemperature);
   parameters.policy.hold_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
+  parameters.policy.accurate_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
   parameters.policy.settle_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
+}
+
+// Whether there are enough of them finds whoever needs them.
+void read_input_limits(TableReader& table, AcquisitionParameters& acquisition) {
+  acquisition.input_limits =
+      table.next_words(kInputLimitWords * next_count(table, kExtensionInputs));
 }
 
 // Returns which effects the table enables.
@@ -153,16 +162,20 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   TableReader table({words.data + kHeaderWords, words.size - kHeaderWords - 1});
   read_calibration(table, parameters);
   read_thermal(table, parameters);
+  read_input_limits(table, parameters.acquisition);
   const EffectMask enabled = read_effects(table, room.effect_fits, parameters.effects);
   read_expressions(table, room.expressions_fit, parameters.expressions);
   read_network(table, parameters.network);
   read_denoise(table, parameters.denoise);
   parameters.output = static_cast<OutputSelection>(table.next(0, 2));
+  parameters.invalidating = static_cast<Status>(table.next());
+  table.require((parameters.invalidating & ~kMayInvalidate) == kRateInvalid);
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
   if ((parameters.expressions.used & ~room.expressions) != 0U) return ModelError::not_in_image;
   if ((enabled & ~room.effects) != 0U || (parameters.network.used() & ~room.network_inputs) != 0U ||
       parameters.denoise.levels() > room.levels ||
-      (room.taps != kAnyTaps && parameters.denoise.taps() != room.taps)) {
+      (room.taps != kAnyTaps && parameters.denoise.taps() != room.taps) ||
+      (room.output != OutputSelection::both && parameters.output != room.output)) {
     return ModelError::not_in_image;
   }
   return ModelError::none;
@@ -209,8 +222,8 @@ const char* describe(ModelError error) {
     case ModelError::out_of_range:
       return "model table holds a value out of range";
     case ModelError::not_in_image:
-      return "model uses an effect, operation, network input or filter that this image was not "
-             "built with";
+      return "model uses an effect, operation, network input, filter or frame that this image was "
+             "not built with";
   }
   return "unknown";
 }

@@ -19,7 +19,7 @@ namespace fog {
 enum class OutputSelection : std::int32_t { kvh = 0, compact = 1, both = 2 };
 
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
-constexpr std::int32_t kModelLayout = 4;          ///< of the table; SPEC.md, "Model table"
+constexpr std::int32_t kModelLayout = 5;          ///< of the table; SPEC.md, "Model table"
 constexpr std::size_t kMostModelWords = 4096;
 
 /// What an image has room for: fixed by the header that it is built with.
@@ -31,6 +31,7 @@ struct ModelShape {
   std::size_t levels = 0;  ///< at most
   EffectCheck effect_fits = fog::effect_fits<kAllEffects>;
   ExpressionCheck expressions_fit = fog::expressions_fit;
+  OutputSelection output = OutputSelection::both;  ///< these frames; both: whatever
 };
 
 /// Room for any model.
@@ -52,6 +53,7 @@ struct ModelParameters {
   NetworkParameters network;
   DenoiseParameters denoise;
   OutputSelection output = OutputSelection::kvh;
+  Status invalidating = kRateInvalid;  ///< any of these makes a rate not valid
 
   /// What the model needs beside the coil's temperature.
   InputMask needs() const {

@@ -16,7 +16,7 @@ struct OutputSample {
   Temperature temperature{};   ///< last good one
   Status status = Status::none;
 
-  bool compensated_valid() const { return !any(status, kRateInvalid); }
+  bool compensated_valid() const { return !any(status, kRateInvalid | Status::rate_refused); }
   bool denoised_valid() const { return !any(status, kDenoisedInvalid); }
 };
 

@@ -26,9 +26,13 @@ enum class Status : std::uint32_t {
                                  ///< out of nowhere; comes with temperature_invalid
   temperature_frozen = 1U << 15U,  ///< the temperature stands still as no live one does; likewise
   self_test_failed = 1U << 16U,    ///< the image or the memory is damaged, or no longer checked
-  sample_rate = 1U << 17U,      ///< the samples come faster or slower than the model was made for
-  history_unknown = 1U << 18U,  ///< a hysteresis may be on another branch than the model's: nobody
-                                ///< knows how the coil came to its temperature
+  sample_rate = 1U << 17U,       ///< the samples come faster or slower than the model was made for
+  history_unknown = 1U << 18U,   ///< a hysteresis may be on another branch than the model's: nobody
+                                 ///< knows how the coil came to its temperature
+  drift_outdated = 1U << 19U,    ///< held for longer than its accuracy lasts
+  rate_refused = 1U << 20U,      ///< a flag is set that makes the undelayed rate not valid
+  denoised_refused = 1U << 21U,  ///< ... the denoised rate
+  no_samples = 1U << 22U,        ///< the demodulator is silent: the frame stands for no sample
 };
 
 constexpr Status operator|(Status a, Status b) {
@@ -36,6 +40,9 @@ constexpr Status operator|(Status a, Status b) {
 }
 constexpr Status operator&(Status a, Status b) {
   return static_cast<Status>(static_cast<std::uint32_t>(a) & static_cast<std::uint32_t>(b));
+}
+constexpr Status operator~(Status a) {
+  return static_cast<Status>(~static_cast<std::uint32_t>(a));
 }
 constexpr Status& operator|=(Status& a, Status b) {
   return a = a | b;
@@ -47,12 +54,21 @@ constexpr Status status_if(bool condition, Status flag) {
   return condition ? flag : Status::none;
 }
 
-/// Any of these, and the undelayed rate must not be used.
-constexpr Status kRateInvalid =
-    Status::gyro_invalid | Status::rate_out_of_range | Status::gyro_stuck | Status::drift_given_up |
-    Status::model_refused | Status::rate_jump | Status::self_test_failed | Status::sample_rate;
+/// Any of these, and no rate is valid, whatever the model says of other flags.
+constexpr Status kRateInvalid = Status::gyro_invalid | Status::rate_out_of_range |
+                                Status::gyro_stuck | Status::drift_given_up |
+                                Status::model_refused | Status::rate_jump |
+                                Status::self_test_failed | Status::sample_rate | Status::no_samples;
 
 /// Any of these, and the denoised rate must not be used.
-constexpr Status kDenoisedInvalid = kRateInvalid | Status::denoised_invalid;
+constexpr Status kDenoisedInvalid =
+    kRateInvalid | Status::denoised_invalid | Status::denoised_refused;
+
+/// What a model may choose, beside kRateInvalid, to make a rate not valid (SPEC.md, "Validity").
+constexpr Status kMayInvalidate =
+    Status::sequence_gap | Status::temperature_invalid | Status::temperature_clamped |
+    Status::drift_held | Status::thermal_settling | Status::denoiser_filling |
+    Status::input_missing | Status::temperature_jump | Status::temperature_frozen |
+    Status::history_unknown | Status::drift_outdated;
 
 }  // namespace fog

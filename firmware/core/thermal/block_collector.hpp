@@ -39,6 +39,7 @@ class BlockCollector {
 
   /// What was gathered of it so far in this block was wrong.
   void forget_temperature() { temperature_.clear(); }
+  void forget(Input input) { extension_.forget(input); }
 
   void clear() {
     temperature_.clear();

@@ -46,6 +46,8 @@ class ExtensionAverages {
     }
   }
 
+  /// What was gathered of an input was wrong.
+  void forget(Input input) { averages_[extension_number(input)].clear(); }
   void clear() { averages_ = {}; }
 
  private:
@@ -64,6 +66,7 @@ class ExtensionAverages<0> {
   bool has_all() const { return true; }
   Means means() const { return {}; }
   void add_means(const ExtensionAverages& /*other*/) {}
+  void forget(Input /*input*/) {}
   void clear() {}
 };
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "hal/interrupts.hpp"
 #include "platform/cortex_m/memory_protection.hpp"
 #include "platform/cortex_m/system_control.hpp"
 #include "platform/shared/linker_symbols.hpp"
@@ -14,6 +15,8 @@ void prepare_processor() {
   control.vector_table_offset.write(reinterpret_cast<std::uintptr_t>(fog_image_start));
   control.configuration.set(SystemControlBlock::kTrapDivisionByZero);
   protect_memory();
+  quiet_interrupts();
+  hal::release_interrupts();
 }
 
 }  // namespace fog::platform

@@ -37,4 +37,8 @@ const hal::ResetReport& hal::reset_report() {
   return platform::report;
 }
 
+void hal::report_good_run() {
+  platform::record.forget_faults();
+}
+
 }  // namespace fog

@@ -34,6 +34,7 @@ struct SystemControlBlock {
   Register memory_fault_address;
   Register bus_fault_address;
 
+  static constexpr std::uint32_t kClearPendingTick = 1U << 25U;  // of interrupt_control
   static constexpr std::uint32_t kResetKeyAndRequest = (0x05FAU << 16U) | (1U << 2U);
   static constexpr std::uint32_t kTrapDivisionByZero = 1U << 4U;
   // configurable_fault_status: the address registers hold that of the fault
@@ -71,6 +72,8 @@ struct MemoryProtectionUnit {
 struct InterruptController {
   std::array<Register, 32> set_enable;
   std::array<Register, 32> clear_enable;
+  std::array<Register, 32> set_pending;
+  std::array<Register, 32> clear_pending;
 };
 
 inline SysTick& systick() {
@@ -93,6 +96,16 @@ inline void enable_interrupt(std::uint32_t number) {
 /// A level that is still asserted stays pending and interrupts again once enabled.
 inline void disable_interrupt(std::uint32_t number) {
   interrupt_controller().clear_enable[number / 32U].write(1U << (number % 32U));
+}
+
+/// Takes back what a boot loader or a debugger has left: no tick, no interrupt enabled or pending.
+inline void quiet_interrupts() {
+  systick().control.write(0);
+  system_control_block().interrupt_control.write(SystemControlBlock::kClearPendingTick);
+  for (std::size_t i = 0; i < 8; ++i) {  // 240 lines, the most that there can be
+    interrupt_controller().clear_enable[i].write(0xFFFFFFFFU);
+    interrupt_controller().clear_pending[i].write(0xFFFFFFFFU);
+  }
 }
 
 /// Makes an interrupt pending, as its device would.

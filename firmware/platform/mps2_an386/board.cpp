@@ -11,6 +11,12 @@ bool fog::hal::clock_is_accurate() {
   return false;
 }
 
+bool fog::hal::clock_keeps_time() {
+  return false;
+}
+
+void fog::hal::try_another_speed() {}
+
 namespace fog::platform {
 
 // This machine keeps no record of resets: only the firmware's own restarts are known.

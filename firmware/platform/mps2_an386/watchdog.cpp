@@ -6,9 +6,9 @@ namespace fog::hal {
 
 // The first expiry raises the NMI, which traps, says so and restarts; should that fail, the second
 // resets the processor.
-void start_watchdog() {
+void start_watchdog(std::uint32_t timeout_ms) {
   using platform::CmsdkWatchdog;
-  platform::watchdog().load.write(platform::kClockHz / 10U);
+  platform::watchdog().load.write(platform::kClockHz / 1000U * timeout_ms);
   platform::watchdog().control.write(CmsdkWatchdog::kInterrupt | CmsdkWatchdog::kReset);
 }
 

@@ -3,7 +3,8 @@
 namespace fog::platform {
 
 /// What start-up has to tell the processor before the application runs: where its exceptions go,
-/// which of them it takes. Each processor's own; memory is initialised.
+/// which of them it takes; interrupts are held off until then, none is left enabled. Each
+/// processor's own; memory is initialised.
 void prepare_processor();
 
 }  // namespace fog::platform

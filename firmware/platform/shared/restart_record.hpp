@@ -10,7 +10,7 @@ namespace fog::platform {
 /// anything, so what it says counts only with its own CRC.
 class RestartRecord {
  public:
-  /// Of the restart that follows.
+  /// Of the restart that follows. Restarts are counted when they are taken.
   void keep(hal::ResetCause cause, const hal::CrashRecord& crash);
 
   /// What the restart that led here left, else `hardware_cause` and no crash. The cause is
@@ -18,12 +18,16 @@ class RestartRecord {
   /// power is lost.
   hal::ResetReport take(hal::ResetCause hardware_cause);
 
+  /// Faults are counted from 0 again.
+  void forget_faults();
+
  private:
-  void seal(std::uint32_t cause, const hal::CrashRecord& crash);
+  void seal(std::uint32_t cause, const hal::CrashRecord& crash, const hal::RestartCounts& counts);
   std::uint32_t crc() const;
 
   std::uint32_t cause_;  // a ResetCause; 0 after a reset that was not the firmware's
   hal::CrashRecord crash_;
+  hal::RestartCounts counts_;
   std::uint32_t crc_;
 };
 

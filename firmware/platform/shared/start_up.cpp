@@ -1,5 +1,6 @@
 #include <cstdint>
 
+#include "hal/interrupts.hpp"
 #include "platform/board.hpp"
 #include "platform/shared/linker_symbols.hpp"
 #include "platform/shared/processor.hpp"
@@ -20,6 +21,7 @@ void initialise_memory() {
 // there is no order to get wrong and nothing to pay for. The linker refuses an image that needs
 // one.
 extern "C" [[noreturn]] void fog_reset_handler() {
+  hal::hold_interrupts();  // a boot loader may have left some on, whose handlers need memory
   paint_stack();
   initialise_memory();
   prepare_processor();

@@ -12,11 +12,23 @@ bool fog::hal::clock_is_accurate() {
   return !platform::clock_tree().is_fallback;
 }
 
+// Even the internal oscillator locks the PLL: what does not is an emulator, or a part that is
+// broken.
+bool fog::hal::clock_keeps_time() {
+  return platform::clock_tree().has_full_speed;
+}
+
 namespace fog::platform {
+namespace {
+
+// A crystal that dies now and then would be a loop of restarts.
+constexpr std::uint32_t kMostClockFailures = 3;
+
+}  // namespace
 
 void start_board() {
   report_reset(take_hardware_reset_cause());
-  start_clock_tree();
+  start_clock_tree(hal::reset_report().counts.clock_failures < kMostClockFailures);
   start_tick(clock_tree().core_hz);
   open_console_port();
   open_output_port();

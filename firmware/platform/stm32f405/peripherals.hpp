@@ -27,6 +27,9 @@ struct Rcc {
   static constexpr std::uint32_t kHsiReady = 1U << 1U;
   static constexpr std::uint32_t kHseOn = 1U << 16U;
   static constexpr std::uint32_t kHseReady = 1U << 17U;
+  static constexpr std::uint32_t kHseBypass = 1U << 18U;
+  static constexpr std::uint32_t kHsiTrim = 31U << 3U;
+  static constexpr std::uint32_t hsi_trim(std::uint32_t steps) { return steps << 3U; }
   static constexpr std::uint32_t kClockSecurityOn = 1U << 19U;
   static constexpr std::uint32_t kPllOn = 1U << 24U;
   static constexpr std::uint32_t kPllReady = 1U << 25U;
@@ -44,6 +47,7 @@ struct Rcc {
   static constexpr std::uint32_t kSwitchToHsi = 0U << 0U;
   static constexpr std::uint32_t kSwitchToPll = 2U << 0U;
   static constexpr std::uint32_t kRunning = 3U << 2U;
+  static constexpr std::uint32_t kRunningFromHsi = 0U << 2U;
   static constexpr std::uint32_t kRunningFromPll = 2U << 2U;
   static constexpr std::uint32_t kPrescalers = 0xFCF0U;
   static constexpr std::uint32_t kApb1By4 = 5U << 10U;
@@ -74,7 +78,7 @@ struct Flash {
 
   // access_control (3.9.1)
   static constexpr std::uint32_t kLatency = 7U << 0U;
-  static constexpr std::uint32_t kPrefetchAndCaches = 7U << 8U;
+  static constexpr std::uint32_t kCaches = 6U << 8U;
   // options (3.9.9): 0 resets below 2.7 V, 1 below 2.4 V, 2 below 2.1 V, 3 not at all
   static constexpr std::uint32_t kBrownOutLevel = 3U << 2U;
   static constexpr std::uint32_t kBrownOutOff = 3U << 2U;

@@ -5,9 +5,14 @@
 namespace fog::platform {
 namespace {
 
-// A byte at 115200 baud lasts 14,600 cycles of 168 MHz. A USART that never gets ready costs the
-// byte, not the board.
-constexpr std::uint32_t kTransmitPolls = 20'000;
+// A byte at 115200 baud lasts 87 us, and a poll at least 5 cycles: 0.6 ms of polls, on any clock.
+std::uint32_t transmit_polls() {
+  return clock_tree().core_hz / 8192U;
+}
+
+// One that did not get ready in that time: the bytes after it are not worth another wait. Else the
+// frames of a loop would take longer than the watchdog allows.
+const Usart* stuck = nullptr;
 
 }  // namespace
 
@@ -24,8 +29,13 @@ void open_receiver(Usart& usart, const Pin& pin) {
 }
 
 void send_byte(Usart& usart, std::uint8_t byte) {
-  wait_for_bits(usart.status, Usart::kTransmitReady, Usart::kTransmitReady, kTransmitPolls);
-  usart.data.write(byte);
+  const std::uint32_t polls = stuck == &usart ? 0 : transmit_polls();
+  if (wait_for_bits(usart.status, Usart::kTransmitReady, Usart::kTransmitReady, polls)) {
+    stuck = nullptr;
+    usart.data.write(byte);
+  } else {
+    stuck = &usart;
+  }
 }
 
 }  // namespace fog::platform

@@ -29,7 +29,9 @@ constexpr std::uint32_t baud_divisor(std::uint32_t bus_hz, std::uint32_t baud) {
   return (bus_hz + baud / 2U) / baud;
 }
 
-/// Polled: returns when the byte is handed to the USART, or given up because it never gets ready.
+/// Polled: returns when the byte is handed to the USART, or lost because it did not get ready
+/// within a millisecond; of a USART that is stuck the first byte costs that much, those after it
+/// nothing.
 void send_byte(Usart& usart, std::uint8_t byte);
 
 }  // namespace fog::platform

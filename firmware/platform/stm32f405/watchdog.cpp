@@ -6,23 +6,25 @@ namespace fog::hal {
 namespace {
 
 // The watchdog has its own oscillator (LSI), so that it bites even if every other clock has died.
-// 100 ms is for the nominal 32 kHz; the data sheet allows 17 kHz to 47 kHz, 68 ms to 188 ms.
+// Its time is for the nominal 32 kHz; the data sheet allows 17 kHz to 47 kHz: 68 ms to 188 ms for
+// 100 ms.
 constexpr std::uint32_t kLsiHz = 32'000;
 constexpr std::uint32_t kPrescaleBy4 = 0;
-constexpr std::uint32_t kTimeoutTicks = kLsiHz / 4U / 10U;
+constexpr std::uint32_t kTicksPerMs = kLsiHz / 4U / 1000U;
+static_assert(hal::kWatchdogStartMs * kTicksPerMs <= 4096, "the counter has 12 bits");
 
 // Settings cross to the slow oscillator's side within five of its periods, 0.3 ms.
 constexpr std::uint32_t kUpdatePolls = 100'000;
 
 }  // namespace
 
-void start_watchdog() {
+void start_watchdog(std::uint32_t timeout_ms) {
   auto& watchdog = platform::watchdog();
   using Keys = platform::IndependentWatchdog;
   watchdog.key.write(Keys::kStart);
   watchdog.key.write(Keys::kUnlock);
   watchdog.prescaler.write(kPrescaleBy4);
-  watchdog.reload.write(kTimeoutTicks - 1U);
+  watchdog.reload.write(timeout_ms * kTicksPerMs - 1U);
   platform::wait_for_bits(watchdog.status, Keys::kUpdating, 0, kUpdatePolls);
   watchdog.key.write(Keys::kKick);
 }

@@ -38,13 +38,13 @@ TEST(RefusedRows, AreNoneInAnyReadyMadeProfile) {
     const std::string name(profile.name);
     for (const char* sensor : {"sensor", "sensor:resolution_k=1,noise_k=0,at=chamber"}) {
       const Recording recording = recording_of(name, 0.1, sensor);
-      EXPECT_TRUE(refused_rows(recording).empty()) << name << " " << sensor;
-      EXPECT_TRUE(refused_rows(every(6, recording)).empty()) << name << " " << sensor;
+      EXPECT_TRUE(refused_rows(recording, {}).empty()) << name << " " << sensor;
+      EXPECT_TRUE(refused_rows(every(6, recording), {}).empty()) << name << " " << sensor;
     }
   }
   for (const char* name : {"random_steps", "power_cycles"}) {
     const Recording recording = recording_of(name, 1, "sensor:resolution_k=1");
-    EXPECT_TRUE(refused_rows(recording).empty()) << name;
+    EXPECT_TRUE(refused_rows(recording, {}).empty()) << name;
     EXPECT_TRUE(frozen_temperatures(recording).empty()) << name;
   }
 }

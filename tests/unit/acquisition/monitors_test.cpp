@@ -5,10 +5,10 @@
 #include <random>
 
 #include "core/acquisition/rate_monitor.hpp"
+#include "core/acquisition/reading_monitor.hpp"
 #include "core/acquisition/sample_rate_monitor.hpp"
 #include "core/acquisition/sequence_monitor.hpp"
 #include "core/acquisition/stuck_monitor.hpp"
-#include "core/acquisition/temperature_monitor.hpp"
 
 namespace {
 
@@ -231,9 +231,18 @@ TEST(StuckMonitor, CallsConstantAndTogglingCountsStuckAndNothingElse) {
   for (int i = 0; i < 10000; ++i) EXPECT_FALSE(monitor.judge(i % 3)) << i;
 }
 
+// Of a gyro that turns by 20,000 deg/s^2 at most.
+fog::RateMonitor rate_monitor(Rate range, std::uint32_t period_us) {
+  const double step_dph = 20'000.0 * 3600 * period_us * 1e-6;
+  const double most_dph = std::ldexp(INT32_MAX, -fog::RateStep::fractional_bits);
+  const auto raw = static_cast<std::int32_t>(
+      std::ldexp(std::min(step_dph, most_dph), fog::RateStep::fractional_bits));
+  return {{range, fog::RateStep::from_raw(raw)}, period_us};
+}
+
 TEST(RateMonitor, RangeIsSetAt97AndAHalfAndClearedBelow92AndAHalfFor50Milliseconds) {
   for (const double sign : {1.0, -1.0}) {
-    fog::RateMonitor monitor(deg_per_s(400), kPeriodUs);
+    fog::RateMonitor monitor = rate_monitor(deg_per_s(400), kPeriodUs);
     const auto flagged = [&](double rate) {
       return any(monitor.judge(deg_per_s(sign * rate), true, 1), Status::rate_out_of_range);
     };
@@ -254,7 +263,7 @@ TEST(RateMonitor, LimitsOfTheRangeAreExactToTheLsb) {
   };
   for (const std::int32_t sign : {1, -1}) {
     // A second a sample: nothing is a jump, and one sample inside is enough.
-    fog::RateMonitor slow(Rate::from_raw(1'000'001), 1'000'000);
+    fog::RateMonitor slow = rate_monitor(Rate::from_raw(1'000'001), 1'000'000);
     EXPECT_FALSE(flagged_at(slow, sign * 974'999));
     EXPECT_TRUE(flagged_at(slow, sign * 975'000));
     EXPECT_TRUE(flagged_at(slow, sign * 925'001));
@@ -262,12 +271,12 @@ TEST(RateMonitor, LimitsOfTheRangeAreExactToTheLsb) {
     EXPECT_FALSE(flagged_at(slow, sign * 950'000));
     // 50 ms of 4.9 ms are 11 samples, of 5 ms 10.
     for (const auto& [period_us, samples] : {std::pair{4900U, 11}, {5000U, 10}, {50'000U, 1}}) {
-      fog::RateMonitor monitor(Rate::from_raw(1'000'000), period_us);
+      fog::RateMonitor monitor = rate_monitor(Rate::from_raw(1'000'000), period_us);
       EXPECT_TRUE(flagged_at(monitor, sign * 975'000));
       for (int i = 1; i < samples; ++i) EXPECT_TRUE(flagged_at(monitor, 0)) << i;
       EXPECT_FALSE(flagged_at(monitor, 0)) << period_us;
     }
-    fog::RateMonitor gap(Rate::from_raw(1'000'000), 5000);
+    fog::RateMonitor gap = rate_monitor(Rate::from_raw(1'000'000), 5000);
     EXPECT_TRUE(flagged_at(gap, sign * 975'000));
     EXPECT_TRUE(any(gap.judge(Rate{}, true, 9), Status::rate_out_of_range));
     EXPECT_FALSE(flagged_at(gap, 0)) << "lost samples are time as well";
@@ -281,7 +290,7 @@ TEST(RateMonitor, AStepIsExactToTheLsb) {
     const auto judge = [&](fog::RateMonitor& monitor, std::int32_t raw, std::uint32_t elapsed = 1) {
       return monitor.judge(Rate::from_raw(sign * raw), true, elapsed);
     };
-    fog::RateMonitor exact(Rate::highest(), 100);
+    fog::RateMonitor exact = rate_monitor(Rate::highest(), 100);
     EXPECT_EQ(judge(exact, 0), Status::none);
     EXPECT_EQ(judge(exact, kStep), Status::none);
     EXPECT_EQ(judge(exact, 2 * kStep + 1), Status::rate_jump);
@@ -290,11 +299,11 @@ TEST(RateMonitor, AStepIsExactToTheLsb) {
     EXPECT_EQ(judge(exact, 1), Status::rate_jump);
 
     // Within two steps of the last accepted one, two samples ago, and within one of the one before.
-    fog::RateMonitor near(Rate::highest(), 100);
+    fog::RateMonitor near = rate_monitor(Rate::highest(), 100);
     EXPECT_EQ(judge(near, 0), Status::none);
     EXPECT_EQ(judge(near, 3 * kStep), Status::rate_jump);
     EXPECT_EQ(judge(near, 2 * kStep), Status::none);
-    fog::RateMonitor far(Rate::highest(), 100);
+    fog::RateMonitor far = rate_monitor(Rate::highest(), 100);
     EXPECT_EQ(judge(far, 0), Status::none);
     EXPECT_EQ(judge(far, 3 * kStep + 1), Status::rate_jump);
     EXPECT_EQ(judge(far, 2 * kStep), Status::rate_jump);
@@ -303,18 +312,18 @@ TEST(RateMonitor, AStepIsExactToTheLsb) {
 }
 
 TEST(RateMonitor, OnlyValidRatesInRangeAreAccepted) {
-  fog::RateMonitor invalid(Rate::highest(), 100);
+  fog::RateMonitor invalid = rate_monitor(Rate::highest(), 100);
   EXPECT_EQ(invalid.judge(Rate{}, false, 1), Status::none);
   EXPECT_EQ(invalid.judge(Rate::from_raw(9 * kStep), true, 1), Status::none) << "the first";
   EXPECT_EQ(invalid.judge(Rate::from_raw(10 * kStep), false, 1), Status::none);
   EXPECT_EQ(invalid.judge(Rate::from_raw(9 * kStep), true, 1), Status::none);
-  fog::RateMonitor beyond(Rate::from_raw(100 * kStep), 100);
+  fog::RateMonitor beyond = rate_monitor(Rate::from_raw(100 * kStep), 100);
   EXPECT_EQ(beyond.judge(Rate::from_raw(99 * kStep), true, 1), Status::rate_out_of_range);
   EXPECT_FALSE(any(beyond.judge(Rate{}, true, 1), Status::rate_jump)) << "none accepted yet";
 }
 
 TEST(RateMonitor, ASpikeIsRefusedAndTheSampleAfterItAccepted) {
-  fog::RateMonitor monitor(deg_per_s(500), kPeriodUs);
+  fog::RateMonitor monitor = rate_monitor(deg_per_s(500), kPeriodUs);
   EXPECT_EQ(monitor.judge(deg_per_s(1), true, 1), Status::none);
   EXPECT_EQ(monitor.judge(deg_per_s(102), true, 1), Status::rate_jump);
   EXPECT_EQ(monitor.judge(deg_per_s(1), true, 1), Status::none);
@@ -322,7 +331,7 @@ TEST(RateMonitor, ASpikeIsRefusedAndTheSampleAfterItAccepted) {
 }
 
 TEST(RateMonitor, ANewSteadyRateIsAcceptedAsSoonAsItCanHaveBeenReached) {
-  fog::RateMonitor monitor(deg_per_s(500), kPeriodUs);
+  fog::RateMonitor monitor = rate_monitor(deg_per_s(500), kPeriodUs);
   EXPECT_EQ(monitor.judge(deg_per_s(0), true, 1), Status::none);
   for (int i = 1; i < 4; ++i) EXPECT_EQ(monitor.judge(deg_per_s(399), true, 1), Status::rate_jump);
   EXPECT_EQ(monitor.judge(deg_per_s(399), true, 1), Status::none);
@@ -330,15 +339,77 @@ TEST(RateMonitor, ANewSteadyRateIsAcceptedAsSoonAsItCanHaveBeenReached) {
 }
 
 TEST(RateMonitor, ARateThatLeapsToAndFroIsNeverBelieved) {
-  fog::RateMonitor monitor(deg_per_s(500), kPeriodUs);
+  fog::RateMonitor monitor = rate_monitor(deg_per_s(500), kPeriodUs);
   EXPECT_EQ(monitor.judge(deg_per_s(0), true, 1), Status::none);
   for (int i = 0; i < 1000; ++i) {
     EXPECT_EQ(monitor.judge(deg_per_s(i % 2 == 0 ? 300 : -300), true, 1), Status::rate_jump) << i;
   }
 }
 
+// Judges a rate that ramps from 0 to `peak` and back by `slope` deg/s a sample, as a gyro of +-200
+// deg/s with this face shows it. Returns how many valid samples were wrong by more than 1 deg/s and
+// how many at the end, at rest, were not valid.
+struct FaceVerdict {
+  int wrong = 0;
+  int refused_at_rest = 0;
+};
+template <class Face>
+FaceVerdict turn_beyond_the_range(Face face, double slope, fog::RateMonitor monitor) {
+  FaceVerdict verdict;
+  const auto judge = [&](double rate, int& refused) {
+    const double shown = face(rate);
+    const bool valid = monitor.judge(deg_per_s(shown), true, 1) == Status::none;
+    verdict.wrong += valid && std::abs(shown - rate) > 1;
+    refused += !valid;
+  };
+  int ignored = 0;
+  for (double rate = 0; rate < 360; rate += slope) judge(rate, ignored);
+  for (int i = 0; i < 2000; ++i) judge(360, ignored);
+  for (double rate = 360; rate > 0; rate -= slope) judge(rate, ignored);
+  for (int i = 0; i < 100; ++i) judge(0, verdict.refused_at_rest);
+  return verdict;
+}
+
+fog::RateMonitor monitor_of_200() {
+  const auto step = static_cast<std::int32_t>(10 * 3600 * 512);  // 10 deg/s: 2,000 deg/s^2
+  return {{deg_per_s(200), fog::RateStep::from_raw(step)}, kPeriodUs};
+}
+
+TEST(RateMonitor, AGyroThatFoldsIsNotValidUntilItHasUnfolded) {
+  const auto folds = [](double rate) { return rate > 200 ? rate - 400 : rate; };
+  for (const double slope : {0.1, 1.0, 3.0, 9.0}) {
+    const FaceVerdict verdict = turn_beyond_the_range(folds, slope, monitor_of_200());
+    EXPECT_EQ(verdict.wrong, 0) << slope;
+    EXPECT_EQ(verdict.refused_at_rest, 0) << slope;
+  }
+}
+
+TEST(RateMonitor, AGyroThatClipsIsNotValidWhileItDoes) {
+  int dither = 0;
+  const auto clips = [&](double rate) { return std::min(rate, 200 + (dither++ % 7 - 3) / 1024.0); };
+  const FaceVerdict verdict = turn_beyond_the_range(clips, 3, monitor_of_200());
+  EXPECT_EQ(verdict.wrong, 0);
+  EXPECT_EQ(verdict.refused_at_rest, 0);
+}
+
+TEST(RateMonitor, ARateThatTurnedAboutUnseenHasNotFolded) {
+  fog::RateMonitor lost = monitor_of_200();
+  EXPECT_EQ(lost.judge(deg_per_s(150), true, 1), Status::none);
+  EXPECT_EQ(lost.judge(deg_per_s(-150), true, 40), Status::none);
+  fog::RateMonitor invalid = monitor_of_200();
+  EXPECT_EQ(invalid.judge(deg_per_s(150), true, 1), Status::none);
+  for (int i = 0; i < 40; ++i) invalid.judge(deg_per_s(-150), false, 1);
+  EXPECT_EQ(invalid.judge(deg_per_s(-150), true, 1), Status::none);
+  fog::RateMonitor seen = monitor_of_200();
+  EXPECT_EQ(seen.judge(deg_per_s(150), true, 1), Status::none);
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_EQ(seen.judge(deg_per_s(-150), true, 1), Status::rate_jump);
+  }
+  EXPECT_EQ(seen.judge(deg_per_s(150), true, 1), Status::none);
+}
+
 TEST(RateMonitor, AFullScaleStepIsNoJumpWhereASampleLastsHalfASecond) {
-  fog::RateMonitor monitor(deg_per_s(500), 500'000);
+  fog::RateMonitor monitor = rate_monitor(deg_per_s(500), 500'000);
   EXPECT_EQ(monitor.judge(deg_per_s(-480), true, 1), Status::none);
   EXPECT_EQ(monitor.judge(deg_per_s(480), true, 1), Status::none);
 }
@@ -427,7 +498,7 @@ TEST_F(TemperatureMonitorTest, LimitsAreExactToTheLsb) {
 // As the board asks for it: half a second of readings of which each agrees with the one before it.
 class TemperatureConfirmationTest : public testing::Test {
  protected:
-  using Use = fog::TemperatureUse;
+  using Use = fog::ReadingUse;
   Use send(double temperature, int samples = 1) {
     for (int i = 0; i < samples; ++i) monitor_.judge(degc(temperature), true, 1);
     return monitor_.use();

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 #include "board/board_table.hpp"
 #include "support/input_error.hpp"
 #include "support/typical_effects.hpp"
@@ -40,6 +43,26 @@ TEST(ExportLimits, ATrainedRangeInKelvinIsNamed) {
   EXPECT_EQ(refusal(model),
             "export: the trained range 131 to 143 degC lies outside -70 to 130 degC, what a board "
             "has; is temperature_degc in degC? correct it and fit again");
+}
+
+// Full scale and the largest step of a sample, deg/s.
+std::pair<double, double> rate_limits(const Model& model, const BoardSettings& settings) {
+  const BoardTable table = make_board_table(model, settings);
+  const fog::RateLimits rate = read_board_table(table, "test").acquisition.rate;
+  return {std::ldexp(rate.range.raw(), -10) / 3600, std::ldexp(rate.step.raw(), -9) / 3600};
+}
+
+TEST(ExportLimits, TheRateIsJudgedByTheModelsLimitsUnlessOthersAreGiven) {
+  Model model = fog::test::paper_like_model();
+  EXPECT_EQ(rate_limits(model, {}), std::pair(570.0, 100.0));
+  model.limits = {200, 2000};
+  EXPECT_EQ(rate_limits(model, {}), std::pair(200.0, 10.0));
+  EXPECT_EQ(rate_limits(model, {400}), std::pair(200.0, 5.0)) << "of a sample of 2.5 ms";
+  BoardSettings given;
+  given.limits.range_dps = 300;
+  EXPECT_EQ(rate_limits(model, given), std::pair(300.0, 10.0));
+  given.limits.max_acceleration_dps2 = 500;
+  EXPECT_EQ(rate_limits(model, given), std::pair(300.0, 2.5));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ class CompensatorTest : public testing::Test {
   CompensatorTest() { restart(); }
 
   void restart() {
-    table_ = fogcomp::make_board_table(model_, {});
+    table_ = fogcomp::make_board_table(model_, settings_);
     parameters_ = fogcomp::read_board_table(table_, "test");
     pipeline_ =
         std::make_unique<fogcomp::HostCompensator>(parameters_, fog::ImageProof::not_needed());
@@ -40,6 +40,7 @@ class CompensatorTest : public testing::Test {
   }
 
   fogcomp::Model model_ = paper_like_model();
+  fogcomp::BoardSettings settings_ = lenient_board();
   fogcomp::BoardTable table_;
   ModelParameters parameters_;
   std::unique_ptr<fogcomp::HostCompensator> pipeline_;

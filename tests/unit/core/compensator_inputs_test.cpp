@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "model/drift_model.hpp"
 #include "support/typical_effects.hpp"
@@ -26,10 +27,8 @@ class ExtensionTest : public CompensatorTest {
         if (term.name == name) model_.terms.push_back(term);
       }
     }
-    table_ = fogcomp::make_board_table(model_, {200, fog::OutputSelection::kvh, true});
-    parameters_ = fogcomp::read_board_table(table_, "test");
-    pipeline_ =
-        std::make_unique<fogcomp::HostCompensator>(parameters_, fog::ImageProof::not_needed());
+    settings_.extension = true;
+    restart();
   }
 
   void take(fog::Input input, double value) {
@@ -107,6 +106,107 @@ TEST_F(ExtensionTest, TakesAnImpossibleSecondTemperatureForAMissingOne) {
     out = run(1);
   }
   EXPECT_TRUE(any(out.status, Status::input_missing));
+}
+
+// The second temperature is the coil's and 1 degC; the first rises by 1.2 degC/min from 0 on.
+class SecondTemperature : public ExtensionTest {
+ protected:
+  struct Run {
+    std::vector<double> drift_dph;
+    std::vector<Status> status;
+  };
+
+  // Until the model has settled and 90 s longer; `second` makes of the true second temperature what
+  // its sensor says.
+  template <class Second>
+  Run ramp(Second second) {
+    pipeline_ =
+        std::make_unique<fogcomp::HostCompensator>(parameters_, fog::ImageProof::not_needed());
+    Run run;
+    const int seconds = static_cast<int>(parameters_.policy.settle_blocks) + 90;
+    for (int i = 0; i < seconds * 200; ++i) {
+      SensorSample in = sample();
+      const double degc = 0 + 1e-4 * i + (i % 2) / 16.0;
+      in.temperature_q16 = static_cast<std::int32_t>(degc * kDegree);
+      take(fog::Input::temperature2, second(i, degc + 1));
+      take(fog::Input::magnetic, 50);
+      const OutputSample out = send(in);
+      run.drift_dph.push_back(std::ldexp(out.drift.raw(), -10));
+      run.status.push_back(out.status);
+    }
+    return run;
+  }
+  static double true_value(int /*sample*/, double degc) { return degc; }
+};
+
+TEST_F(SecondTemperature, ASpikeLeavesNoTrace) {
+  const Run undisturbed = ramp(true_value);
+  const Run run = ramp([](int i, double degc) { return i == 100 * 200 + 7 ? 100 : degc; });
+  for (std::size_t i = 0; i < run.drift_dph.size(); ++i) {
+    ASSERT_NEAR(run.drift_dph[i], undisturbed.drift_dph[i], 2.0 / 1024) << i;
+  }
+}
+
+TEST_F(SecondTemperature, AFirstValueThatIsWrongLeavesNoTraceInAValidRate) {
+  const Run undisturbed = ramp(true_value);
+  const Run run = ramp([](int i, double degc) { return i < 20 ? 50 : degc; });
+  for (std::size_t i = 0; i < run.drift_dph.size(); ++i) {
+    if (any(run.status[i], fog::kRateInvalid | Status::thermal_settling)) continue;
+    ASSERT_NEAR(run.drift_dph[i], undisturbed.drift_dph[i], 2.0 / 1024) << i;
+  }
+  EXPECT_FALSE(any(run.status.back(), fog::kRateInvalid | Status::thermal_settling));
+}
+
+TEST_F(SecondTemperature, ThatStandsStillWithItsNoiseIsMissing) {
+  const Run run = ramp([](int i, double degc) { return i < 100 * 200 ? degc : 31.5; });
+  EXPECT_FALSE(any(run.status[100 * 200], Status::input_missing));
+  EXPECT_TRUE(any(run.status.back(), Status::input_missing));
+}
+
+TEST_F(SecondTemperature, ThatJumpsAndIsConfirmedStartsTheModelAnew) {
+  const Run run = ramp([](int i, double degc) { return i < 100 * 200 ? degc : degc + 10; });
+  EXPECT_TRUE(any(run.status[102 * 200], Status::input_missing));
+  EXPECT_FALSE(any(run.status[120 * 200], Status::input_missing));
+  EXPECT_TRUE(any(run.status[120 * 200], Status::thermal_settling));
+  EXPECT_EQ(run.status.back() & fog::kRateInvalid, Status::none);
+}
+
+// The field was trained from 0 to 100 uT in steps of 5: half of that span beyond it is allowed.
+class TrainedField : public ExtensionTest {
+ protected:
+  TrainedField() {
+    model_.input_ranges[extension_number(fog::Input::magnetic)] = fogcomp::InputRange{{0, 100}, 5};
+    settings_.extension = true;
+    restart();
+    run_with_field(50, 400);
+  }
+  OutputSample run_with_field(double field_ut, int samples) {
+    OutputSample last;
+    for (int i = 0; i < samples; ++i) {
+      take(fog::Input::temperature2, 26);
+      take(fog::Input::magnetic, field_ut + (i % 2) * 0.5);
+      last = run(1);
+    }
+    return last;
+  }
+};
+
+TEST_F(TrainedField, BeyondItsRangeIsMissing) {
+  EXPECT_FALSE(any(run_with_field(50, 200).status, Status::input_missing));
+  EXPECT_FALSE(any(run_with_field(149, 600).status, Status::input_missing));
+  EXPECT_TRUE(any(run_with_field(151, 600).status, Status::input_missing));
+  EXPECT_FALSE(any(run_with_field(-49, 600).status, Status::input_missing));
+  EXPECT_TRUE(any(run_with_field(-51, 600).status, Status::input_missing));
+}
+
+TEST_F(TrainedField, IsNotTakenFromASpikeAndIsFromAStepThatLasts) {
+  const fog::Rate drift = run_with_field(50, 200).drift;
+  for (int i = 0; i < 800; ++i) {
+    const bool spike = i < 80 || i == 300;  // 0.4 s, 5 ms
+    EXPECT_NEAR(run_with_field(spike ? 90 : 50, 1).drift.raw(), drift.raw(), 1) << i;
+  }
+  EXPECT_FALSE(any(run_with_field(90, 800).status, Status::input_missing));
+  EXPECT_GT(run_with_field(90, 1).drift, drift);
 }
 
 TEST_F(CompensatorTest, WarmUpGoesOnThroughATemperatureHoldAndARestartOfTheModel) {

@@ -215,6 +215,86 @@ TEST_F(CompensatorTest, AnswersEverySampleWithTheFramesOfItsModel) {
   }
 }
 
+// What a KVH frame cannot say must not be in it.
+TEST_F(CompensatorTest, NothingIsValidBeforeThereIsAMeasurement) {
+  settings_ = {};
+  restart();
+  const int settled = 200 * 210;
+  int first_rate = 0;
+  int first_denoised = 0;
+  for (int i = 0; first_denoised == 0 && i < settled + 2000; ++i) {
+    const OutputSample out = run(1);
+    const bool marked = (fog::encode_kvh_frame(out, 0, fog::kIntactImage)[28] & 4U) != 0;
+    ASSERT_EQ(marked, out.denoised_valid());
+    if (out.compensated_valid() && first_rate == 0) first_rate = i;
+    if (marked) first_denoised = i;
+  }
+  EXPECT_NEAR(first_rate, settled, 1);
+  EXPECT_EQ(first_denoised, first_rate + 465);
+}
+
+TEST_F(CompensatorTest, AFillingDenoiserIsRefusedByItself) {
+  settings_.invalidating = Status::denoiser_filling;
+  restart();
+  for (int i = 0; i < 1000; ++i) {
+    const OutputSample out = run(1);
+    EXPECT_EQ(out.compensated_valid(), i >= kConfirmed) << i;
+    EXPECT_EQ(out.denoised_valid(), i >= kConfirmed + 465) << i;
+  }
+}
+
+// Whatever a model chooses: the rate is valid exactly where none of its flags and none of the usual
+// ones is set, and the denoised rate where that was so for the whole delay before it.
+TEST_F(CompensatorTest, ARateIsValidWhereNoneOfTheChosenFlagsIs) {
+  for (const Status chosen :
+       {Status::none, Status::temperature_invalid, Status::drift_held | Status::sequence_gap,
+        Status::drift_outdated | Status::thermal_settling, fogcomp::kDefaultInvalidating}) {
+    settings_.invalidating = chosen;
+    model_.rate_range_degc_per_min = fogcomp::Range{-3, 3};
+    restart();
+    const Status refusing = chosen | fog::kRateInvalid;
+    int good = 0;
+    for (int i = 0; i < 200 * 400; ++i) {
+      SensorSample in = sample();
+      in.temperature_valid = i / 2000 != 25 && i / 12000 != 5;  // 10 s, and a minute
+      if (i == 60'000) sequence_ = static_cast<std::uint16_t>(sequence_ + 1);
+      const OutputSample out = send(in);
+      const bool undelayed = !any(out.status, refusing & ~Status::denoiser_filling);
+      good = undelayed ? good + 1 : 0;
+      ASSERT_EQ(out.compensated_valid(), undelayed) << i;
+      if (good > 466) {
+        ASSERT_TRUE(out.denoised_valid()) << i;
+      }
+      if (out.denoised_valid()) {
+        ASSERT_FALSE(any(out.status, refusing | Status::denoised_invalid)) << i;
+      }
+    }
+  }
+}
+
+TEST_F(CompensatorTest, ADriftIsOutdatedWhenItWasHeldBeyondItsAccuracy) {
+  model_.rate_range_degc_per_min = fogcomp::Range{-3, 3};
+  model_.residual_rms_dph = 0.1;
+  restart();
+  const std::uint32_t accurate = parameters_.policy.accurate_blocks;
+  EXPECT_GT(accurate, 1U);
+  EXPECT_LT(accurate, parameters_.policy.hold_blocks);
+  run(200 * 220);
+  std::uint32_t held = 0;
+  for (; held <= 60; ++held) {
+    OutputSample out;
+    for (int i = 0; i < 200; ++i) {
+      SensorSample in = sample();
+      in.temperature_valid = false;
+      out = send(in);
+    }
+    if (any(out.status, Status::drift_outdated)) break;
+  }
+  EXPECT_NEAR(held, accurate + 1, 1);
+  run(200 * 2);
+  EXPECT_FALSE(any(run(1).status, Status::drift_outdated));
+}
+
 // An image has room for its own model alone; what it leaves out must not be missed.
 template <class Image>
 void expect_same_bytes(const fogcomp::Model& model) {
@@ -252,6 +332,37 @@ constexpr fog::NetworkInputMask kTemperatureAndRate = 0x3;
 TEST(CompensatorOfAnImage, SendsWhatTheOneWithRoomForEverythingSends) {
   expect_same_bytes<fog::Compensator<kThreeEffects, 0, kTemperatureAndRate, 16, 5>>(
       fog::test::paper_like_model());
+}
+
+template <fog::OutputSelection kOutput>
+void expect_room_for_its_own_frames_alone(fog::OutputSelection other) {
+  using Image = fog::Compensator<kThreeEffects, 0, kTemperatureAndRate, 16, 5, kOutput>;
+  fog::ModelParameters parameters;
+  for (const auto refused : {other, fog::OutputSelection::both}) {
+    const fogcomp::BoardTable table =
+        fogcomp::make_board_table(fog::test::paper_like_model(), {200, refused});
+    EXPECT_EQ(fog::read_model(table.span(), Image::room, parameters),
+              fog::ModelError::not_in_image);
+  }
+  const fogcomp::BoardTable table =
+      fogcomp::make_board_table(fog::test::paper_like_model(), {200, kOutput});
+  ASSERT_EQ(fog::read_model(table.span(), Image::room, parameters), fog::ModelError::none);
+  Image image(parameters, fog::ImageProof::not_needed());
+  fogcomp::HostCompensator any(parameters, fog::ImageProof::not_needed());
+  std::uint8_t from_image[fog::kMostOutputBytes];
+  std::uint8_t from_any[fog::kMostOutputBytes];
+  const auto frame = fog::encode_sensor_frame({1, 700, 20 * kDegree, true, true});
+  for (const std::uint8_t byte : frame) {
+    const std::size_t size = image.feed(byte, from_image);
+    ASSERT_EQ(any.feed(byte, from_any), size);
+    EXPECT_TRUE(std::equal(from_image, from_image + size, from_any));
+  }
+}
+
+TEST(CompensatorOfAnImage, HasRoomForItsOwnFramesAlone) {
+  using Output = fog::OutputSelection;
+  expect_room_for_its_own_frames_alone<Output::kvh>(Output::compact);
+  expect_room_for_its_own_frames_alone<Output::compact>(Output::kvh);
 }
 
 TEST(CompensatorOfAnImage, NeedsNeitherNetworkNorDenoiser) {

@@ -19,6 +19,7 @@ class DriftStatus : public testing::Test {
     thermal_.least = fog::from_integer<Temperature>(-40);
     thermal_.most = fog::from_integer<Temperature>(60);
     policy_.hold_blocks = 5;
+    policy_.accurate_blocks = INT32_MAX;
     policy_.settle_blocks = 3;
     effects_.coefficient_fraction = 20;
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -114,6 +115,21 @@ TEST(DualProduct, AddsTheProductsOfTheHalvesStraightOrCrossed) {
     const std::uint32_t a = word(a_low, a_high), b = word(b_low, b_high);
     ASSERT_EQ(fog::add_dual_product(a, b, i), i + a_low * b_low + a_high * b_high);
     ASSERT_EQ(fog::add_crossed_product(a, b, i), i + a_low * b_high - a_high * b_low);
+  }
+}
+
+// Estimates of a digit are too large where the denominator's lower half is.
+TEST(Divide, IsTheProcessorsOwn) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 1'000'000; ++i) {
+    const std::uint64_t numerator = random() >> (random() % 64U);
+    auto denominator = static_cast<std::uint32_t>((random() | 1U) >> (random() % 32U));
+    if (i % 4 == 1) denominator |= 0x80000000U;
+    if (i % 4 == 2) denominator |= 0x0000FFFFU;
+    if (i % 4 == 3) denominator = 0x80000000U | (denominator & 0xFFFFU);
+    denominator = std::max(denominator, 1U);
+    ASSERT_EQ(fog::divide(numerator, denominator), numerator / denominator)
+        << numerator << " / " << denominator;
   }
 }
 

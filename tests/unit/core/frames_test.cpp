@@ -85,12 +85,12 @@ TEST(KvhFrame, HasFormatAByteForByte) {
   EXPECT_EQ(sent, crc);
 }
 
-TEST(KvhFrame, IsNotValidForAnyReasonThatMakesTheDenoisedRateUseless) {
-  for (unsigned bit = 0; bit < 12; ++bit) {
+TEST(KvhFrame, IsNotValidWhereTheDenoisedRateIsRefused) {
+  for (unsigned bit = 0; bit < 32; ++bit) {
     fog::OutputSample faulty = sample();
     faulty.status = static_cast<fog::Status>(1U << bit);
-    const bool useless = any(faulty.status, fog::kDenoisedInvalid);
-    EXPECT_EQ(fog::encode_kvh_frame(faulty, 0, fog::kIntactImage)[28], useless ? 0 : 4) << bit;
+    const bool refused = any(faulty.status, fog::kDenoisedInvalid);
+    EXPECT_EQ(fog::encode_kvh_frame(faulty, 0, fog::kIntactImage)[28], refused ? 0 : 4) << bit;
   }
 }
 

@@ -17,6 +17,8 @@ using fog::ModelParameters;
 constexpr std::int32_t kOneDegree = 65536;
 constexpr std::int32_t kHalf = 1 << 30;
 constexpr std::int32_t kSynthesisHalf = 1 << 14;
+constexpr auto kInvalidating =
+    static_cast<std::int32_t>(fog::kRateInvalid | fog::Status::thermal_settling);
 
 std::int32_t halves(std::int32_t upper, std::int32_t lower) {
   return static_cast<std::int32_t>((static_cast<std::uint32_t>(upper) << 16U) |
@@ -60,14 +62,16 @@ void put_input(Table& table, const std::string& name, std::int32_t signal, std::
 // What stands before the effects.
 Table table_begun() {
   Table table;
-  table.put("magic", 0x464F474D).put("layout", 4).put("words", 0).put("model", 0x11223344);
+  table.put("magic", 0x464F474D).put("layout", 5).put("words", 0).put("model", 0x11223344);
   table.put("period", 5000).put("block", 200).put("multiplier", kHalf + 1).put("shift", 30);
-  table.put("range", 1 << 20).put("stuck", 100);
+  table.put("range", 1 << 20).put("step", 77).put("stuck", 100);
   table.put("decay", 1001).put("gain", 2002);
   table.put("least", -40 * kOneDegree)
       .put("most", 60 * kOneDegree)
       .put("hold", 61)
+      .put("accurate", 31)
       .put("settle", 121);
+  table.put("input limits", 1).put("input min", -7).put("input max", 8).put("input step", 9);
   table.put("fraction", 21);
   return table;
 }
@@ -91,7 +95,8 @@ Table good_table(std::int32_t neurons = 1) {
   table.put("low 0", kHalf).put("low 1", kHalf).put("high 0", kHalf).put("high 1", -kHalf);
   table.put("synthesis 0", halves(-kSynthesisHalf, kSynthesisHalf));
   table.put("synthesis 1", halves(kSynthesisHalf, kSynthesisHalf));
-  table.put("threshold", 655).put("output", 2).put("crc", 0);
+  table.put("threshold", 655).put("output", 2);
+  table.put("invalidating", kInvalidating).put("crc", 0);
   return table;
 }
 
@@ -107,14 +112,19 @@ TEST(ModelLimits, EveryWordArrivesWhereItBelongs) {
   EXPECT_EQ(got.samples_per_block, 200U);
   EXPECT_EQ(got.calibration.multiplier, kHalf + 1);
   EXPECT_EQ(got.calibration.shift, 30);
-  EXPECT_EQ(got.acquisition.range.raw(), 1 << 20);
+  EXPECT_EQ(got.acquisition.rate.range.raw(), 1 << 20);
+  EXPECT_EQ(got.acquisition.rate.step.raw(), 77);
   EXPECT_EQ(got.acquisition.stuck_samples, 100U);
   EXPECT_EQ(got.thermal.derivative.decay.raw(), 1001);
   EXPECT_EQ(got.thermal.derivative.rate_gain.raw(), 2002);
   EXPECT_EQ(got.thermal.least.raw(), -40 * kOneDegree);
   EXPECT_EQ(got.thermal.most.raw(), 60 * kOneDegree);
   EXPECT_EQ(got.policy.hold_blocks, 61U);
+  EXPECT_EQ(got.policy.accurate_blocks, 31U);
   EXPECT_EQ(got.policy.settle_blocks, 121U);
+  ASSERT_EQ(got.acquisition.input_limits.size, 3U);
+  EXPECT_EQ(got.acquisition.input_limits[0], -7);
+  EXPECT_EQ(got.acquisition.input_limits[2], 9);
   EXPECT_EQ(got.effects.coefficient_fraction, 21);
   EXPECT_EQ(got.effects.enabled(), 1U);
   ASSERT_EQ(got.effects.by_id[0].coefficients.size, 1U);
@@ -143,6 +153,20 @@ TEST(ModelLimits, EveryWordArrivesWhereItBelongs) {
   ASSERT_EQ(got.denoise.levels(), 1U);
   EXPECT_EQ(got.denoise.thresholds[0], 655);
   EXPECT_EQ(got.output, fog::OutputSelection::both);
+  EXPECT_EQ(got.invalidating, fog::kRateInvalid | fog::Status::thermal_settling);
+}
+
+TEST(ModelLimits, TheUsualFlagsAlwaysMakeARateNotValidAndOthersMayBeChosen) {
+  const auto usual = static_cast<std::uint32_t>(fog::kRateInvalid);
+  const auto chosen = static_cast<std::uint32_t>(fog::kMayInvalidate);
+  for (unsigned bit = 0; bit < 32; ++bit) {
+    Table table = good_table();
+    const std::uint32_t flag = 1U << bit;
+    table["invalidating"] = static_cast<std::int32_t>(usual & ~flag);
+    EXPECT_EQ(table.read() == ModelError::none, (usual & flag) == 0) << bit;
+    table["invalidating"] = static_cast<std::int32_t>(usual | flag);
+    EXPECT_EQ(table.read() == ModelError::none, ((usual | chosen) & flag) != 0) << bit;
+  }
 }
 
 TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
@@ -155,12 +179,14 @@ TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
       {"multiplier", kHalf, INT32_MAX},
       {"shift", 0, 62},
       {"range", 1, INT32_MAX},
+      {"step", 1, INT32_MAX},
       {"stuck", 0, INT32_MAX},
       {"decay", 1, INT32_MAX},
       {"gain", 1, INT32_MAX},
       {"least", -70 * kOneDegree, 60 * kOneDegree},
       {"most", -40 * kOneDegree, 130 * kOneDegree},
       {"hold", 0, INT32_MAX},
+      {"accurate", 0, INT32_MAX},
       {"settle", 0, INT32_MAX},
       {"fraction", 10, 40},
       {"T decay", 0, 0},
@@ -225,7 +251,7 @@ TEST(ModelLimits, ANetworkHasUpTo32NeuronsAndNoneWithoutInputs) {
   Table without = table_begun();
   without.put("effects", 0).put("expressions", 0).put("program", 0).put("inputs", 0);
   without.put("neurons", 0).put("levels", 0).put("taps", 0).put("rule", 0).put("mode", 0);
-  without.put("output", 1).put("crc", 0);
+  without.put("output", 1).put("invalidating", kInvalidating).put("crc", 0);
   ModelParameters got;
   ASSERT_EQ(without.read(got), ModelError::none);
   EXPECT_FALSE(got.network.present());
@@ -271,9 +297,10 @@ TEST(ModelLimits, AnEffectComesOnceWithItsOwnConstantsAndCoefficients) {
     twice.put("coefficient", 1);
   }
   for (const char* name : {"expressions", "program", "inputs", "neurons", "levels", "taps", "rule",
-                           "mode", "output", "crc"}) {
+                           "mode", "output"}) {
     twice.put(name, 0);
   }
+  twice.put("invalidating", kInvalidating).put("crc", 0);
   ModelParameters got;
   ASSERT_EQ(twice.read(got), ModelError::none);
   EXPECT_EQ(got.effects.enabled(), 0x5U);
@@ -343,7 +370,8 @@ TEST(ModelLimits, FiltersKeepTheirSumsWithin64Bits) {
     for (int i = 0; i < 4; ++i) {
       table.put("synthesis " + std::to_string(i), halves(upper[i], i < 2 ? kSynthesisHalf : 0));
     }
-    table.put("threshold", 655).put("output", 2).put("crc", 0);
+    table.put("threshold", 655).put("output", 2);
+    table.put("invalidating", kInvalidating).put("crc", 0);
     return table.read() == ModelError::none;
   };
   EXPECT_TRUE(fits(kHalf, kHalf));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -41,6 +42,31 @@ TEST(Identify, ReturnsTheTruthExactlyWithoutNoise) {
       EXPECT_NEAR(model.terms[i].coefficients_dph[k], truth().terms[i].coefficients_dph[k], 1e-7);
     }
   }
+}
+
+// Across a gap anything may have happened.
+TEST(Identify, KeepsWhatTheRecordingsCoverOfTheirInputs) {
+  Model model = unknown();
+  fogcomp::SignalSeries series(model);
+  fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
+  auto& supply = recording[fog::Input::supply];
+  supply.assign(recording.rows(), 5.25);
+  std::fill(supply.begin() + 100, supply.end(), 5.0);
+  supply.back() = 4.875;
+  series.add(fogcomp::make_blocks(recording));
+  supply.clear();
+  series.add(fogcomp::make_blocks(recording));
+  supply.assign(recording.rows(), 5.5);
+  std::fill(supply.begin() + 100, supply.end(), 5.0);
+  for (std::size_t row = 100; row < recording.rows(); ++row) recording.time_s[row] += 1000;
+  series.add(fogcomp::make_blocks(recording));
+  fogcomp::identify(model, series);
+  const auto& range = model.input_ranges[extension_number(fog::Input::supply)];
+  ASSERT_TRUE(range.has_value());
+  EXPECT_EQ(range->range.least, 4.875);
+  EXPECT_EQ(range->range.most, 5.5);
+  EXPECT_EQ(range->step, 0.25);
+  EXPECT_FALSE(model.input_ranges[extension_number(fog::Input::magnetic)].has_value());
 }
 
 TEST(Identify, IsNotMovedByOutliers) {

@@ -61,6 +61,27 @@ TEST(ModelFile, KeepsTheWholeHistory) {
   EXPECT_NEAR(read.history[1].excess_removed().value_or(0), 0.88494, 1e-5);
 }
 
+TEST(ModelFile, KeepsTheLimitsOfTheGyro) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  model.limits = {200, 2500};
+  const std::string text = fogcomp::model_text(model);
+  const fogcomp::Model read = fogcomp::parse_model(text, "gyro.model");
+  EXPECT_EQ(fogcomp::model_text(read), text);
+  EXPECT_EQ(read.limits.range_dps, 200);
+  EXPECT_EQ(read.limits.max_acceleration_dps2, 2500);
+}
+
+TEST(ModelFile, KeepsWhatTrainingCoveredOfAnInput) {
+  fogcomp::Model model = fog::test::paper_like_model();
+  model.input_ranges[extension_number(fog::Input::supply)] =
+      fogcomp::InputRange{{4.75, 5.25}, 0.0625};
+  const std::string text = fogcomp::model_text(model);
+  EXPECT_NE(text.find("\ninput_range supply 4.75 5.25 0.0625\n"), std::string::npos);
+  const fogcomp::Model read = fogcomp::parse_model(text, "gyro.model");
+  EXPECT_EQ(fogcomp::model_text(read), text);
+  EXPECT_FALSE(read.input_ranges[0].has_value());
+}
+
 TEST(ModelFile, KeepsEveryInputThatANetworkCanHave) {
   fogcomp::Model model = fog::test::paper_like_model();
   model.network = fog::test::network_of({{fog::NetworkInput::lagged_temperature, 10, 51, 300},

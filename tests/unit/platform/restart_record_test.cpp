@@ -35,6 +35,34 @@ TEST(RestartRecord, TellsTheNextStartAndThenForgetsTheCauseButNotTheCrash) {
   EXPECT_TRUE(same(report.last_crash, kCrash));
 }
 
+TEST(RestartRecord, CountsWhatTheBoardRestartedForUntilSomebodyElseDoes) {
+  Memory memory;
+  memory.record().take(ResetCause::power_on);
+  const auto after = [&](ResetCause ours, ResetCause hardware) {
+    if (ours != ResetCause::unknown) memory.record().keep(ours, kCrash);
+    return memory.record().take(hardware).counts;
+  };
+  EXPECT_EQ(after(ResetCause::clock_failure, ResetCause::software).clock_failures, 1U);
+  EXPECT_EQ(after(ResetCause::clock_failure, ResetCause::software).clock_failures, 2U);
+  EXPECT_EQ(after(ResetCause::fault, ResetCause::software).faults, 1U);
+  EXPECT_EQ(after(ResetCause::unknown, ResetCause::watchdog).faults, 2U);
+  EXPECT_EQ(after(ResetCause::self_test, ResetCause::software).faults, 3U);
+  EXPECT_EQ(after(ResetCause::unknown, ResetCause::software).faults, 3U) << "a debugger's";
+  memory.record().forget_faults();
+  const auto forgiven = after(ResetCause::fault, ResetCause::software);
+  EXPECT_EQ(forgiven.faults, 1U);
+  EXPECT_EQ(forgiven.clock_failures, 2U);
+  const auto pulled = after(ResetCause::unknown, ResetCause::reset_pin);
+  EXPECT_EQ(pulled.faults + pulled.clock_failures, 0U);
+}
+
+TEST(RestartRecord, CountsFromNothingWhereAStartFailsBeforeItWasTaken) {
+  Memory memory;
+  memory.bytes.fill(0x77);
+  memory.record().keep(ResetCause::fault, kCrash);
+  EXPECT_EQ(memory.record().take(ResetCause::software).counts.faults, 1U);
+}
+
 TEST(RestartRecord, BelievesNothingOfWhatPowerOnLeavesInMemory) {
   std::mt19937 random(1);
   for (int i = 0; i < 10000; ++i) {
@@ -45,6 +73,7 @@ TEST(RestartRecord, BelievesNothingOfWhatPowerOnLeavesInMemory) {
     const auto report = memory.record().take(ResetCause::power_on);
     ASSERT_EQ(report.cause, ResetCause::power_on);
     ASSERT_TRUE(same(report.last_crash, {}));
+    ASSERT_EQ(report.counts.faults + report.counts.clock_failures, 0U);
   }
 }
 

@@ -51,7 +51,7 @@ Recording with_temperature(double period_s, std::size_t rows,
 
 Rows refused(const Recording& recording) {
   Rows rows;
-  for (const RefusedRow& each : refused_rows(recording)) rows.push_back(each.row);
+  for (const RefusedRow& each : refused_rows(recording, {})) rows.push_back(each.row);
   return rows;
 }
 
@@ -68,7 +68,7 @@ TEST_P(RowsOf, APowerOnReadingIsRefusedAndNothingElse) {
   const std::size_t last = recording.rows() - 1;
   Rows wrong{0, 1, 30, 50, 51, 52, 53, 54, 55, 80, last};
   for (const std::size_t row : wrong) recording.temperature_degc[row] = 85;
-  const std::vector<RefusedRow> rows = refused_rows(recording);
+  const std::vector<RefusedRow> rows = refused_rows(recording, {});
   EXPECT_EQ(refused(recording), wrong);
   for (const RefusedRow& each : rows) EXPECT_EQ(each.why, Refusal::power_on_temperature);
 }
@@ -80,7 +80,7 @@ TEST_P(RowsOf, AnImpossibleTemperatureIsRefusedAndNothingElse) {
     recording.temperature_degc[row] = row % 20 == 0 ? -127 : 130.1;
   }
   EXPECT_EQ(refused(recording), wrong);
-  EXPECT_EQ(refused_rows(recording)[0].why, Refusal::impossible_temperature);
+  EXPECT_EQ(refused_rows(recording, {})[0].why, Refusal::impossible_temperature);
 }
 
 TEST_P(RowsOf, AConstantTemperatureOf85DegreesIsASoak) {
@@ -175,7 +175,7 @@ TEST(RowJudge, RefusesAt200HzWhatTheBoardRefuses) {
   }
   fog::AcquisitionParameters parameters;
   parameters.sample_period_us = 5000;
-  parameters.range = fog::Rate::from_raw(570 * 3600 * 1024);
+  parameters.rate = board_limits({}, 0.005);
   fog::SampleMonitor monitor(parameters);
   Rows board;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
@@ -195,7 +195,7 @@ TEST(RowJudge, RatesAreRefusedWhereNothingTurnsSoAndOutliersStay) {
   recording.rate_dph[100] = 500;      // an outlier: the fit weighs it down
   recording.rate_dph[200] = 4e5;      // 111 deg/s in 5 ms
   recording.rate_dph[300] = -2.05e6;  // at full scale
-  const std::vector<RefusedRow> rows = refused_rows(recording);
+  const std::vector<RefusedRow> rows = refused_rows(recording, {});
   ASSERT_GE(rows.size(), 2U);
   EXPECT_EQ(rows[0].row, 200U);
   EXPECT_EQ(rows[0].why, Refusal::rate_jump);
@@ -211,6 +211,20 @@ TEST(RowJudge, RatesAreRefusedWhereNothingTurnsSoAndOutliersStay) {
   Recording slow = ramps(10);
   slow.rate_dph[100] = 4e5;
   EXPECT_EQ(refused(slow), Rows{}) << "in 10 s anything can turn so";
+}
+
+TEST(RowJudge, TheRateIsJudgedByTheLimitsOfTheGyro) {
+  Recording recording = ramps(0.005);
+  recording.rate_dph[100] = 198 * 3600;
+  recording.rate_dph[300] = 15 * 3600;
+  const std::vector<RefusedRow> rows = refused_rows(recording, {200, 2000});
+  ASSERT_GE(rows.size(), 2U);
+  EXPECT_EQ(rows[0].row, 100U);
+  EXPECT_EQ(rows[0].why, Refusal::rate_beyond_range);
+  EXPECT_EQ(rows.back().row, 300U);
+  EXPECT_EQ(rows.back().why, Refusal::rate_jump);
+  recording.rate_dph[100] = 90 * 3600;
+  EXPECT_TRUE(refused_rows(recording, {}).empty());
 }
 
 TEST(RowJudge, AFrozenTemperatureIsFoundInShortRowsAndKept) {

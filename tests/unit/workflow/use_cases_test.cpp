@@ -66,6 +66,23 @@ class UseCases : public testing::Test {
   }
 };
 
+TEST_F(UseCases, ALimitOfTheGyroIsPartOfItsCalibration) {
+  FitRequest request = static_fit();
+  request.reading.limits.range_dps = 200;
+  const Model model = fit(request).model;
+  EXPECT_EQ(model.limits.range_dps, 200);
+  EXPECT_EQ(model.limits.max_acceleration_dps2, 20'000);
+  const ExportOutcome board = board_header(model, "gyro.model", {}, false);
+  EXPECT_NE(board.header.find("/* range (+-200 deg/s) */"), std::string::npos);
+  EXPECT_TRUE(board.notes.empty());
+  BoardSettings given;
+  given.limits.range_dps = 90;
+  const ExportOutcome narrow = board_header(model, "gyro.model", given, false);
+  EXPECT_NE(narrow.header.find("/* range (+-90 deg/s) */"), std::string::npos);
+  ASSERT_EQ(narrow.notes.size(), 1U);
+  EXPECT_NE(narrow.notes[0].find("give --max-acceleration"), std::string::npos);
+}
+
 TEST_F(UseCases, FitCompareDiagnoseAndAddWithoutACommandLine) {
   const std::string file = static_model();
   CompareRequest comparison;

@@ -9,6 +9,7 @@
 namespace fog::platform {
 
 constexpr std::uint32_t kCrystalHz = 12'000'000;
+constexpr bool kCrystalIsOscillator = false;  ///< OSC_IN is driven: there is nothing to excite
 
 constexpr UsartPort kOutputUsart = kUsart6;
 constexpr Pin kOutputTx{Port::kC, 6, 8};   ///< Y1: output frames to the user

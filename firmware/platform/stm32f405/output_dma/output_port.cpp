@@ -20,11 +20,11 @@ static_assert(kOutputUsart.dma_channel != 0, "DMA 2, stream 7, serves USART 1 an
 constexpr std::size_t kHighFlags = 1;
 constexpr std::uint32_t kAllFlags = 0x3DU << 22U;
 
-// The frames of a sample, both selected. A byte at 921600 baud lasts 1,823 cycles of 168 MHz, a
+// The frames of a sample, both selected. A byte at 921600 baud lasts 1,563 cycles of 144 MHz, a
 // poll takes at least 5: twice the time that the buffer needs.
 [[gnu::section(".dma_buffers")]] std::array<std::uint8_t, kMostOutputBytes> outgoing;
 constexpr std::uint32_t kPolls = 50'000;
-static_assert(kPolls >= 2 * kMostOutputBytes * 1823 / 5);
+static_assert(kPolls >= 2 * kMostOutputBytes * 1563 / 5);
 
 DmaStream& stream() {
   return dma2().stream[kStream];

@@ -38,7 +38,7 @@ TEST(AnotherBoard, RunsAtFullSpeedFromItsOwnCrystal) {
   Stm32F405Model board;
   start(board);
   EXPECT_STREQ(fog::platform::clock_tree().source, "crystal");
-  EXPECT_EQ(board.core_hz(), 168'000'000U);
+  EXPECT_EQ(board.core_hz(), 144'000'000U);
   const auto off = [&](int usart, std::uint32_t baud) {
     return std::abs(double{1} * board.baud(usart) / baud - 1);
   };

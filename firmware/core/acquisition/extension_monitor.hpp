@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "core/acquisition/reading_monitor.hpp"
+#include "core/frames/extension_frame.hpp"
+#include "core/signal/inputs.hpp"
+#include "core/signal/span.hpp"
+
+namespace fog {
+
+/// Numbers in the model table for each extension input that a model needs: min, max, step
+/// (InputLimits).
+constexpr std::size_t kInputLimitWords = 3;
+
+/// Judges the inputs that come in extension records and that a model needs, out of kPossible. Where
+/// nothing is possible there is neither code nor memory.
+template <InputMask kPossible>
+class ExtensionMonitor {
+ public:
+  /// `limits`: kInputLimitWords for each of the `needed` ones, in their order; an input that they
+  /// do not reach to has no value that is possible but 0. The rest as for ReadingMonitor.
+  ExtensionMonitor(InputMask needed, Span<const std::int32_t> limits,
+                   std::uint32_t sample_period_us, std::uint32_t confirm_us)
+      : ExtensionMonitor(needed, limits, sample_period_us, confirm_us, EveryInput{}) {}
+
+  /// What the next value of an input may be used for.
+  ReadingUse judge(const ExtensionRecord& record) {
+    if (!has(needed_, record.input)) return ReadingUse::none;
+    const std::size_t number = extension_number(record.input);
+    monitors_[number].judge(record.value, true, elapsed_[number]);
+    elapsed_[number] = 0;
+    return monitors_[number].use();
+  }
+
+  /// Lets so many samples pass.
+  void advance(std::uint32_t samples) {
+    for (std::uint32_t& elapsed : elapsed_) {
+      elapsed = samples < kMostElapsed - elapsed ? elapsed + samples : kMostElapsed;
+    }
+  }
+
+  /// Whether there was a value of every needed input that can be trusted.
+  bool confirmed() const {
+    for (std::size_t i = 0; i < kExtensionInputs; ++i) {
+      if (has(needed_, extension_input(i)) && !monitors_[i].confirmed()) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::uint32_t kMostElapsed = 1U << 31U;
+  using EveryInput = std::make_index_sequence<kExtensionInputs>;
+
+  template <std::size_t... kNumbers>
+  ExtensionMonitor(InputMask needed, Span<const std::int32_t> limits,
+                   std::uint32_t sample_period_us, std::uint32_t confirm_us,
+                   std::index_sequence<kNumbers...> /*numbers*/)
+      : needed_(needed),
+        monitors_{
+            InputMonitor(sample_period_us, confirm_us, limits_of(needed, limits, kNumbers))...} {}
+
+  static InputLimits limits_of(InputMask needed, Span<const std::int32_t> words,
+                               std::size_t number) {
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < number; ++i) {
+      if (has(needed, extension_input(i))) first += kInputLimitWords;
+    }
+    if (first + kInputLimitWords > words.size) return {};
+    return {ExtensionValue::from_raw(words[first]), ExtensionValue::from_raw(words[first + 1]),
+            ExtensionValue::from_raw(words[first + 2]),
+            extension_input(number) == Input::temperature2};
+  }
+
+  InputMask needed_;
+  std::array<InputMonitor, kExtensionInputs> monitors_;
+  std::array<std::uint32_t, kExtensionInputs> elapsed_{};  // samples since its last value
+};
+
+template <>
+class ExtensionMonitor<0> {
+ public:
+  ExtensionMonitor(InputMask /*needed*/, Span<const std::int32_t> /*limits*/,
+                   std::uint32_t /*sample_period_us*/, std::uint32_t /*confirm_us*/) {}
+
+  ReadingUse judge(const ExtensionRecord& /*record*/) { return ReadingUse::none; }
+  void advance(std::uint32_t /*samples*/) {}
+  bool confirmed() const { return true; }
+};
+
+}  // namespace fog

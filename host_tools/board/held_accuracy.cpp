@@ -1,0 +1,76 @@
+#include "board/held_accuracy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "board/settling_time.hpp"
+#include "model/drift_model.hpp"
+
+namespace fogcomp {
+namespace {
+
+constexpr double kSinceStartS = 3600;
+constexpr double kSlowestDegcPerMin = 0.05;  // drift does not care for slower ones
+constexpr std::uint32_t kLongestSoakBlocks = 3600;
+
+/// The drift of every block of a way up and down through the trained range.
+class RoundTrip {
+ public:
+  RoundTrip(const Model& model, double block_s) : model_(model, block_s) {
+    const Range& rate = *model.rate_range_degc_per_min;
+    const double fastest =
+        std::max({std::abs(rate.least), std::abs(rate.most), kSlowestDegcPerMin});
+    const double step_degc = fastest * block_s / 60;
+    const auto soak_blocks =
+        std::min(static_cast<std::uint32_t>(std::ceil(settling_time_s(model) / block_s)),
+                 kLongestSoakBlocks);
+    block_.temperature = model.least_degc;
+    block_.elapsed = kSinceStartS / block_s;
+    for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+      const auto& input = model.input_ranges[i];
+      if (input) block_.extension[i] = (input->range.least + input->range.most) / 2;
+    }
+    model_.start(block_);
+    for (const double end : {model.most_degc, model.least_degc}) {
+      while (block_.temperature != end) {
+        const double left = end - block_.temperature;
+        block_.temperature += std::clamp(left, -step_degc, step_degc);
+        step();
+      }
+      for (std::uint32_t i = 0; i < soak_blocks; ++i) step();
+    }
+  }
+
+  double largest_change_dph(std::size_t blocks) const {
+    double largest = 0;
+    for (std::size_t i = blocks; i < drift_dph_.size(); ++i) {
+      largest = std::max(largest, std::abs(drift_dph_[i] - drift_dph_[i - blocks]));
+    }
+    return largest;
+  }
+
+ private:
+  void step() {
+    model_.step(block_);
+    drift_dph_.push_back(model_.drift_dph());
+  }
+
+  RealDriftModel model_;
+  RealBlock block_;
+  std::vector<double> drift_dph_;
+};
+
+}  // namespace
+
+std::uint32_t accurate_hold_blocks(const Model& model, double block_s, std::uint32_t hold_blocks) {
+  if (!model.rate_range_degc_per_min) return hold_blocks;
+  const RoundTrip trip(model, block_s);
+  std::uint32_t blocks = 0;
+  while (blocks < hold_blocks && trip.largest_change_dph(blocks + 1) <= model.residual_rms_dph) {
+    ++blocks;
+  }
+  return blocks;
+}
+
+}  // namespace fogcomp
