@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/repeats.hpp"
 #include "support/typical_effects.hpp"
 
 namespace {
@@ -21,6 +22,7 @@ using Kind = Fault::Kind;
 constexpr double kDriftBoundDph = 0.05;
 constexpr double kFirstFaultS = 700;  // of the first fault: the model has settled
 constexpr double kRunS = 2000;
+constexpr auto kSeeds = fog::test::repeats<std::uint64_t>(2, 1);
 
 struct FaultCase {
   const char* name;
@@ -88,7 +90,7 @@ class DriftUnderAFault : public testing::TestWithParam<FaultCase> {};
 TEST_P(DriftUnderAFault, IsRightWhereverTheRateIsTrusted) {
   const FaultCase& c = GetParam();
   const DriftUnderFaults board(fog::test::paper_like_model());
-  for (const std::uint64_t seed : {1U, 2U}) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const DriftVerdict verdict = print(c.name, board.run(c.faults, kRunS, seed));
     EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
     EXPECT_LE(verdict.clean_since_s, c.faults.back().to_s + c.clean_within_s) << "seed " << seed;
@@ -106,7 +108,7 @@ fogcomp::Model model_with(const std::vector<fogcomp::EffectTerm>& terms) {
 TEST(DriftAfterAStart, IsRightOnceTheSlowestLagHasSettled) {
   const DriftUnderFaults board(model_with({fog::test::natural_term("thermal_lag", {300}, {0.3}),
                                            fog::test::written_term("late = lag(T,200)-T")}));
-  for (const std::uint64_t seed : {1U, 2U}) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Fault off{Kind::power_cycle, 3000, 3001};
     const DriftVerdict verdict = print("off for a second, slow lags", board.run({off}, 6000, seed));
     EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
@@ -120,7 +122,7 @@ TEST(DriftAfterAStart, IsRightOnceTheHistoryIsKnown) {
       model_with({fog::test::natural_term("thermal_hysteresis", {3, 10}, {0.3, 0.2}),
                   fog::test::written_term("loop = play(T,5)")}),
       1);
-  for (const std::uint64_t seed : {1U, 2U}) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Fault off{Kind::power_cycle, 9000, 9001};
     const DriftVerdict verdict = print("off for a second, loops", board.run({off}, 15'000, seed));
     EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
