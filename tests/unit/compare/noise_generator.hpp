@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simulation/random.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp {
 
@@ -25,7 +26,6 @@ struct NoiseTruth {
 /// the Allan deviation.
 inline std::vector<double> make_noise(const NoiseTruth& truth, std::size_t samples, double period_s,
                                       std::uint64_t seed) {
-  constexpr double kPi = 3.14159265358979323846;
   constexpr double kCornerRatio = 2.5;
   constexpr std::size_t kCorners = 16;
   simulation::Random random(seed, "noise of a known truth");
