@@ -213,7 +213,7 @@ struct BatchCommand : Command {
   Number time_limit{
       this, {"time-limit", "S", "ends a gyro that takes longer; 0: none", "0"}, {0, 1e7}};
   Text part{this, {"shard", "I/N", "only every N-th gyro, from the I-th on; no table"}};
-  Flag merge{this, "merge", "only table and page, of what is calibrated"};
+  Flag merge{this, "merge", "only table and page, of what is calibrated", kRare};
   Flag reports{this, "reports", "a page of plots for every gyro too (needs hold-outs)"};
   Flag json{this, "json", "one JSON object on stdout"};
   CalibrationOptions calibration{this};

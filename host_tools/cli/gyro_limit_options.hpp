@@ -5,19 +5,20 @@
 
 namespace fogcomp::cli {
 
-/// What a gyro can measure and turn: of the commands that make a calibration, and of those that read
-/// recordings without a model, which would have it.
+/// What a gyro can measure and turn: of the commands that make a calibration, and of those that
+/// read recordings without a model, which would have it.
 struct GyroLimitOptions : OptionGroup {
   using OptionGroup::OptionGroup;
   GivenLimits value() const { return {range.find(), acceleration.find()}; }
 
-  Number range{this,
-               {"range-dps", "DPS", "full scale of the gyro (default: the model's, or 570)"},
-               {1e-3, kMaxRangeDps}};
-  Number acceleration{
+  Number range{
       this,
-      {"max-acceleration", "DPS2", "no more than it turns, deg/s^2 (the model's, or 20000)"},
-      {1e-3, 1e9}};
+      {"range-dps", "DPS", "full scale of the gyro (default: the model's, or 570)", "", kRare},
+      {1e-3, kMaxRangeDps}};
+  Number acceleration{this,
+                      {"max-acceleration", "DPS2",
+                       "no more than it turns, deg/s^2 (the model's, or 20000)", "", kRare},
+                      {1e-3, 1e9}};
 };
 
 }  // namespace fogcomp::cli

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "core/acquisition/sequence_monitor.hpp"
 #include "core/acquisition/reading_monitor.hpp"
+#include "core/acquisition/sequence_monitor.hpp"
 #include "core/frames/stream_parser.hpp"
 #include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
