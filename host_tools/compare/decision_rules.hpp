@@ -3,8 +3,9 @@
 #include <cstddef>
 
 /// Every number by which it is judged what a model leaves on a recording, and how a recording looks
-/// without a model: its unit, where it comes from, and what holds it (a test of tests/unit/compare
-/// unless a folder is named). What only draws (bins of a curve) stands where it is used.
+/// without a model: its unit, where it comes from, and what looks at the decision (a test of
+/// tests/unit/compare unless a folder is named). What only draws (bins of a curve) stands where it
+/// is used.
 namespace fogcomp::rules {
 
 // ---- On what does a residual depend? ----------------------------------------------------------

@@ -3,8 +3,9 @@
 #include <Eigen/Core>
 #include <cstddef>
 
-/// Every number by which offline denoising decides: its unit, where it comes from, and what holds
-/// it. The rules for thresholds are MATLAB's and stand with their formulas (thresholds.cpp).
+/// Every number by which offline denoising decides: its unit, where it comes from, and what looks
+/// at the decision. The rules for thresholds are MATLAB's and stand with their formulas
+/// (thresholds.cpp).
 namespace fogcomp::rules {
 
 /// Standard deviations of a difference of neighbours beyond which a single value that stands out of

@@ -2,9 +2,10 @@
 
 #include <cstddef>
 
-/// Every number by which a fit decides: its unit, where it comes from, and what holds it (a test of
-/// tests/unit/fit unless a folder is named). Numbers that only lay out a search, bound its cost or
-/// are a trainer's published constants (TRAINING.md) stand where they are used.
+/// Every number by which a fit decides: its unit, where it comes from, and what looks at the
+/// decision (a test of tests/unit/fit unless a folder is named). Numbers that only lay out a
+/// search, bound its cost or are a trainer's published constants (TRAINING.md) stand where they are
+/// used.
 namespace fogcomp::rules {
 
 // ---- What a fit says of its effects -----------------------------------------------------------

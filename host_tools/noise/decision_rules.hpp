@@ -5,8 +5,9 @@
 #include <cstddef>
 
 /// Every number by which noise, outliers and steps are told from each other: its unit, where it
-/// comes from, and what holds it (a test of tests/unit/noise unless a folder is named). Numbers
-/// that only lay out a search or bound its cost stand where they are used.
+/// comes from, and what looks at the decision (a test of tests/unit/noise unless a folder is named;
+/// not all fail at twice the number). Numbers that only lay out a search or bound its cost stand
+/// where they are used.
 namespace fogcomp::rules {
 
 // ---- Allan deviation and its coefficients -----------------------------------------------------
@@ -50,7 +51,8 @@ constexpr double kInputJump = 0.25;
 /// in 1 of 16,000 rows. noise_model_test.
 constexpr double kMaxSpectrumSigmas = 4;
 
-/// Periods in a run: what is slower than these is the model's, not the noise's. noise_model_test.
+/// Periods in a run: what is slower than these is the model's, not the noise's. Half or twice as
+/// many move no unit test; tests/bench/hidden_effects, clean gyros.
 constexpr double kMinNoisePeriods = 4;
 
 /// Degrees of freedom of the slow noise, at least and at most. Chosen; beyond a thousand nothing

@@ -2,8 +2,9 @@
 
 #include <cstddef>
 
-/// Every number by which a recording is read and cut: its unit, where it comes from, and what holds
-/// it (a test of tests/unit/recording). The board's own limits are the core's and board_limits.hpp.
+/// Every number by which a recording is read and cut: its unit, where it comes from, and what looks
+/// at the decision (a test of tests/unit/recording). The board's own limits are the core's and
+/// board_limits.hpp.
 namespace fogcomp::rules {
 
 // ---- Gaps and segments ------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Every number by which the chain sample -> block -> row decides: its unit, where it comes from,
-/// and what holds it. What a gap is stands in recording/decision_rules.hpp.
+/// and what looks at the decision. What a gap is stands in recording/decision_rules.hpp.
 namespace fogcomp::rules {
 
 /// Time constant of the lags that smooth a temperature for Reading::smoothed, relative to the

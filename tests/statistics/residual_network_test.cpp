@@ -1,6 +1,7 @@
 // A network on what effects leave learns an effect that is left out, and not the slow noise.
 #include <gtest/gtest.h>
 
+#include "fit/decision_rules.hpp"
 #include "statistics/fitted_network.hpp"
 #include "support/typical_effects.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "unit/fit/made_rows.hpp"
 
 namespace {
@@ -41,6 +43,41 @@ TEST(QuietRows, EndWhereAnotherInputJumpsAndNotWhereItDrifts) {
     rows.signals[i].block.extension[0] = 20 + 0.01 * static_cast<double>(i);
   }
   EXPECT_EQ(quiet(rows), (Ends{{0, 49}, {50, 99}, {160, 259}}));
+}
+
+// A fifth of an input's range may come with the drift of its source; three tenths are a switch.
+TEST(QuietRows, EndWhereAnInputJumpsByMoreThanAQuarterOfItsRange) {
+  const auto rows_with = [](double jump) {
+    fogcomp::Rows rows = made_rows(200, [](double) { return 20; });
+    for (std::size_t i = 0; i < 200; ++i) {
+      // From 0 to 1 in all: slowly, but for the jump.
+      rows.signals[i].block.input_rate =
+          (1 - jump) * static_cast<double>(i) / 199 + (i < 100 ? 0 : jump);
+    }
+    return rows;
+  };
+  EXPECT_EQ(quiet(rows_with(0.2)), (Ends{{0, 199}}));
+  EXPECT_EQ(quiet(rows_with(0.3)), (Ends{{0, 99}, {100, 199}}));
+}
+
+// Two soaks in which the temperature creeps by so many degC/min, and a ramp of 1 degC/min.
+fogcomp::Rows creeping(double creep, double ramp) {
+  return made_rows(260, [=](double row) {
+    const double in_ramp = std::clamp(row - 99, 0.0, 60.0);
+    return 20 + (creep * (row - in_ramp) + ramp * in_ramp) / 6;
+  });
+}
+
+TEST(QuietRows, MayCreepByATwentiethOfTheRamps) {
+  const Ends soaks{{0, 99}, {160, 259}};
+  EXPECT_EQ(quiet(creeping(0.04, 1)), soaks);
+  EXPECT_EQ(quiet(creeping(0.07, 1)), (Ends{}));
+  EXPECT_EQ(quiet(creeping(0.07, 2)), soaks);
+}
+
+TEST(QuietRows, MayCreepByAFiftiethOfADegreeAMinuteWithoutARamp) {
+  EXPECT_EQ(quiet(creeping(0.015, 0.015)), (Ends{{0, 259}}));
+  EXPECT_EQ(quiet(creeping(0.03, 0.03)), (Ends{}));
 }
 
 TEST(QuietRows, AreNoneWhereTooFewStandStill) {
