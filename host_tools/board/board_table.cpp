@@ -258,6 +258,15 @@ std::int32_t as_signed(std::uint32_t word) {
   return static_cast<std::int32_t>(word);
 }
 
+void write_output(TableWriter& out, const BoardSettings& settings) {
+  out.note("output: 0 KVH format A, 1 compact, 2 both");
+  out.integer(static_cast<std::int32_t>(settings.output), "output");
+  const bool none = settings.invalidating == fog::Status::none;
+  out.note("flags that make a rate not valid; beside the usual ones " +
+           (none ? "none" : join(flag_names(settings.invalidating), ", ")));
+  out.integer(static_cast<std::int32_t>(settings.invalidating | fog::kRateInvalid), "flags");
+}
+
 }  // namespace
 
 Model board_model(const Model& model) {
@@ -302,13 +311,7 @@ BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
   const std::size_t denoise_word = table.words.size();
   write_denoise(out, model, timing.period_s);
   check_noise_fits(table, denoise_word, model.denoise);
-  out.note("output: 0 KVH format A, 1 compact, 2 both");
-  out.integer(static_cast<std::int32_t>(settings.output), "output");
-  out.note("flags that make a rate not valid; beside the usual ones " +
-           (settings.invalidating == fog::Status::none
-                ? "none"
-                : join(flag_names(settings.invalidating), ", ")));
-  out.integer(static_cast<std::int32_t>(settings.invalidating | fog::kRateInvalid), "flags");
+  write_output(out, settings);
   table.words[size_word] = static_cast<std::int32_t>(table.words.size() + 1);
   out.note("CRC-32 of the words above");
   out.integer(0, "CRC");

@@ -15,9 +15,9 @@ namespace fogcomp::rules {
 // decides, because no gyro is quite what its noise and its model say: at a chance of 1 % every
 // twentieth faultless simulated gyro was beyond it, and at 0.01 % 2 of 300 whose temperatures were
 // logged 300 s late had an effect named. Smooth structure is a sum over many directions: of 548
-// tests on faultless gyros, half of them with a recording at rest, the smallest chance was 2 %. Fast
-// structure is three tests, and no physics stands behind what they find: 1 of 300 clean gyros was
-// called a cycle at a chance of 0.05 %. Chances of 1e-5 make one false alarm in 25,000 gyros.
+// tests on faultless gyros, half of them with a recording at rest, the smallest chance was 2 %.
+// Fast structure is three tests, and no physics stands behind what they find: 1 of 300 clean gyros
+// was called a cycle at a chance of 0.05 %. Chances of 1e-5 make one false alarm in 25,000 gyros.
 // Clean gyros.
 inline const double kLibraryLogP = std::log(0.00001);
 inline const double kStructureLogP = std::log(0.01);

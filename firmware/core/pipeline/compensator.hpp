@@ -154,16 +154,21 @@ class Compensator {
     finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are time that passes
     if (temperature_good) collector_.add_temperature(temperature);
     if (measured_well) collector_.add_rate(result.compensated);
-    collector_.add_extension(pending_);
-    pending_.clear();
-    finish_blocks(block_clock_.advance(1));
-    for (std::uint32_t i = 0; i < catch_up_steps_; ++i) drift_model_.catch_up();
+    end_sample();
     return result;
   }
 
  private:
   using Drift = DriftModel<kEffects, kExpressions, kNetworkInputs>;
   using Collector = BlockCollector<Drift::inputs>;
+
+  // What the extension records said, and the time of one sample.
+  void end_sample() {
+    collector_.add_extension(pending_);
+    pending_.clear();
+    finish_blocks(block_clock_.advance(1));
+    for (std::uint32_t i = 0; i < catch_up_steps_; ++i) drift_model_.catch_up();
+  }
 
   // Steps of the drift model for each sample, so that it has caught up with any hold before the
   // next block ends: one where a block has more samples than there are blocks in a hold.
