@@ -71,13 +71,14 @@ struct Diagnosis {
   const CandidateFinding* find(const std::string& name) const;
 };
 
-/// The likeliest set of effects where only together they lower the error: the one named leads it
-/// and alone does not; else empty.
+/// The likeliest set of effects where only together they lower the error: the one named, or the
+/// best of those that cannot be told apart, leads it and alone does not; else empty.
 std::vector<std::string> effects_together(const Diagnosis& diagnosis);
 
 /// What to add: the effect that is named; of those that cannot be told apart the likeliest, unless
-/// another that is nearly as likely clearly leaves less; where not everything is understood, an
-/// effect that surely is part of it, the main one, and lowers the error; else "".
+/// another that is nearly as likely clearly leaves less, if it lowers the error; where not
+/// everything is understood, an effect that surely is part of it, the main one, and lowers the
+/// error; else "".
 std::string effect_to_add(const Diagnosis& diagnosis);
 
 struct DiagnosisSettings {

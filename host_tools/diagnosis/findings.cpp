@@ -27,13 +27,40 @@ const CandidateFinding* Diagnosis::find(const std::string& name) const {
   return found == candidates.end() ? nullptr : &*found;
 }
 
+namespace {
+
+// Of rivals the likeliest, unless another that is nearly as likely clearly leaves less.
+const CandidateFinding& best_rival(const Diagnosis& diagnosis) {
+  const CandidateFinding* best = diagnosis.find(diagnosis.confusable.front());
+  const double alike = rules::kNearlyAsLikely * best->lead;
+  for (const std::string& effect : diagnosis.confusable) {
+    const CandidateFinding* other = diagnosis.find(effect);
+    const bool leaves_less = other->rms_after_dph < rules::kClearlyLess * best->rms_after_dph;
+    if (other->lead >= alike && leaves_less) best = other;
+  }
+  return *best;
+}
+
+bool lowers_the_error(const Diagnosis& diagnosis, const CandidateFinding& finding) {
+  return finding.rms_after_dph < diagnosis.residual_rms_dph;
+}
+
+bool has_no_effect_twice(std::vector<std::string> effects) {
+  std::sort(effects.begin(), effects.end());
+  return std::adjacent_find(effects.begin(), effects.end()) == effects.end();
+}
+
+}  // namespace
+
 std::vector<std::string> effects_together(const Diagnosis& diagnosis) {
-  if (diagnosis.verdict != Verdict::missing_effect) return {};
-  if (diagnosis.find(diagnosis.effect)->rms_after_dph < diagnosis.residual_rms_dph) return {};
+  const CandidateFinding* leader = nullptr;
+  if (diagnosis.verdict == Verdict::missing_effect) leader = diagnosis.find(diagnosis.effect);
+  if (diagnosis.verdict == Verdict::ambiguous) leader = &best_rival(diagnosis);
+  if (leader == nullptr || lowers_the_error(diagnosis, *leader)) return {};
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {
     const bool has_it =
-        std::find(set.effects.begin(), set.effects.end(), diagnosis.effect) != set.effects.end();
-    if (has_it && set.effects.size() > 1) return set.effects;
+        std::find(set.effects.begin(), set.effects.end(), leader->effect) != set.effects.end();
+    if (has_it && set.effects.size() > 1 && has_no_effect_twice(set.effects)) return set.effects;
   }
   return {};
 }
@@ -42,14 +69,8 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
   if (!effects_together(diagnosis).empty()) return "";
   if (diagnosis.verdict == Verdict::missing_effect) return diagnosis.effect;
   if (diagnosis.verdict == Verdict::ambiguous) {
-    const CandidateFinding* best = diagnosis.find(diagnosis.confusable.front());
-    const double alike = rules::kNearlyAsLikely * best->lead;
-    for (const std::string& effect : diagnosis.confusable) {
-      const CandidateFinding* other = diagnosis.find(effect);
-      const bool leaves_less = other->rms_after_dph < rules::kClearlyLess * best->rms_after_dph;
-      if (other->lead >= alike && leaves_less) best = other;
-    }
-    return best->effect;
+    const CandidateFinding& best = best_rival(diagnosis);
+    return lowers_the_error(diagnosis, best) ? best.effect : "";
   }
   const bool walk = diagnosis.walk.may_be_all();
   if (diagnosis.verdict == Verdict::unknown && !walk && !diagnosis.candidates.empty()) {
@@ -58,7 +79,7 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
                          [](const auto& a, const auto& b) { return a.evidence < b.evidence; });
     const bool main = most->probability >= rules::kNamed &&
                       most->explained_fraction >= rules::kMainPart &&
-                      most->rms_after_dph < diagnosis.residual_rms_dph;
+                      lowers_the_error(diagnosis, *most);
     if (main) return most->effect;
   }
   return "";

@@ -80,8 +80,7 @@ using Headline = std::pair<std::string, std::string>;
 Headline missing_words(const Diagnosis& diagnosis) {
   const std::vector<std::string> together = effects_together(diagnosis);
   if (!together.empty()) {
-    return {"several effects together are missing: " + joined(together, "and"),
-            "each alone hardly helps"};
+    return {"several effects together are missing: " + joined(together, "and"), ""};
   }
   const CandidateFinding* finding = diagnosis.find(diagnosis.effect);
   const std::string described = shape_words(finding->term());
@@ -158,6 +157,18 @@ std::string as_given_words(const Diagnosis& diagnosis) {
   if (apart <= kTellsApart * given.rms_dph) return "";
   return "that is refitted to these runs and without the board's delay; of the model as it is, " +
          delay_words(given);
+}
+
+// What only together lowers the error.
+std::string together_words(const Diagnosis& diagnosis) {
+  const std::vector<std::string> together = effects_together(diagnosis);
+  const auto set =
+      std::find_if(diagnosis.explanations.begin(), diagnosis.explanations.end(),
+                   [&](const Diagnosis::Explanation& one) { return one.effects == together; });
+  if (set == diagnosis.explanations.end()) return "";
+  return joined(together, "and") + " together explain " + percent(set->explained_fraction) +
+         format(" of what is above the noise (probability %.2f); each alone hardly helps",
+                set->probability);
 }
 
 std::string where_words(const Diagnosis& diagnosis) {
@@ -239,7 +250,8 @@ void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::stri
   const std::string effect = effect_to_add(diagnosis);
   const std::vector<std::string> together = effects_together(diagnosis);
   const bool has_event = std::any_of(together.begin(), together.end(), [&](const auto& name) {
-    return is_event(diagnosis.find(name)->term());
+    const CandidateFinding* finding = diagnosis.find(name);
+    return finding != nullptr && is_event(finding->term());
   });
   if (has_event) {
     words.next = "fit again with " + joined(together, "and") +
@@ -280,6 +292,8 @@ DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
   words.findings.push_back(size_words(diagnosis));
   const std::string as_given = as_given_words(diagnosis);
   if (!as_given.empty()) words.findings.push_back(as_given);
+  const std::string together = together_words(diagnosis);
+  if (!together.empty()) words.findings.push_back(together);
   if (diagnosis.verdict != Verdict::none) {
     const std::string where = where_words(diagnosis);
     if (!where.empty()) words.findings.push_back(where);

@@ -8,6 +8,7 @@
 #include "fit/noise_weighted_fit.hpp"
 #include "fit/walk_rival.hpp"
 #include "model/shape_limits.hpp"
+#include "model/shape_parameter.hpp"
 #include "noise/autocorrelation.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -166,7 +167,10 @@ std::string doubt_of(const EffectTerm& term, const Model& before) {
   for (const ShapeDoubt& doubt : shape_doubts(term)) {
     if (own == nullptr || !own->identified[doubt.parameter]) return doubt.sentence;
   }
-  return own == nullptr ? coefficient_doubt(term) : "";
+  // With a free shape the coefficient may be unknown where the course is known well: for t << t0
+  // the logarithm of aging is a line, whose slope is the ratio of the two.
+  const bool judged = own == nullptr && shape_parameters({term}).empty();
+  return judged ? coefficient_doubt(term) : "";
 }
 
 // The model as it was, refitted, is half of the work.
