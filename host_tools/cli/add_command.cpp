@@ -40,7 +40,7 @@ struct AddCommand : Command {
 
   AddCommand()
       : Command("add", {"MODEL {EFFECT[:k=v]... | --effect-expr ...} RUN...", 3, kAnyNumber},
-                "adds one or several effects, refits all, keeps them if they help out of sample",
+                "adds effects, refits all, keeps them if they help out of sample",
                 "fogcomp add gyro.model thermal_lag run.csv -o better.model") {
     stands_for_positional = &expression;
     words = effect_names();

@@ -15,7 +15,7 @@ cd "$work"
 cat said.txt
 grep -q '^missing effect: temperature_rate ' said.txt || fail "the paper's missing effect is not named"
 "$fogcomp" diagnose shupe.model paper.csv --json >said.json
-grep -q '^{"verdict":"missing_effect","effect":"temperature_rate","confusable":\[\]' said.json ||
+grep -q '^{"verdict":"missing_effect","effect":"temperature_rate","effects":\["temperature_rate"\],"confusable":\[\]' said.json ||
   fail 'JSON: verdict and effect'
 for key in experiment candidates untestable where residual_rms_dph noise_floor_dph unexplained_fraction; do
   grep -q "\"$key\":" said.json || fail "JSON lacks $key"
