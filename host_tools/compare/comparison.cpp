@@ -124,6 +124,11 @@ double floor_removed(double std_dph, double floor_dph) {
   return std::sqrt(std::max(0.0, std_dph * std_dph - floor_dph * floor_dph));
 }
 
+std::optional<double> floor_removed(double std_dph, const std::optional<double>& floor_dph) {
+  if (!floor_dph) return std::nullopt;
+  return floor_removed(std_dph, *floor_dph);
+}
+
 std::vector<double> Comparison::residuals_dph() const {
   const Eigen::VectorXd residual = rows.drift_dph - modelled_dph;
   return {residual.begin(), residual.end()};

@@ -65,5 +65,7 @@ double constant_rms_dph(const Comparison& comparison, const Comparison::SegmentE
 
 /// sqrt(std^2 - floor^2), 0 where the floor is higher: the drift without the noise.
 double floor_removed(double std_dph, double floor_dph);
+/// The same; nothing where the floor is not known.
+std::optional<double> floor_removed(double std_dph, const std::optional<double>& floor_dph);
 
 }  // namespace fogcomp

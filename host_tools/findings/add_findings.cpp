@@ -29,7 +29,7 @@ void add_errors(Document& document, const Addition& addition) {
   for (std::size_t i = 0; i < addition.runs.size(); ++i) {
     const Addition::RunError& run = addition.runs[i];
     const auto drift = [&](double rms_dph) {
-      return run.noise_floor_dph ? number(floor_removed(rms_dph, *run.noise_floor_dph)) : Text("-");
+      return dph(floor_removed(rms_dph, run.noise_floor_dph));
     };
     std::vector<std::string> remarks;
     if (run.after.outliers > 0) remarks.push_back(counted(run.after.outliers, "row") + " left out");
@@ -92,11 +92,7 @@ void add_run(Document& document, const Addition::RunError& run, const std::strin
 Document add_findings(const Addition& addition, const std::string& model,
                       const std::string& written) {
   Model changed;
-  std::vector<std::string> added;
-  for (const std::size_t i : addition.changed) {
-    changed.terms.push_back(addition.model.terms[i]);
-    added.push_back(addition.model.terms[i].name);
-  }
+  for (const std::size_t i : addition.changed) changed.terms.push_back(addition.model.terms[i]);
   std::vector<std::string> names;
   for (const EffectTerm& one : addition.model.terms) names.push_back(one.name);
   std::string runs;
@@ -104,7 +100,7 @@ Document add_findings(const Addition& addition, const std::string& model,
     if (!run.holdout) runs += " " + run.file;
   }
   Document document(
-      "fogcomp add " + model + " " + join(added, " ") + runs,
+      "fogcomp add " + model + " " + join(addition.names(), " ") + runs,
       words(std::string(addition.accepted ? "accepted: " : "refused: ") + addition.reason, names));
   if (written.empty()) {
     document.next("nothing was written; ask what else it could be",

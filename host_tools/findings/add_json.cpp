@@ -23,32 +23,34 @@ Json judged_json(const std::optional<OutOfSample>& judged) {
       .set("gain", judged->gain);
 }
 
+Json parameters_json(const EffectTerm& term) {
+  Json parameters = Json::object();
+  set_parameters(parameters, term);
+  return parameters;
+}
+
+Json coefficients_json(const EffectTerm& term) {
+  Json coefficients = Json::object();
+  set_coefficients(coefficients, term);
+  return coefficients;
+}
+
 // All that were added; of several, each alone and beside the others.
 Json added_terms_json(const Addition& addition) {
-  Json effects = Json::array();
+  Json terms = Json::array();
   for (std::size_t i = 0; i < addition.changed.size(); ++i) {
     const EffectTerm& term = addition.model.terms[addition.changed[i]];
-    Json parameters = Json::object();
-    set_parameters(parameters, term);
-    Json coefficients = Json::object();
-    set_coefficients(coefficients, term);
     Json one = Json::object();
     one.set("effect", term.name)
-        .set("parameters", std::move(parameters))
-        .set("coefficients", std::move(coefficients));
+        .set("parameters", parameters_json(term))
+        .set("coefficients", coefficients_json(term));
     if (!addition.parts.empty()) {
       one.set("alone", judged_json(addition.parts[i].alone))
           .set("beside", judged_json(addition.parts[i].beside));
     }
-    effects.push(std::move(one));
+    terms.push(std::move(one));
   }
-  return effects;
-}
-
-std::vector<std::string> names_of(const Addition& addition) {
-  std::vector<std::string> names;
-  for (const std::size_t i : addition.changed) names.push_back(addition.model.terms[i].name);
-  return names;
+  return terms;
 }
 
 Json runs_json(const std::vector<Addition::RunError>& runs) {
@@ -59,7 +61,7 @@ Json runs_json(const std::vector<Addition::RunError>& runs) {
         .set("rms_before_dph", run.rms_before_dph)
         .set("rms_after_dph", run.rms_after_dph)
         .set("outliers", run.after.outliers)
-        .set("noise_floor_dph", run.noise_floor_dph ? Json(*run.noise_floor_dph) : Json())
+        .set("noise_floor_dph", run.noise_floor_dph)
         .set("outside_temperature", run.outside_temperature);
   });
 }
@@ -68,10 +70,6 @@ Json runs_json(const std::vector<Addition::RunError>& runs) {
 
 Json add_json(const Addition& addition, const std::string& written) {
   const EffectTerm& term = addition.model.terms[addition.changed.front()];
-  Json parameters = Json::object();
-  set_parameters(parameters, term);
-  Json coefficients = Json::object();
-  set_coefficients(coefficients, term);
   const OutOfSample& judged = addition.out_of_sample;
   Json notes = addition.fit.identified.warnings;
   if (addition.fit.training && !addition.model.network.present()) {
@@ -79,18 +77,18 @@ Json add_json(const Addition& addition, const std::string& written) {
   }
   Json result = Json::object();
   result.set("effect", term.name)
-      .set("effects", names_of(addition))
+      .set("effects", addition.names())
       .set("terms", added_terms_json(addition))
       .set("accepted", addition.accepted)
       .set("reason", addition.reason)
       .set("out_of_sample_rms_before_dph", judged.rms_before_dph)
       .set("out_of_sample_rms_after_dph", judged.rms_after_dph)
       .set("out_of_sample_gain", judged.gain)
-      .set("chance_of_walk", addition.chance_of_walk ? Json(*addition.chance_of_walk) : Json())
+      .set("chance_of_walk", addition.chance_of_walk)
       .set("runs", runs_json(addition.runs))
       .set("halves", halves_json(addition.halves))
-      .set("parameters", std::move(parameters))
-      .set("coefficients", std::move(coefficients))
+      .set("parameters", parameters_json(term))
+      .set("coefficients", coefficients_json(term))
       .set("notes", std::move(notes))
       .set("model", written.empty() ? Json() : Json(written));
   return result;

@@ -14,11 +14,6 @@ std::vector<double> members(const std::vector<Element>& elements, Member member)
   return values;
 }
 
-std::optional<double> drift(double rms_dph, const std::optional<double>& floor_dph) {
-  if (!floor_dph) return std::nullopt;
-  return floor_removed(rms_dph, *floor_dph);
-}
-
 Json segment_json(const Comparison::SegmentError& segment, const std::optional<double>& floor_dph) {
   Json object = Json::object();
   object.set("name", segment.name)
@@ -29,7 +24,7 @@ Json segment_json(const Comparison::SegmentError& segment, const std::optional<d
       .set("raw_mean_dph", segment.raw_mean_dph)
       .set("raw_std_dph", segment.raw_std_dph)
       .set("raw_rms_dph", segment.raw_rms_dph)
-      .set("drift_left_dph", drift(segment.rms_dph, floor_dph));
+      .set("drift_left_dph", floor_removed(segment.rms_dph, floor_dph));
   return object;
 }
 
@@ -141,8 +136,8 @@ Json run_json(const ModelOnRun& run) {
       .set("residual_std_dph", whole.std_dph)
       .set("noise_floor_dph", comparison.noise_floor_dph)
       .set("below_noise_floor", is_below_floor(comparison))
-      .set("drift_before_dph", drift(whole.raw_std_dph, comparison.noise_floor_dph))
-      .set("drift_left_dph", drift(whole.rms_dph, comparison.noise_floor_dph))
+      .set("drift_before_dph", floor_removed(whole.raw_std_dph, comparison.noise_floor_dph))
+      .set("drift_left_dph", floor_removed(whole.rms_dph, comparison.noise_floor_dph))
       .set("segments", std::move(segments))
       .set("effects", effects_json(comparison.effects))
       .set("structure", structure_json(run.analysis))

@@ -1,14 +1,11 @@
-#include "findings/json.hpp"
-
 #include "findings/diagnosis_words.hpp"
-#include "support/text.hpp"
-
 #include "findings/json.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::findings {
 namespace {
 
-Json parameters_json(const EffectTerm& term) {
+Json term_json(const EffectTerm& term) {
   Json parameters = Json::object();
   set_parameters(parameters, term);
   set_coefficients(parameters, term);
@@ -21,7 +18,7 @@ Json network_json(const std::optional<NetworkLearnt>& network) {
     return Json::object()
         .set("effect", share.term.name)
         .set("share", share.share)
-        .set("parameters", parameters_json(share.term));
+        .set("parameters", term_json(share.term));
   });
   Json result = Json::object();
   result.set("rms_dph", network->rms_dph).set("beyond_effects", network->beyond_effects);
@@ -63,7 +60,7 @@ Json candidates_json(const std::vector<CandidateFinding>& candidates) {
         .set("evidence", finding.evidence)
         .set("probability", finding.probability)
         .set("lead", finding.lead)
-        .set("parameters", parameters_json(finding.term()));
+        .set("parameters", term_json(finding.term()));
   });
 }
 

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "findings/figures.hpp"
 #include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"
 #include "noise/outlier_rows.hpp"
@@ -15,10 +16,6 @@ namespace fogcomp::findings {
 namespace {
 
 constexpr double kSlowCycle_s = 7200;  // no machine of a laboratory is that slow
-
-std::string percent(double share) {
-  return format("%.0f %%", 100 * share);
-}
 
 std::string joined(const std::vector<std::string>& names, const char* last) {
   std::string text;
@@ -44,24 +41,18 @@ std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
   return effect;
 }
 
-// The command that adds a set.
-std::string add_set_command_line(const Diagnosis& diagnosis, const std::vector<std::string>& set,
-                                 const std::string& model, const std::string& runs) {
-  std::string line = "fogcomp add " + model;
-  for (const std::string& effect : set) line += " " + to_add(diagnosis, effect);
-  return line + " " + runs;
-}
-
-// The command that adds it. An expression has no quotes in it.
-std::string add_command_line(const Diagnosis& diagnosis, const std::string& effect,
+// The command that adds one effect or a set. An expression, which has no quotes in it, stands
+// alone.
+std::string add_command_line(const Diagnosis& diagnosis, const std::vector<std::string>& effects,
                              const std::string& model, const std::string& runs) {
-  const CandidateFinding* finding = diagnosis.find(effect);
-  if (finding == nullptr || !finding->is_expression()) {
-    return "fogcomp add " + model + " " + to_add(diagnosis, effect) + " " + runs;
+  std::string line = "fogcomp add " + model;
+  const CandidateFinding* const first = diagnosis.find(effects.front());
+  if (effects.size() == 1 && first != nullptr && first->is_expression()) {
+    const Expression& expression = first->term().expression->expression;
+    return line + " " + runs + " --effect-expr '" + expression.name + " = " + expression.text + "'";
   }
-  const Expression& expression = finding->term().expression->expression;
-  return "fogcomp add " + model + " " + runs + " --effect-expr '" + expression.name + " = " +
-         expression.text + "'";
+  for (const std::string& effect : effects) line += " " + to_add(diagnosis, effect);
+  return line + " " + runs;
 }
 
 std::string walk_words(const Diagnosis& diagnosis) {
@@ -71,10 +62,7 @@ std::string walk_words(const Diagnosis& diagnosis) {
       diagnosis.walk.coefficient);
 }
 
-// One sentence, then how certain it is.
-namespace {
-
-// What is said, and what is said behind it.
+// What is said, and how certain it is.
 using Headline = std::pair<std::string, std::string>;
 
 Headline missing_words(const Diagnosis& diagnosis) {
@@ -116,9 +104,7 @@ Headline unknown_words(const Diagnosis& diagnosis) {
           ""};
 }
 
-}  // namespace
-
-std::pair<std::string, std::string> verdict_words(const Diagnosis& diagnosis) {
+Headline verdict_words(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case Verdict::none:
       if (diagnosis.walk.may_be_all()) {
@@ -247,21 +233,18 @@ std::string network_words(const Diagnosis& diagnosis) {
 
 void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::string& model,
               const std::string& runs) {
-  const std::string effect = effect_to_add(diagnosis);
-  const std::vector<std::string> together = effects_together(diagnosis);
-  const bool has_event = std::any_of(together.begin(), together.end(), [&](const auto& name) {
-    const CandidateFinding* finding = diagnosis.find(name);
+  std::vector<std::string> effects = effects_together(diagnosis);
+  const std::string one = effect_to_add(diagnosis);
+  if (!one.empty()) effects = {one};
+  const bool has_event = std::any_of(effects.begin(), effects.end(), [&](const auto& name) {
+    const CandidateFinding* const finding = diagnosis.find(name);
     return finding != nullptr && is_event(finding->term());
   });
   if (has_event) {
-    words.next = "fit again with " + joined(together, "and") +
+    words.next = "fit again with " + joined(effects, "and") +
                  " among the --effects: it finds steps and masks them";
-  } else if (!together.empty()) {
-    words.command = add_set_command_line(diagnosis, together, model, runs) + " -o NEW.model";
-  } else if (!effect.empty() && is_event(diagnosis.find(effect)->term())) {
-    words.next = "fit again with " + effect + " among the --effects: it finds steps and masks them";
-  } else if (!effect.empty()) {
-    words.command = add_command_line(diagnosis, effect, model, runs) + " -o NEW.model";
+  } else if (!effects.empty()) {
+    words.command = add_command_line(diagnosis, effects, model, runs) + " -o NEW.model";
   } else if (diagnosis.verdict == Verdict::unknown && diagnosis.fast_kind == FastKind::none &&
              !diagnosis.walk.may_be_all()) {
     words.next =

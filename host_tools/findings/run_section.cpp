@@ -6,6 +6,7 @@
 #include "findings/compare_words.hpp"
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
+#include "findings/run_details.hpp"
 #include "findings/run_plots.hpp"
 #include "noise/autocorrelation.hpp"
 #include "noise/noise_coefficients.hpp"
@@ -37,11 +38,6 @@ std::string residual_colour(std::size_t model) {
 
 Look look_of(std::size_t model) {
   return model == 0 ? Look::line : Look::faint;
-}
-
-std::optional<double> drift_left(const Comparison& comparison, double rms_dph) {
-  if (!comparison.noise_floor_dph) return std::nullopt;
-  return floor_removed(rms_dph, *comparison.noise_floor_dph);
 }
 
 // Inputs on which the residual depends, which structure_words() does not ask.
@@ -83,7 +79,7 @@ void add_segments(Document& document, const Comparison& comparison, Shown shown)
   const auto add = [&](const Comparison::SegmentError& segment) {
     if (segment.rows.size() == 0) return;
     table.rows.push_back({verbatim(segment.name), number(segment.rms_dph),
-                          dph(drift_left(comparison, segment.rms_dph)),
+                          dph(floor_removed(segment.rms_dph, comparison.noise_floor_dph)),
                           number(constant_rms_dph(comparison, segment)), number(segment.mean_dph),
                           number(segment.std_dph), number(segment.raw_mean_dph),
                           number(segment.raw_std_dph),
@@ -190,89 +186,6 @@ void add_parts(Document& document, const ModelOnRuns& model, std::size_t run) {
                           number(effect.std_dph), number(effect.mean_dph)});
   }
   document.table(std::move(table), Shown::on_page);
-}
-
-// The same figures as a page's plots, for a terminal: a star marks what is beyond noise.
-Text star(bool beyond_noise) {
-  return beyond_noise ? "*" : "";
-}
-
-// The verdict in the same words for every variable.
-Text structure_text(const ResidualAnalysis& analysis, const ClassTest& test) {
-  if (!test.structured()) return "no more than noise";
-  const std::optional<double> share = analysis.share_of_excess(test);
-  return "structured" + (share ? words(", " + percent(*share) + " of the excess") : Text());
-}
-
-Table dependence_table(const ResidualAnalysis& analysis, const Dependence& dependence,
-                       const Text& variable) {
-  Table table;
-  table.caption = "residual over " + variable + ": " + structure_text(analysis, dependence.test);
-  table.columns = {"at", "rows", "mean", "+-", ""};
-  for (const ResidualBin& bin : dependence.bins) {
-    table.rows.push_back({verbatim(format("%.5g", bin.at)), verbatim(std::to_string(bin.rows)),
-                          number(bin.mean_dph), number(bin.sigma_dph),
-                          star(std::abs(bin.mean_dph) > 3 * bin.sigma_dph)});
-  }
-  return table;
-}
-
-Table loop_table(const ResidualAnalysis& analysis) {
-  Table table;
-  table.caption = "residual over history (branch of the last movement): " +
-                  structure_text(analysis, analysis.history.test);
-  table.columns = {"degC", "heating", "cooling", "width", "+-", ""};
-  for (const LoopBin& bin : analysis.history.bins) {
-    table.rows.push_back({verbatim(format("%.5g", bin.at_degc)), number(bin.heating_dph),
-                          number(bin.cooling_dph), number(bin.width_dph()), number(bin.sigma_dph),
-                          star(std::abs(bin.width_dph()) > 3 * bin.sigma_dph)});
-  }
-  return table;
-}
-
-Table autocorrelation_table(const ResidualAnalysis& analysis) {
-  Table table;
-  table.caption = words(format("autocorrelation of the residual; white noise stays within +-%.3f",
-                               analysis.white_band));
-  table.columns = {"lag, s", "correlation", ""};
-  for (const LagCorrelation& lag : analysis.autocorrelation) {
-    table.rows.push_back({verbatim(format("%.6g", lag.lag_s)),
-                          verbatim(format("%.3f", lag.correlation)),
-                          star(std::abs(lag.correlation) > analysis.white_band)});
-  }
-  return table;
-}
-
-Table allan_table(const ResidualAnalysis& analysis) {
-  Table table;
-  table.caption = "Allan deviation in soaks, deg/h";
-  table.columns = {"tau, s", "before", "after", "+-"};
-  for (std::size_t i = 0; i < analysis.raw_allan.size(); ++i) {
-    const AllanPoint& after = analysis.residual_allan[i];
-    table.rows.push_back({verbatim(format("%.6g", after.tau_s)),
-                          number(analysis.raw_allan[i].sigma), number(after.sigma),
-                          number(after.one_sigma)});
-  }
-  return table;
-}
-
-// What a page draws, as figures.
-void add_details(Document& document, const ModelOnRuns& model, std::size_t run) {
-  const ModelOnRun& judged = model.runs[run];
-  const ResidualAnalysis& analysis = judged.analysis;
-  std::vector<Table> tables{
-      dependence_table(analysis, analysis.temperature, "temperature, degC"),
-      dependence_table(analysis, analysis.rate, "temperature rate, degC/min"),
-      dependence_table(analysis, analysis.time, "time, s"),
-  };
-  for (std::size_t i = 0; i < analysis.inputs.size(); ++i) {
-    tables.push_back(dependence_table(analysis, analysis.inputs[i],
-                                      input_label(judged.comparison.inputs[i].input)));
-  }
-  tables.push_back(loop_table(analysis));
-  tables.push_back(allan_table(analysis));
-  tables.push_back(autocorrelation_table(analysis));
-  for (Table& table : tables) document.table(std::move(table), Shown::in_details);
 }
 
 // A plot of the residual over one quantity, and how much of it that quantity could explain.
@@ -395,7 +308,7 @@ void add_run(Document& document, const Models& models, std::size_t run, Shown sh
   add_parts(document, *models[0], run);
   for (const ModelOnRuns* model : models) {
     if (several) document.heading(verbatim(model->file), Shown::in_details);
-    add_details(document, *model, run);
+    add_details(document, model->runs[run]);
   }
   add_allan(document, models, run);
   add_autocorrelation(document, models, run);

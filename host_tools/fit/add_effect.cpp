@@ -99,7 +99,7 @@ Model with_some(const Model& given, const EffectChange& change,
   model.network = RealNetwork();
   for (const std::size_t i : chosen) {
     const EffectTerm& term = change.terms[i];
-    if (i < model.terms.size()) {
+    if (i < given.terms.size()) {
       model.terms[i] = term;
     } else {
       model.terms.push_back(term);
@@ -239,6 +239,12 @@ void decide(const Model& model, const std::optional<HistoryEntry::Holdout>& rise
 }
 
 }  // namespace
+
+std::vector<std::string> Addition::names() const {
+  std::vector<std::string> names;
+  for (const std::size_t i : changed) names.push_back(model.terms[i].name);
+  return names;
+}
 
 Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
                     const std::vector<RunInBlocks>& holdouts, const AddSettings& settings) {

@@ -53,6 +53,8 @@ struct Addition {
   std::vector<HalfTest> halves;  ///< the same on the halves of the training runs; for information
   bool accepted = false;
   std::string reason;  ///< one line: why it is accepted or not
+
+  std::vector<std::string> names() const;  ///< of what was added or changed
 };
 
 /// Makes `change` to the terms of `model`, from which it was made, and refits everything on
