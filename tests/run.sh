@@ -20,9 +20,11 @@ ctest --test-dir build/host --output-on-failure --no-tests=error -j "$jobs" | te
 ctest --test-dir build/host_sanitized --output-on-failure --no-tests=error -j "$jobs" -L 'unit|property|fuzz' |
   tee -a "$results" || status=1
 
-# One plain line at the end: what passed, failed and was skipped, both builds together.
+# The end, both builds together: what failed by name, then one plain line of counts.
 passed=$(grep -cE '^ *[0-9]+/[0-9]+ Test .* Passed ' "$results" || true)
 skipped=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped' "$results" || true)
 failed=$(($(grep -cE '^ *[0-9]+/[0-9]+ Test ' "$results" || true) - passed - skipped))
+grep -E '^ *[0-9]+/[0-9]+ Test ' "$results" | grep -vE ' Passed |\*\*\*Skipped' |
+  sed -E 's/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: ([^ ]+) .*/failed: \1/' || true
 echo "$passed passed, $failed failed, $skipped skipped"
 exit "$status"
