@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "fit/decision_rules.hpp"
@@ -98,7 +99,7 @@ SlowModes slow_modes(const Rows& rows, const NoiseModel& noise) {
 // kind of amount 1 would make of the former.
 struct Shown {
   Eigen::ArrayXd squares;
-  double fast_square = 0;
+  double fast_square = 0;  // of the rows that count, those that were bridged left out
   double fast_rows = 0;
   Eigen::ArrayXd white;
   Eigen::MatrixXd slow;  // modes x kinds
@@ -114,10 +115,11 @@ Shown shown_by(const Rows& rows, const NoiseWeightedFit& fit, const SlowModes& m
       (modes.cosines.transpose() * fit.columns) * of_modes.topRows(fit.columns.cols());
   const Eigen::MatrixXd share = left.cwiseAbs2();
   Shown shown;
-  shown.squares = (modes.cosines.transpose() * residual).array().square();
+  const Eigen::VectorXd along = modes.cosines.transpose() * residual;
+  const Eigen::ArrayXd beside = (residual - modes.cosines * along).array();
+  shown.squares = along.array().square();
   shown.fast_rows = counted.sum() - static_cast<double>(modes.cosines.cols());
-  shown.fast_square =
-      ((residual.array().square() * counted).sum() - shown.squares.sum()) / mean_variance;
+  shown.fast_square = (beside.square() * counted).sum() / mean_variance;
   shown.white = mean_variance * share.rowwise().sum().array() + 1e-3 * mean_variance;
   shown.slow = mean_variance * (share * modes.powers);
   return shown;
@@ -136,7 +138,7 @@ void judge_by_residual(const Shown& shown, Level& level) {
   const Eigen::ArrayXd expected = shown.white + slow.array();
   const double squares = (shown.squares / expected).sum() + shown.fast_square;
   const double count = static_cast<double>(shown.squares.size()) + shown.fast_rows;
-  level.white = squares / count;
+  level.white = std::max(squares / count, std::numeric_limits<double>::min());
   level.log_probability -= (expected.log().sum() + count * std::log(level.white)) / 2;
 }
 

@@ -161,7 +161,8 @@ void add_step(Model& model, Identification& result, const Rows& rows, const Chan
 // do better.
 void judge_uncertainty(Model& model, const NoiseWeightedFit& fit, const Eigen::MatrixXd& covariance,
                        const Rows& rows, std::vector<std::string>& warnings) {
-  const SoakUncertainty worst = soak_uncertainty(model, fit, covariance, rows);
+  SoakUncertainty worst = soak_uncertainty(model, fit, covariance, rows);
+  worst.sigma_dph = std::min(worst.sigma_dph, kMaxModelDph);  // more would say nothing more
   const double drift_dph =
       std::sqrt(rows.drift_dph.cwiseAbs2().dot(rows.weights) / rows.weights.sum());
   model.uncertain.reset();
