@@ -13,7 +13,7 @@
 
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 constexpr int kWritePatienceMs = 1000;
@@ -94,4 +94,4 @@ std::size_t BoardPort::read(std::uint8_t* bytes, std::size_t capacity, int patie
   return static_cast<std::size_t>(count);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

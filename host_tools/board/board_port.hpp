@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 /// A connection to a board's output port: a serial device, a pseudo-terminal, or the socket of an
 /// emulator.
@@ -28,4 +28,4 @@ class BoardPort {
   int descriptor_ = -1;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

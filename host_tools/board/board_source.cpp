@@ -8,13 +8,13 @@
 #include "model/model_file.hpp"
 #include "support/output_file.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 BoardSource::BoardSource(const std::string& path) : path_(path) {
   const std::string text = read_file(path);
-  is_model_ = looks_like_model(text);
+  is_model_ = model::looks_like_model(text);
   if (is_model_) {
-    model_ = parse_model(text, path);
+    model_ = model::parse_model(text, path);
   } else {
     table_ = parse_header(text, path);
   }
@@ -27,7 +27,7 @@ double BoardSource::scale_factor() const {
 }
 
 fog::InputMask BoardSource::needs() const {
-  return is_model_ ? needs_of(model_) : read_board_table(table_, path_).needs();
+  return is_model_ ? model::needs_of(model_) : read_board_table(table_, path_).needs();
 }
 
 const BoardTable& BoardSource::table(const BoardSettings& settings) {
@@ -35,4 +35,4 @@ const BoardTable& BoardSource::table(const BoardSettings& settings) {
   return table_;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -4,7 +4,7 @@
 
 #include "board/board_table.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 /// The weights of a board, from an exported header or straight from a model.
 class BoardSource {
@@ -13,7 +13,7 @@ class BoardSource {
   explicit BoardSource(const std::string& path);
 
   /// nullptr for a header.
-  const Model* model() const { return is_model_ ? &model_ : nullptr; }
+  const model::Model* model() const { return is_model_ ? &model_ : nullptr; }
   /// Counts per deg/s of its sensor stream.
   double scale_factor() const;
   /// What its effects need beside the coil's temperature.
@@ -24,8 +24,8 @@ class BoardSource {
  private:
   std::string path_;
   bool is_model_;
-  Model model_;
+  model::Model model_;
   BoardTable table_;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -18,7 +18,7 @@
 #include "series/block_walk.hpp"
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 constexpr double kStuckSeconds = 0.5;       // equal counts for longer than this ...
@@ -35,13 +35,13 @@ Timing timing_of(const BoardSettings& settings) {
   Timing timing;
   timing.period_us = std::llround(1e6 / settings.sample_rate_hz);
   timing.period_s = static_cast<double>(timing.period_us) * 1e-6;
-  timing.samples_per_block = samples_per_block(timing.period_s);
+  timing.samples_per_block = series::samples_per_block(timing.period_s);
   timing.block_s = timing.period_s * timing.samples_per_block;
   return timing;
 }
 
-void write_calibration(TableWriter& out, const Model& model, const GyroLimits& limits,
-                       const Timing& timing) {
+void write_calibration(TableWriter& out, const model::Model& model,
+                       const recording::GyroLimits& limits, const Timing& timing) {
   out.note(format("sample period, us (%.6g Hz)", 1e6 / static_cast<double>(timing.period_us)));
   out.integer(timing.period_us, "the sample period");
   out.note(format("samples per block (%.6g s)", timing.block_s));
@@ -49,7 +49,7 @@ void write_calibration(TableWriter& out, const Model& model, const GyroLimits& l
   out.note(
       format("rate = counts * multiplier / 2^shift (%.9g counts per deg/s)", model.scale_factor));
   out.gain(std::ldexp(3600 / model.scale_factor, fog::Rate::fractional_bits), "the scale factor");
-  const fog::RateLimits rate = board_limits(limits, timing.period_s);
+  const fog::RateLimits rate = recording::board_limits(limits, timing.period_s);
   out.note(format("range (+-%g deg/s)", limits.range_dps));
   out.integer(rate.range.raw(), "the range");
   out.note(
@@ -60,26 +60,29 @@ void write_calibration(TableWriter& out, const Model& model, const GyroLimits& l
   out.integer(std::llround(std::max(stuck, kLeastStuckSamples)), "stuck samples");
 }
 
-void write_thermal(TableWriter& out, const Model& model, const Timing& timing) {
-  const auto thermal = thermal_parameters(model, timing.block_s);
+void write_thermal(TableWriter& out, const model::Model& model, const Timing& timing) {
+  const auto thermal = model::thermal_parameters(model, timing.block_s);
   out.note(format("decay per block of the two derivative lags (tau %g s)", model.derivative_tau_s));
   out.real(std::min(thermal.derivative.decay, 1 - std::ldexp(1, -31)), 31,
            "the derivative's decay");
   out.note("the same times blocks per minute: from the lags' distance to degC/min");
   out.real(thermal.derivative.rate_gain, 24, "the derivative's gain");
-  const double least = std::max(model.least_degc, kColdestDegc);
-  const double most = std::min(model.most_degc, kWarmestDegc);
+  const double least = std::max(model.least_degc, recording::kColdestDegc);
+  const double most = std::min(model.most_degc, recording::kWarmestDegc);
   if (least > most) {
-    throw InputError("export", format("the trained range %.4g to %.4g degC lies outside %g to %g "
-                                      "degC, what a board has; %s and fit again",
-                                      model.least_degc, model.most_degc, kColdestDegc, kWarmestDegc,
-                                      temperature_question(model.least_degc, model.most_degc)));
+    throw InputError(
+        "export",
+        format("the trained range %.4g to %.4g degC lies outside %g to %g "
+               "degC, what a board has; %s and fit again",
+               model.least_degc, model.most_degc, recording::kColdestDegc, recording::kWarmestDegc,
+               recording::temperature_question(model.least_degc, model.most_degc)));
   }
   out.note(format("trained range (%.4g to %.4g degC)", least, most));
   out.real<fog::Temperature>(least, "the coldest trained temperature");
   out.real<fog::Temperature>(most, "the warmest trained temperature");
-  out.note(format("blocks for which a drift is held without a temperature (%g s)", kHoldSeconds));
-  const std::uint32_t hold = hold_blocks(timing.block_s);
+  out.note(format("blocks for which a drift is held without a temperature (%g s)",
+                  recording::kHoldSeconds));
+  const std::uint32_t hold = series::hold_blocks(timing.block_s);
   out.integer(hold, "hold blocks");
   const std::uint32_t accurate = accurate_hold_blocks(model, timing.block_s, hold);
   out.note(format("blocks for which a held drift is within %.3g deg/h", model.residual_rms_dph));
@@ -99,7 +102,7 @@ struct InputLimits {
   double step;
 };
 
-InputLimits input_limits(const Model& model, fog::Input input) {
+InputLimits input_limits(const model::Model& model, fog::Input input) {
   const bool temperature = input == fog::Input::temperature2;
   const auto& trained = model.input_ranges[extension_number(input)];
   const double kMost = std::ldexp(1, 31 - fog::ExtensionValue::fractional_bits) - 1;
@@ -109,8 +112,8 @@ InputLimits input_limits(const Model& model, fog::Input input) {
     limits = {trained->range.least - margin, trained->range.most + margin, trained->step};
   }
   if (temperature) limits.step = std::ldexp(fog::kTemperatureStep.raw(), -16);
-  limits.min = std::max(limits.min, temperature ? kColdestDegc : -kMost);
-  limits.max = std::min(limits.max, temperature ? kWarmestDegc : kMost);
+  limits.min = std::max(limits.min, temperature ? recording::kColdestDegc : -kMost);
+  limits.max = std::min(limits.max, temperature ? recording::kWarmestDegc : kMost);
   limits.step = std::min(limits.step, kMost);
   if (limits.min <= limits.max) return limits;
   throw InputError("export",
@@ -119,8 +122,8 @@ InputLimits input_limits(const Model& model, fog::Input input) {
                           description_of(input).column, trained->range.least, trained->range.most));
 }
 
-void write_input_limits(TableWriter& out, const Model& model) {
-  const fog::InputMask needs = needs_of(model);
+void write_input_limits(TableWriter& out, const model::Model& model) {
+  const fog::InputMask needs = model::needs_of(model);
   std::vector<fog::Input> inputs;
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     if (has(needs, fog::extension_input(i))) inputs.push_back(fog::extension_input(i));
@@ -138,9 +141,9 @@ void write_input_limits(TableWriter& out, const Model& model) {
   }
 }
 
-double largest_coefficient(const Model& model) {
+double largest_coefficient(const model::Model& model) {
   double largest = 0;
-  for (const EffectTerm& term : model.terms) {
+  for (const model::EffectTerm& term : model.terms) {
     for (const double coefficient : term.coefficients_dph) {
       largest = std::max(largest, std::abs(coefficient));
     }
@@ -149,28 +152,30 @@ double largest_coefficient(const Model& model) {
 }
 
 // Throws where a coefficient is larger than the board's numbers, in the unit that people read.
-void require_held(const EffectTerm& term, std::size_t coefficient, int fraction) {
+void require_held(const model::EffectTerm& term, std::size_t coefficient, int fraction) {
   const double most = std::ldexp(1, 31 - fraction);
   if (std::abs(term.coefficients_dph[coefficient]) < most) return;
-  const fog::CoefficientDescription description = info_of(term).coefficients[coefficient];
-  std::string text = format("%s = %.5g %s is more than the board's numbers hold, %.5g %s",
-                            description.symbol, natural_coefficient(term, coefficient),
-                            description.unit, in_natural_unit(most, description), description.unit);
-  for (const ShapeDoubt& doubt : shape_doubts(term)) text += "; " + doubt.sentence;
+  const fog::CoefficientDescription description = model::info_of(term).coefficients[coefficient];
+  std::string text =
+      format("%s = %.5g %s is more than the board's numbers hold, %.5g %s", description.symbol,
+             model::natural_coefficient(term, coefficient), description.unit,
+             model::in_natural_unit(most, description), description.unit);
+  for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) text += "; " + doubt.sentence;
   throw InputError("effect '" + term.name + "'",
                    text + "; fit again without it or with its shape given");
 }
 
-void write_effects(TableWriter& out, const Model& model, const Timing& timing, int fraction) {
+void write_effects(TableWriter& out, const model::Model& model, const Timing& timing,
+                   int fraction) {
   out.note("fractional bits of all coefficients");
   out.integer(fraction, "coefficient fraction");
   out.note("number of effects");
   out.integer(std::count_if(model.terms.begin(), model.terms.end(),
-                            [](const EffectTerm& term) { return !term.expression; }),
+                            [](const model::EffectTerm& term) { return !term.expression; }),
               "number of effects");
-  for (const EffectTerm& term : model.terms) {
+  for (const model::EffectTerm& term : model.terms) {
     if (term.expression) continue;
-    const CatalogueEntry& entry = find_effect(term.name);
+    const model::CatalogueEntry& entry = model::find_effect(term.name);
     const std::vector<double> constants = entry.constants(term.parameters, timing.block_s);
     out.note(format("%s: %s; id, constants, coefficients", term.name.c_str(),
                     entry.description.equation));
@@ -181,8 +186,8 @@ void write_effects(TableWriter& out, const Model& model, const Timing& timing, i
     }
     out.integer(static_cast<std::int64_t>(term.coefficients_dph.size()), "coefficients");
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-      out.note(format("%s = %.9g %s", entry.coefficients[i].symbol, natural_coefficient(term, i),
-                      entry.coefficients[i].unit));
+      out.note(format("%s = %.9g %s", entry.coefficients[i].symbol,
+                      model::natural_coefficient(term, i), entry.coefficients[i].unit));
       require_held(term, i, fraction);
       out.real(term.coefficients_dph[i], fraction, term.name.c_str());
     }
@@ -190,28 +195,30 @@ void write_effects(TableWriter& out, const Model& model, const Timing& timing, i
 }
 
 // One program of all expressions; each of its parts ends with that expression's output.
-void write_expressions(TableWriter& out, const Model& model, const Timing& timing, int fraction) {
-  std::vector<const EffectTerm*> terms;
-  for (const EffectTerm& term : model.terms) {
+void write_expressions(TableWriter& out, const model::Model& model, const Timing& timing,
+                       int fraction) {
+  std::vector<const model::EffectTerm*> terms;
+  for (const model::EffectTerm& term : model.terms) {
     if (term.expression) terms.push_back(&term);
   }
   out.note("expressions: coefficients");
   out.integer(static_cast<std::int64_t>(terms.size()), "expressions");
-  for (const EffectTerm* term : terms) {
-    out.note(format("%s = %.9g deg/h per unit", term->name.c_str(), natural_coefficient(*term, 0)));
+  for (const model::EffectTerm* term : terms) {
+    out.note(format("%s = %.9g deg/h per unit", term->name.c_str(),
+                    model::natural_coefficient(*term, 0)));
     require_held(*term, 0, fraction);
     out.real(term->coefficients_dph[0], fraction, term->name.c_str());
   }
   std::vector<ExpressionCode> codes;
   std::size_t words = 0;
-  for (const EffectTerm* term : terms) {
+  for (const model::EffectTerm* term : terms) {
     codes.push_back(compile_expression(*term, model, timing.block_s));
     words += codes.back().words.size();
   }
   out.note("expressions: words of the program");
   out.integer(static_cast<std::int64_t>(words), "words of expressions");
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    const ExpressionTerm& written = *terms[i]->expression;
+    const model::ExpressionTerm& written = *terms[i]->expression;
     out.note(format("%s: (%s) / 2^%d, within %.2g of it in double: %.2g deg/h",
                     terms[i]->name.c_str(), written.expression.text.c_str(), written.scale_log2,
                     codes[i].error, codes[i].error * std::abs(terms[i]->coefficients_dph[0])));
@@ -229,9 +236,9 @@ void require_board(const std::string& who, fog::InputMask needs, const BoardSett
   }
 }
 
-void require_board(const Model& model, const BoardSettings& settings) {
-  for (const EffectTerm& term : model.terms) {
-    require_board("effect '" + term.name + "'", info_of(term).needs, settings);
+void require_board(const model::Model& model, const BoardSettings& settings) {
+  for (const model::EffectTerm& term : model.terms) {
+    require_board("effect '" + term.name + "'", model::info_of(term).needs, settings);
   }
   require_board("the network", model.network.needs(), settings);
 }
@@ -269,23 +276,23 @@ void write_output(TableWriter& out, const BoardSettings& settings) {
 
 }  // namespace
 
-Model board_model(const Model& model) {
-  Model result = model;
+model::Model board_model(const model::Model& model) {
+  model::Model result = model;
   const auto end = std::remove_if(result.terms.begin(), result.terms.end(), [](const auto& term) {
-    return info_of(term).host_only != nullptr;
+    return model::info_of(term).host_only != nullptr;
   });
   result.terms.erase(end, result.terms.end());
   return result;
 }
 
-BoardTable make_board_table(const Model& whole, const BoardSettings& settings) {
-  const Model model = board_model(whole);
+BoardTable make_board_table(const model::Model& whole, const BoardSettings& settings) {
+  const model::Model model = board_model(whole);
   require_board(model, settings);
   const Timing timing = timing_of(settings);
   if (timing.period_us < 1) {
     throw InputError("--sample-rate", format("%g Hz is beyond 1 MHz", settings.sample_rate_hz));
   }
-  const std::string text = model_text(whole);
+  const std::string text = model::model_text(whole);
   BoardTable table;
   TableWriter out(table);
   out.note("magic number, layout version");
@@ -328,4 +335,4 @@ fog::ModelParameters read_board_table(const BoardTable& table, const std::string
   return parameters;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -8,14 +8,14 @@
 #include "core/pipeline/model_parameters.hpp"
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 /// What the board is, as far as the table depends on it.
 struct BoardSettings {
   double sample_rate_hz = 200;
   fog::OutputSelection output = fog::OutputSelection::kvh;
-  bool extension = false;  ///< the demodulator sends extension records
-  GivenLimits limits{};    ///< in place of the model's
+  bool extension = false;           ///< the demodulator sends extension records
+  recording::GivenLimits limits{};  ///< in place of the model's
   /// Beside fog::kRateInvalid: with any of these flags no rate is valid.
   fog::Status invalidating = kDefaultInvalidating;
 };
@@ -33,11 +33,11 @@ struct BoardTable {
 };
 
 /// The part of a model that a board can have: without the events of one recording.
-Model board_model(const Model& model);
+model::Model board_model(const model::Model& model);
 
 /// Rounds board_model() to the board's formats. Throws InputError where a value does not fit one,
 /// and for an effect that this board cannot have: the reason is in the message.
-BoardTable make_board_table(const Model& model, const BoardSettings& settings);
+BoardTable make_board_table(const model::Model& model, const BoardSettings& settings);
 
 /// What a signal of the network is held as on the board: fractional bits, and units of the host in
 /// one of the board's.
@@ -51,4 +51,4 @@ NetworkInputFormat network_input_format(fog::NetworkInput signal, double block_s
 /// reason. The table must outlive the result.
 fog::ModelParameters read_board_table(const BoardTable& table, const std::string& file);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

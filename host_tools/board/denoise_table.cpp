@@ -7,7 +7,7 @@
 #include "denoise/filters.hpp"
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 // Taps of the low-pass filter divided by sqrt 2, times 2^fraction, rounded so that even and odd
@@ -51,18 +51,18 @@ void write_filters(TableWriter& out, const std::vector<double>& filter) {
 
 }  // namespace
 
-void write_denoise(TableWriter& out, const Model& model, double period_s) {
-  const DenoiseSettings& denoise = model.denoise;
-  const std::size_t taps = denoise.levels > 0 ? lowpass_filter(denoise.wavelet).size() : 0;
+void write_denoise(TableWriter& out, const model::Model& model, double period_s) {
+  const model::DenoiseSettings& denoise = model.denoise;
+  const std::size_t taps = denoise.levels > 0 ? denoise::lowpass_filter(denoise.wavelet).size() : 0;
   out.note(format("denoiser (%s): levels, taps, rule (%s), mode (%s)", denoise.wavelet.c_str(),
-                  kBoardRules[static_cast<std::size_t>(denoise.rule)].c_str(),
+                  model::kBoardRules[static_cast<std::size_t>(denoise.rule)].c_str(),
                   denoise.hard ? "hard" : "soft"));
   out.integer(denoise.levels, "levels");
   out.integer(static_cast<std::int64_t>(taps), "taps");
   out.integer(static_cast<std::int64_t>(denoise.rule), "threshold rule");
   out.integer(denoise.hard ? 1 : 0, "threshold mode");
   if (denoise.levels == 0) return;
-  write_filters(out, lowpass_filter(denoise.wavelet));
+  write_filters(out, denoise::lowpass_filter(denoise.wavelet));
   const double sigma = model.noise_dph_rthz / std::sqrt(period_s);
   const double universal = std::sqrt(2 * std::log(fog::kThresholdBlock));
   out.note(format("thresholds, level 1 first (white noise %.4g deg/h per sample)", sigma));
@@ -73,7 +73,8 @@ void write_denoise(TableWriter& out, const Model& model, double period_s) {
   }
 }
 
-void check_noise_fits(const BoardTable& table, std::size_t first, const DenoiseSettings& settings) {
+void check_noise_fits(const BoardTable& table, std::size_t first,
+                      const model::DenoiseSettings& settings) {
   if (settings.levels == 0) return;
   const std::int32_t* next = table.words.data() + first;
   const auto levels = static_cast<std::size_t>(*next++);
@@ -91,4 +92,4 @@ void check_noise_fits(const BoardTable& table, std::size_t first, const DenoiseS
                           settings.wavelet.c_str(), settings.levels));
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

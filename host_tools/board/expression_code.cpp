@@ -10,7 +10,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 using Op = fog::ExpressionOp;
@@ -47,7 +47,7 @@ int fraction_for(double size) {
 
 class Compiler {
  public:
-  Compiler(const EffectTerm& term, const Model& model, double block_s)
+  Compiler(const model::EffectTerm& term, const model::Model& model, double block_s)
       : term_(term),
         expression_(term.expression->expression),
         constants_(expression_.constants(term.parameters)),
@@ -108,7 +108,7 @@ class Compiler {
   }
 
   Value signal(fog::Input which) {
-    SignalRange range = term_.expression->ranges[static_cast<std::size_t>(which)];
+    model::SignalRange range = term_.expression->ranges[static_cast<std::size_t>(which)];
     if (which == fog::Input::elapsed) return elapsed(range);
     if (which == fog::Input::temperature) {
       range = {std::max({range.least, model_.least_degc, -70.0}),
@@ -128,7 +128,7 @@ class Compiler {
   }
 
   // Blocks times their length.
-  Value elapsed(const SignalRange& range) {
+  Value elapsed(const model::SignalRange& range) {
     const double most_blocks = std::min(range.most / block_s_, 2147483647.0);
     push_signal(fog::Input::elapsed, 0, most_blocks, 0);
     // Where time stands at its most, blocks that are no whole number are off by up to a half.
@@ -140,7 +140,7 @@ class Compiler {
   // The two lags behind the derivative stand still within half an LSB of 22 bits each; their
   // difference is rounded to 26 bits, the decay to 31 and the gain to 24.
   double rate_error() const {
-    const auto real = thermal_parameters(model_, block_s_).derivative;
+    const auto real = model::thermal_parameters(model_, block_s_).derivative;
     const double lags = 3 * half_lsb(22) + half_lsb(26);
     const double rate = fog::kMostRateDegcPerMin;
     return lags * real.rate_gain + rate * (half_lsb(24) / real.rate_gain) +
@@ -184,41 +184,41 @@ class Compiler {
   }
 
   Value node(std::size_t index) {
-    const ExpressionNode& now = expression_.nodes[index];
+    const model::ExpressionNode& now = expression_.nodes[index];
     if (now.constant) return constant(constants_[index]);
     switch (now.kind) {
-      case NodeKind::signal:
+      case model::NodeKind::signal:
         return signal(now.signal);
-      case NodeKind::add:
-      case NodeKind::subtract:
-      case NodeKind::minimum:
-      case NodeKind::maximum:
+      case model::NodeKind::add:
+      case model::NodeKind::subtract:
+      case model::NodeKind::minimum:
+      case model::NodeKind::maximum:
         return sum(now);
-      case NodeKind::multiply: {
+      case model::NodeKind::multiply: {
         const Value left = node(now.left);
         return product(left, node(now.right));
       }
-      case NodeKind::divide:
+      case model::NodeKind::divide:
         return quotient(now);
-      case NodeKind::power:
+      case model::NodeKind::power:
         return power(node(now.left), constants_[now.right]);
-      case NodeKind::negate:
+      case model::NodeKind::negate:
         return negated(node(now.left));
-      case NodeKind::absolute:
+      case model::NodeKind::absolute:
         return magnitude(node(now.left));
-      case NodeKind::sine:
-      case NodeKind::cosine:
+      case model::NodeKind::sine:
+      case model::NodeKind::cosine:
         return wave(now);
-      case NodeKind::exponential:
+      case model::NodeKind::exponential:
         return exponential(now.left);
-      case NodeKind::hyperbolic_tangent:
+      case model::NodeKind::hyperbolic_tangent:
         return tangent(node(now.left));
-      case NodeKind::lag:
+      case model::NodeKind::lag:
         return lag(now);
-      case NodeKind::play:
+      case model::NodeKind::play:
         return play(now);
-      case NodeKind::number:
-      case NodeKind::parameter:
+      case model::NodeKind::number:
+      case model::NodeKind::parameter:
         break;
     }
     return constant(constants_[index]);
@@ -235,15 +235,15 @@ class Compiler {
     return *known_[index];
   }
 
-  Value sum(const ExpressionNode& now) {
+  Value sum(const model::ExpressionNode& now) {
     const Value a = trial(now.left);
     const Value b = trial(now.right);
     Value result;
-    if (now.kind == NodeKind::add) {
+    if (now.kind == model::NodeKind::add) {
       result = {a.least + b.least, a.most + b.most, 0, 0};
-    } else if (now.kind == NodeKind::subtract) {
+    } else if (now.kind == model::NodeKind::subtract) {
       result = {a.least - b.most, a.most - b.least, 0, 0};
-    } else if (now.kind == NodeKind::minimum) {
+    } else if (now.kind == model::NodeKind::minimum) {
       result = {std::min(a.least, b.least), std::min(a.most, b.most), 0, 0};
     } else {
       result = {std::max(a.least, b.least), std::max(a.most, b.most), 0, 0};
@@ -253,17 +253,18 @@ class Compiler {
         {a.fraction, b.fraction, fraction_for(std::max({a.size(), b.size(), result.size()}))});
     const Value left = in_format(node(now.left), fraction);
     const Value right = in_format(node(now.right), fraction);
-    const bool chooses = now.kind == NodeKind::minimum || now.kind == NodeKind::maximum;
-    emit(now.kind == NodeKind::add        ? Op::add
-         : now.kind == NodeKind::subtract ? Op::subtract
-         : now.kind == NodeKind::minimum  ? Op::least
-                                          : Op::most);
+    const bool chooses =
+        now.kind == model::NodeKind::minimum || now.kind == model::NodeKind::maximum;
+    emit(now.kind == model::NodeKind::add        ? Op::add
+         : now.kind == model::NodeKind::subtract ? Op::subtract
+         : now.kind == model::NodeKind::minimum  ? Op::least
+                                                 : Op::most);
     result.error = chooses ? std::max(left.error, right.error) : left.error + right.error;
     result.fraction = fraction;
     return result;
   }
 
-  Value quotient(const ExpressionNode& now) {
+  Value quotient(const model::ExpressionNode& now) {
     if (expression_.nodes[now.right].constant) {
       const double divisor = constants_[now.right];
       if (divisor == 0) refuse("it divides by 0");
@@ -318,10 +319,10 @@ class Compiler {
     return result;
   }
 
-  Value wave(const ExpressionNode& now) {
+  Value wave(const model::ExpressionNode& now) {
     Value x = node(now.left);
     if (x.fraction < 0) refuse("an angle could become larger than 2^30");
-    emit(now.kind == NodeKind::sine ? Op::sine : Op::cosine, x.fraction);
+    emit(now.kind == model::NodeKind::sine ? Op::sine : Op::cosine, x.fraction);
     return {-1, 1, x.error + kSineError + x.size() * half_lsb(30) + half_lsb(30), kWaveFraction};
   }
 
@@ -346,10 +347,10 @@ class Compiler {
   }
 
   // Lags and plays keep the format, so the value gets as fine a one as it can have.
-  Value lag(const ExpressionNode& now) {
+  Value lag(const model::ExpressionNode& now) {
     const double tau_s = constants_[now.right];
     if (!(tau_s > 0)) refuse("a lag's time constant is not above 0");
-    const double decay = RealNumbers::decay(block_s_ / tau_s);
+    const double decay = model::RealNumbers::decay(block_s_ / tau_s);
     Value x = node(now.left);
     x = in_format(x, std::max(x.fraction, fraction_for(x.size())));
     emit(Op::lag);
@@ -359,7 +360,7 @@ class Compiler {
     return x;
   }
 
-  Value play(const ExpressionNode& now) {
+  Value play(const model::ExpressionNode& now) {
     const double radius = constants_[now.right];
     Value x = node(now.left);
     if (!(radius >= 0 && radius < 1e9)) refuse("a play's radius is below 0 or out of range");
@@ -370,10 +371,10 @@ class Compiler {
     return x;
   }
 
-  const EffectTerm& term_;
-  const Expression& expression_;
+  const model::EffectTerm& term_;
+  const model::Expression& expression_;
   std::vector<double> constants_;
-  const Model& model_;
+  const model::Model& model_;
   double block_s_;
   std::vector<std::optional<Value>> known_;
   ExpressionCode code_;
@@ -381,8 +382,9 @@ class Compiler {
 
 }  // namespace
 
-ExpressionCode compile_expression(const EffectTerm& term, const Model& model, double block_s) {
+ExpressionCode compile_expression(const model::EffectTerm& term, const model::Model& model,
+                                  double block_s) {
   return Compiler(term, model, block_s).compile();
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -5,7 +5,7 @@
 
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 /// An expression in the integers of fog::ExpressionBank.
 struct ExpressionCode {
@@ -19,6 +19,7 @@ struct ExpressionCode {
 /// (one spare bit), and the bound of its error: roundings, the errors of the functions, the
 /// temperature rate's own. Throws InputError, saying why, for what the board cannot do: a divisor
 /// that may be 0, powers that are not whole, values beyond 32 bits.
-ExpressionCode compile_expression(const EffectTerm& term, const Model& model, double block_s);
+ExpressionCode compile_expression(const model::EffectTerm& term, const model::Model& model,
+                                  double block_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -7,7 +7,7 @@
 #include "support/model_title.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 constexpr const char* kTableStart = "fog_model[FOG_MODEL_WORDS] = {";
@@ -116,4 +116,4 @@ BoardTable parse_header(const std::string& text, const std::string& file) {
   return table;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

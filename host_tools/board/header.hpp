@@ -4,7 +4,7 @@
 
 #include "board/board_table.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 /// The C header of a model table: C99 and C++17, integers only, with what an image needs to know at
 /// compile time as macros. Says from what it was made, never when.
@@ -15,4 +15,4 @@ std::string header_text(const BoardTable& table, const std::string& model_name,
 /// another layout.
 BoardTable parse_header(const std::string& text, const std::string& file);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

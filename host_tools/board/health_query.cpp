@@ -7,7 +7,7 @@
 #include "core/frames/health_request.hpp"
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -50,4 +50,4 @@ fog::HealthRecord query_health(BoardPort& port, const std::string& name, double 
                              : "no answer; is the board powered, and is this its output port?");
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -7,7 +7,7 @@
 #include "board/settling_time.hpp"
 #include "model/drift_model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 constexpr double kSinceStartS = 3600;
@@ -17,8 +17,8 @@ constexpr std::uint32_t kLongestSoakBlocks = 3600;
 /// The drift of every block of a way up and down through the trained range.
 class RoundTrip {
  public:
-  RoundTrip(const Model& model, double block_s) : model_(model, block_s) {
-    const Range& rate = *model.rate_range_degc_per_min;
+  RoundTrip(const model::Model& model, double block_s) : model_(model, block_s) {
+    const model::Range& rate = *model.rate_range_degc_per_min;
     const double fastest =
         std::max({std::abs(rate.least), std::abs(rate.most), kSlowestDegcPerMin});
     const double step_degc = fastest * block_s / 60;
@@ -56,14 +56,15 @@ class RoundTrip {
     drift_dph_.push_back(model_.drift_dph());
   }
 
-  RealDriftModel model_;
-  RealBlock block_;
+  model::RealDriftModel model_;
+  model::RealBlock block_;
   std::vector<double> drift_dph_;
 };
 
 }  // namespace
 
-std::uint32_t accurate_hold_blocks(const Model& model, double block_s, std::uint32_t hold_blocks) {
+std::uint32_t accurate_hold_blocks(const model::Model& model, double block_s,
+                                   std::uint32_t hold_blocks) {
   if (!model.rate_range_degc_per_min) return hold_blocks;
   const RoundTrip trip(model, block_s);
   std::uint32_t blocks = 0;
@@ -73,4 +74,4 @@ std::uint32_t accurate_hold_blocks(const Model& model, double block_s, std::uint
   return blocks;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

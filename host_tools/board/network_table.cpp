@@ -5,7 +5,7 @@
 #include "board/table_parts.hpp"
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 // The model's network as the board has it: all neurons tanh(z / 2).
@@ -19,7 +19,7 @@ struct BoardNetwork {
 };
 
 // tansig(z) = tanh(2 z / 2); logsig(z) = 1/2 + tanh(z / 2) / 2, whose halves go into what follows.
-BoardNetwork board_network(const RealNetwork& network) {
+BoardNetwork board_network(const model::RealNetwork& network) {
   if (network.hidden.activation == fog::Activation::linear) {
     throw InputError("export",
                      "the board has no linear hidden neurons; fit again with logsig or tansig");
@@ -53,13 +53,14 @@ int weight_fraction(const Eigen::MatrixXd& weights, const Eigen::VectorXd& biase
 }
 
 // Returns the factor that is left for this input's weights.
-double write_input(TableWriter& out, const RealInput& input, double block_s) {
+double write_input(TableWriter& out, const model::RealInput& input, double block_s) {
   const std::string lag = input.tau_s > 0 ? format(" (tau %g s)", input.tau_s) : "";
   out.note(format("input %s%s: (x - %.9g) / %.9g %s; signal, decay, centre, reach, shift",
-                  name_of(input.signal), lag.c_str(), input.centre, input.half_range,
+                  model::name_of(input.signal), lag.c_str(), input.centre, input.half_range,
                   description_of(input_of(input.signal)).unit));
   out.integer(static_cast<std::int32_t>(input.signal), "input signal");
-  out.real(input.tau_s > 0 ? RealNumbers::decay(block_s / input.tau_s) : 0, 31, "an input's decay");
+  out.real(input.tau_s > 0 ? model::RealNumbers::decay(block_s / input.tau_s) : 0, 31,
+           "an input's decay");
   const NetworkInputFormat board = network_input_format(input.signal, block_s);
   const double reach = std::ldexp(input.half_range / board.per_unit, board.fraction);
   if (reach < 1)
@@ -79,7 +80,7 @@ NetworkInputFormat network_input_format(fog::NetworkInput signal, double block_s
   return {description_of(input).fraction, input == fog::Input::elapsed ? block_s : 1};
 }
 
-void write_network(TableWriter& out, const RealNetwork& network, double block_s) {
+void write_network(TableWriter& out, const model::RealNetwork& network, double block_s) {
   const std::size_t inputs = network.present() ? network.inputs.size() : 0;
   out.note("network: inputs, hidden neurons");
   out.integer(static_cast<std::int64_t>(inputs), "network inputs");
@@ -96,7 +97,8 @@ void write_network(TableWriter& out, const RealNetwork& network, double block_s)
   out.integer(fog::kWeightFraction - hidden, "hidden neurons' shift");
   out.integer(fog::kWeightFraction - output, "the output's shift");
   out.note(format("hidden neurons (%s): bias, %d weights, weight in the output",
-                  name_of(network.hidden.activation), static_cast<int>(fog::kMostNetworkInputs)));
+                  model::name_of(network.hidden.activation),
+                  static_cast<int>(fog::kMostNetworkInputs)));
   for (Eigen::Index row = 0; row < board.weights.rows(); ++row) {
     out.real(board.biases[row], hidden - 2, "a bias");
     for (std::size_t i = 0; i < fog::kMostNetworkInputs; ++i) {
@@ -105,7 +107,7 @@ void write_network(TableWriter& out, const RealNetwork& network, double block_s)
     }
     out.real(board.output_weights[row], output, "an output weight");
   }
-  out.note(format("output (%s): bias, 1 if linear", name_of(network.output.activation)));
+  out.note(format("output (%s): bias, 1 if linear", model::name_of(network.output.activation)));
   out.real(board.output_bias, output - 2, "the output's bias");
   out.integer(network.output.activation == fog::Activation::linear ? 1 : 0, "the output's kind");
   out.note(format("drift = %.9g + %.9g y deg/h", board.centre_dph, board.amplitude_dph));
@@ -113,4 +115,4 @@ void write_network(TableWriter& out, const RealNetwork& network, double block_s)
   out.real<fog::NetworkDrift>(board.amplitude_dph, "the network's amplitude");
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

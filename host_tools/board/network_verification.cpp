@@ -7,7 +7,7 @@
 #include "board/verification.hpp"
 #include "model/drift_model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 constexpr double kBeyond = 1.25;         // half ranges: inputs are clipped at 1
@@ -22,11 +22,11 @@ std::int32_t board_value(double value, const NetworkInputFormat& format) {
 
 }  // namespace
 
-NetworkError verify_network(const Model& model, const fog::ModelParameters& parameters) {
+NetworkError verify_network(const model::Model& model, const fog::ModelParameters& parameters) {
   const double block_s = static_cast<double>(parameters.acquisition.sample_period_us) * 1e-6 *
                          parameters.samples_per_block;
   NetworkError error;
-  const std::vector<RealInput>& inputs = model.network.inputs;
+  const std::vector<model::RealInput>& inputs = model.network.inputs;
   if (!model.network.present()) return error;
   // An odd number, so that the centre is among them.
   const double even_share = std::pow(kMostPoints, 1 / static_cast<double>(inputs.size()));
@@ -60,4 +60,4 @@ NetworkError verify_network(const Model& model, const fog::ModelParameters& para
   return error;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 Replay::Replay(const fog::ModelParameters& parameters)
     : compensator_(std::make_unique<HostCompensator>(parameters, fog::ImageProof::not_needed())) {}
@@ -25,4 +25,4 @@ fog::Span<const std::uint8_t> Replay::feed(fog::Span<const std::uint8_t> bytes,
   return {output_.data(), output_.size()};
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -8,7 +8,7 @@
 #include "core/pipeline/compensator.hpp"
 #include "core/signal/span.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 /// The firmware's own pipeline with room for any model.
 using HostCompensator =
@@ -43,4 +43,4 @@ class Replay {
   ReplaySummary summary_;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -8,7 +8,7 @@
 #include "recording/recording_writer.hpp"
 #include "series/block_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 constexpr std::size_t kRowsBetweenProgress = 4096;
@@ -20,19 +20,20 @@ std::int32_t rounded_to_int32(double value) {
 
 }  // namespace
 
-void make_sensor_stream(const Recording& recording, double scale_factor, fog::InputMask extension,
-                        const TimedByteSink& sink, const ReadWatch& watch) {
+void make_sensor_stream(const recording::Recording& recording, double scale_factor,
+                        fog::InputMask extension, const TimedByteSink& sink,
+                        const recording::ReadWatch& watch) {
   std::vector<std::uint8_t> piece;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
     piece.clear();
     for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
       const fog::Input input = fog::extension_input(i);
       if (!has(extension, input)) continue;
-      const auto frame = extension_frame(input, recording[input][row]);
+      const auto frame = recording::extension_frame(input, recording[input][row]);
       if (frame) piece.insert(piece.end(), frame->begin(), frame->end());
     }
     fog::SensorSample sample;
-    const std::int64_t number = sample_number(recording, row);
+    const std::int64_t number = series::sample_number(recording, row);
     sample.sequence = static_cast<std::uint16_t>(number);
     sample.rate_counts = rounded_to_int32(recording.rate_dph[row] * scale_factor / 3600);
     sample.temperature_q16 = rounded_to_int32(recording.temperature_degc[row] * 65536);
@@ -49,4 +50,4 @@ void make_sensor_stream(const Recording& recording, double scale_factor, fog::In
   }
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -4,22 +4,22 @@
 
 #include "model/catalogue.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 // A shape parameter in seconds is a lag, unless the effect is one of time since power-on, which has
 // no state.
-double slowest_lag_s(const EffectTerm& term) {
+double slowest_lag_s(const model::EffectTerm& term) {
   double slowest = 0;
   if (term.expression) {
-    const Expression& expression = term.expression->expression;
+    const model::Expression& expression = term.expression->expression;
     const std::vector<double> constants = expression.constants(term.parameters);
-    for (const ExpressionNode& node : expression.nodes) {
-      if (node.kind == NodeKind::lag) slowest = std::max(slowest, constants[node.right]);
+    for (const model::ExpressionNode& node : expression.nodes) {
+      if (node.kind == model::NodeKind::lag) slowest = std::max(slowest, constants[node.right]);
     }
     return slowest;
   }
-  const TermInfo info = info_of(term);
+  const model::TermInfo info = model::info_of(term);
   if (has(info.needs, fog::Input::elapsed)) return 0;
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
     if (info.parameters[i].unit == "s") slowest = std::max(slowest, term.parameters[i]);
@@ -29,11 +29,13 @@ double slowest_lag_s(const EffectTerm& term) {
 
 }  // namespace
 
-double settling_time_s(const Model& model) {
+double settling_time_s(const model::Model& model) {
   double slowest = 0;
-  for (const EffectTerm& term : model.terms) slowest = std::max(slowest, slowest_lag_s(term));
-  for (const RealInput& input : model.network.inputs) slowest = std::max(slowest, input.tau_s);
+  for (const model::EffectTerm& term : model.terms)
+    slowest = std::max(slowest, slowest_lag_s(term));
+  for (const model::RealInput& input : model.network.inputs)
+    slowest = std::max(slowest, input.tau_s);
   return 7 * model.derivative_tau_s + 5 * slowest;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

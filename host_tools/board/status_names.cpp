@@ -6,7 +6,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 // In the order of the bits (firmware/SPEC.md, "Status flags").
@@ -47,4 +47,4 @@ fog::Status parse_flags(const std::string& list, fog::Status allowed, const std:
   return flags;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -5,7 +5,7 @@
 
 #include "core/signal/status.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 /// Names of the flags that are set, as firmware/SPEC.md has them, in the order of their bits.
 std::vector<std::string> flag_names(fog::Status status);
@@ -20,4 +20,4 @@ constexpr fog::Status kDefaultInvalidating =
     fog::Status::denoiser_filling | fog::Status::thermal_settling | fog::Status::input_missing |
     fog::Status::drift_outdated;
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -5,12 +5,12 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 namespace {
 
 // The board counts from its first sample: it cannot know of the time before a recording.
-void warn_of_late_start(const Recording& recording, const ReadWatch& watch) {
+void warn_of_late_start(const recording::Recording& recording, const recording::ReadWatch& watch) {
   if (recording.time_s[0] <= recording.period_s) return;
   watch.say(recording.file,
             format("begins at %g s after power-on; the board's time begins with its first sample",
@@ -19,18 +19,18 @@ void warn_of_late_start(const Recording& recording, const ReadWatch& watch) {
 
 }  // namespace
 
-StreamSource::StreamSource(const std::string& path, const ReadOptions& options, double scale_factor,
-                           fog::InputMask needs)
+StreamSource::StreamSource(const std::string& path, const recording::ReadOptions& options,
+                           double scale_factor, fog::InputMask needs)
     : path_(path),
       scale_factor_(scale_factor),
       extension_(needs & fog::kAllExtensionInputs),
       watch_(options.watch) {
-  InputFile file(path);
-  capture_ = is_sensor_stream(file.peek());
+  recording::InputFile file(path);
+  capture_ = recording::is_sensor_stream(file.peek());
   if (capture_) return;
-  ReadOptions all_rows = options;
+  recording::ReadOptions all_rows = options;
   all_rows.keep_refused_rows = true;
-  recording_ = read_recording(path, all_rows);
+  recording_ = recording::read_recording(path, all_rows);
   if (has(needs, fog::Input::elapsed)) warn_of_late_start(recording_, watch_);
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     const fog::Input input = fog::extension_input(i);
@@ -45,7 +45,7 @@ void StreamSource::send(const TimedByteSink& sink) const {
     make_sensor_stream(recording_, scale_factor_, extension_, sink, watch_);
     return;
   }
-  InputFile file(path_, watch_.progress);
+  recording::InputFile file(path_, watch_.progress);
   for (;;) {
     const std::string_view block = file.next_block();
     if (block.empty()) return;
@@ -53,4 +53,4 @@ void StreamSource::send(const TimedByteSink& sink) const {
   }
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -5,7 +5,7 @@
 #include "board/sensor_stream.hpp"
 #include "recording/recording.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 /// Bytes of the sensor stream for a file: a captured stream as it is, damage and all; a CSV as the
 /// board would have seen it.
@@ -13,7 +13,7 @@ class StreamSource {
  public:
   /// Reads a CSV whole (its errors come from here, also for a column that `needs` names and it
   /// lacks); only opens a capture, which has what it has.
-  StreamSource(const std::string& path, const ReadOptions& options, double scale_factor,
+  StreamSource(const std::string& path, const recording::ReadOptions& options, double scale_factor,
                fog::InputMask needs);
 
   bool is_capture() const { return capture_; }
@@ -27,9 +27,9 @@ class StreamSource {
   std::string path_;
   double scale_factor_;
   fog::InputMask extension_;
-  ReadWatch watch_;
+  recording::ReadWatch watch_;
   bool capture_;
-  Recording recording_;
+  recording::Recording recording_;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -9,7 +9,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 /// The largest fraction, `least`..`most`, at which `largest` still fits 32 bits.
 inline int fraction_within(double largest, int least, int most) {
@@ -66,4 +66,4 @@ class TableWriter {
   BoardTable& table_;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

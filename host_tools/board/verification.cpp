@@ -9,34 +9,34 @@
 #include "core/compensation/drift_model.hpp"
 #include "model/drift_model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 namespace {
 
 // The expressions of a model beside the same in double, led through the same blocks.
 class ExpressionCheck {
  public:
-  ExpressionCheck(const Model& model, const fog::ModelParameters& parameters, double block_s)
+  ExpressionCheck(const model::Model& model, const fog::ModelParameters& parameters, double block_s)
       : board_thermal_(parameters.thermal),
-        real_thermal_(thermal_parameters(model, block_s)),
+        real_thermal_(model::thermal_parameters(model, block_s)),
         board_(parameters.expressions, parameters.effects.coefficient_fraction) {
-    for (const EffectTerm& term : model.terms) {
+    for (const model::EffectTerm& term : model.terms) {
       if (!term.expression) continue;
       const double size = std::abs(term.coefficients_dph[0]);
       results.push_back({term.name, compile_expression(term, model, block_s).error * size, 0});
       sizes_.push_back(size);
-      real_.push_back(make_effect(term, block_s));
+      real_.push_back(model::make_effect(term, block_s));
     }
   }
 
   void start(const fog::BlockMeans<fog::BoardNumbers>& block) {
     board_.reset(board_thermal_.reset(block));
-    const auto signals = real_thermal_.reset(to_real(block));
+    const auto signals = real_thermal_.reset(model::to_real(block));
     for (const auto& real : real_) real->reset(signals);
   }
   void step(const fog::BlockMeans<fog::BoardNumbers>& block) {
     board_.step(board_thermal_.step(block));
-    const auto signals = real_thermal_.step(to_real(block));
+    const auto signals = real_thermal_.step(model::to_real(block));
     for (std::size_t i = 0; i < real_.size(); ++i) {
       double expected = 0;
       real_[i]->step(signals, &expected);
@@ -51,28 +51,29 @@ class ExpressionCheck {
 
  private:
   fog::ThermalState<fog::BoardNumbers> board_thermal_;
-  fog::ThermalState<RealNumbers> real_thermal_;
+  fog::ThermalState<model::RealNumbers> real_thermal_;
   fog::ExpressionBank<fog::kAllExpressions> board_;
-  std::vector<std::unique_ptr<RealEffect>> real_;
+  std::vector<std::unique_ptr<model::RealEffect>> real_;
   std::vector<double> sizes_;
 };
 
 }  // namespace
 
-QuantizationError verify_quantization(const Model& model, const fog::ModelParameters& parameters) {
+QuantizationError verify_quantization(const model::Model& model,
+                                      const fog::ModelParameters& parameters) {
   const double block_s = static_cast<double>(parameters.acquisition.sample_period_us) * 1e-6 *
                          parameters.samples_per_block;
   fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs> board(
       parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
       parameters.policy);
-  const Model real_model = board_model(model);
-  RealDriftModel real(real_model, block_s);
+  const model::Model real_model = board_model(model);
+  model::RealDriftModel real(real_model, block_s);
   QuantizationError error;
   ExpressionCheck expressions(real_model, parameters, block_s);
   const auto programme =
       verification_programme(parameters.thermal.least, parameters.thermal.most, block_s);
   for (const auto& block : programme) {
-    const RealBlock real_block = to_real(block);
+    const model::RealBlock real_block = model::to_real(block);
     if (error.blocks == 0) {
       board.start(block);
       real.start(real_block);
@@ -94,4 +95,4 @@ QuantizationError verify_quantization(const Model& model, const fog::ModelParame
   return error;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

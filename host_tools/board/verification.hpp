@@ -6,7 +6,7 @@
 #include "core/pipeline/model_parameters.hpp"
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 /// How far the board's integers are from the model in double, over verification_programme() in the
 /// trained range.
@@ -36,9 +36,10 @@ struct NetworkError {
 constexpr double kQuantizationLimitDph = 2.0 / 1024;
 
 /// `parameters` is `model` rounded for the board.
-QuantizationError verify_quantization(const Model& model, const fog::ModelParameters& parameters);
+QuantizationError verify_quantization(const model::Model& model,
+                                      const fog::ModelParameters& parameters);
 
 /// The same of the network alone, where the programme cannot lead to every corner of its inputs.
-NetworkError verify_network(const Model& model, const fog::ModelParameters& parameters);
+NetworkError verify_network(const model::Model& model, const fog::ModelParameters& parameters);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

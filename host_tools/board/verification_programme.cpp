@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
 constexpr double kRatesDegcPerMin[] = {0.2, 0.5, 1, 3, 10, 30};
@@ -107,4 +107,4 @@ std::vector<fog::BlockMeans<fog::BoardNumbers>> verification_programme(fog::Temp
   return std::move(programme.blocks);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

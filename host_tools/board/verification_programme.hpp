@@ -5,7 +5,7 @@
 #include "core/signal/quantities.hpp"
 #include "core/thermal/block_means.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 
 /// Blocks that lead a model through all that it can remember: the whole temperature range up and
 /// down at 0.2 to 30 degC/min with soaks, jumps, loops that shrink about a quarter, the middle and
@@ -16,4 +16,4 @@ std::vector<fog::BlockMeans<fog::BoardNumbers>> verification_programme(fog::Temp
                                                                        fog::Temperature most,
                                                                        double block_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::board

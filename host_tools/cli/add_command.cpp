@@ -43,7 +43,7 @@ struct AddCommand : Command {
                 "adds effects, refits all, keeps them if they help out of sample",
                 "fogcomp add gyro.model thermal_lag run.csv -o better.model") {
     stands_for_positional = &expression;
-    words = effect_names();
+    words = model::effect_names();
     may_replace_first = true;
     needs = {{&output}};
   }
@@ -81,9 +81,9 @@ workflow::AddRequest AddCommand::request() const {
 int AddCommand::run() const {
   OutputFile model_file(output.required());
   ReportFile page(report);
-  const Addition addition = workflow::add(request(), Watch().observer());
+  const fit::Addition addition = workflow::add(request(), Watch().observer());
   const bool written = addition.accepted || force.given();
-  if (written) model_file.write(model_text(addition.model));
+  if (written) model_file.write(model::model_text(addition.model));
   const std::string name = written ? output.value() : "";
   const findings::Document document = findings::add_findings(addition, arguments[0], name);
   if (page.wanted()) page.fill(document);

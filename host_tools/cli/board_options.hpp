@@ -10,9 +10,9 @@ namespace fogcomp::cli {
 /// The options of the commands that make a board's table.
 struct BoardOptions : OptionGroup {
   using OptionGroup::OptionGroup;
-  BoardSettings value() const {
-    BoardSettings settings{sample_rate.value(), output.value(), extension.given()};
-    settings.invalidating = parse_flags(invalid.value(), fog::kMayInvalidate, "--invalid");
+  board::BoardSettings value() const {
+    board::BoardSettings settings{sample_rate.value(), output.value(), extension.given()};
+    settings.invalidating = board::parse_flags(invalid.value(), fog::kMayInvalidate, "--invalid");
     return settings;
   }
 
@@ -26,7 +26,7 @@ struct BoardOptions : OptionGroup {
   Text invalid{
       this,
       {"invalid", "FLAGS", "with any of these no rate is valid (firmware/SPEC.md); or none",
-       join(flag_names(kDefaultInvalidating), ","), kRare}};
+       join(board::flag_names(board::kDefaultInvalidating), ","), kRare}};
   Flag extension{this, "extension", "the demodulator sends extension records (firmware/SPEC.md)"};
 };
 

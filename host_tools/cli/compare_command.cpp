@@ -46,7 +46,7 @@ int CompareCommand::run() const {
   request.average_s = average.find();
   request.reading = recording.value();
   request.runs = {arguments.begin() + 1, arguments.end()};
-  const std::vector<ModelOnRuns> judged = workflow::compare(request, Watch().observer());
+  const std::vector<compare::ModelOnRuns> judged = workflow::compare(request, Watch().observer());
   const findings::Document document = findings::compare_findings(judged);
   if (page.wanted()) page.write(document);
   if (json.given()) {

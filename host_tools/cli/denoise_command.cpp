@@ -22,17 +22,18 @@ namespace {
 
 using workflow::DenoiseOutcome;
 
-void write_recording(const Recording& recording, const std::string& path) {
-  std::vector<Column> columns;
+void write_recording(const recording::Recording& recording, const std::string& path) {
+  std::vector<recording::Column> columns;
   std::vector<const double*> values;
-  for (const ColumnInfo& info : kColumns) {
+  for (const recording::ColumnInfo& info : recording::kColumns) {
     const std::vector<double>& column = recording[info.column];
     if (column.empty()) continue;
     columns.push_back(info.column);
     values.push_back(column.data());
   }
-  RecordingWriter writer(path, RecordingFormat::csv, columns, kDefaultScaleFactor,
-                         kDefaultStreamRateHz);
+  recording::RecordingWriter writer(path, recording::RecordingFormat::csv, columns,
+                                    recording::kDefaultScaleFactor,
+                                    recording::kDefaultStreamRateHz);
   Progress progress("writing " + path);
   constexpr std::size_t kRowsAtOnce = 100'000;
   for (std::size_t first = 0; first < recording.rows(); first += kRowsAtOnce) {
@@ -45,7 +46,7 @@ void write_recording(const Recording& recording, const std::string& path) {
 }
 
 void print_json(const std::string& output, const DenoiseOutcome& found) {
-  Json levels = json_array(found.report.levels, [&](const DenoiseReport::Level& level) {
+  Json levels = json_array(found.report.levels, [&](const denoise::DenoiseReport::Level& level) {
     return Json::object().set("noise_dph", level.noise).set("threshold_dph", level.threshold);
   });
   Json segments = json_array(found.segments, [&](const DenoiseOutcome::SegmentBias& segment) {
@@ -70,7 +71,7 @@ void print_text(const std::string& output, const DenoiseOutcome& found) {
                 segment.raw.mean_dph, segment.denoised.mean_dph, segment.raw.std_dph,
                 segment.denoised.std_dph);
   }
-  const std::vector<DenoiseReport::Level>& levels = found.report.levels;
+  const std::vector<denoise::DenoiseReport::Level>& levels = found.report.levels;
   if (!levels.empty()) {
     std::printf("\n%-24s %10s %10s\n", "level (1 is the finest)", "noise", "threshold");
   }
@@ -100,8 +101,8 @@ struct DenoiseCommand : Command {
 
 int DenoiseCommand::run() const {
   output.required();
-  const DenoiseMethod method = denoising.value();
-  ReadOptions reading = recording.value();
+  const denoise::DenoiseMethod method = denoising.value();
+  recording::ReadOptions reading = recording.value();
   reading.limits = limits.value();
   const DenoiseOutcome found =
       workflow::denoise({arguments.front(), reading, method}, Watch().observer());

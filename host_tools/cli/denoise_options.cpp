@@ -11,12 +11,12 @@ void DenoiseOptions::refuse(const Option& option, bool meaningless) const {
                    "means nothing to --method " + method.text() + "; leave it out");
 }
 
-DenoiseMethod DenoiseOptions::value() const {
-  DenoiseMethod chosen;
+denoise::DenoiseMethod DenoiseOptions::value() const {
+  denoise::DenoiseMethod chosen;
   chosen.by = method.value();
-  refuse(wavelet, chosen.by != DenoiseBy::wavelet);
+  refuse(wavelet, chosen.by != denoise::DenoiseBy::wavelet);
   for (const Option* option : std::initializer_list<const Option*>{&levels, &threshold, &mode}) {
-    refuse(*option, chosen.by == DenoiseBy::kalman);
+    refuse(*option, chosen.by == denoise::DenoiseBy::kalman);
   }
   chosen.wavelet = wavelet.value();
   chosen.levels = levels.value();

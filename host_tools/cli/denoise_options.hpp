@@ -17,24 +17,24 @@ struct HardOrSoft : Choice<bool> {
 struct DenoiseOptions : OptionGroup {
   using OptionGroup::OptionGroup;
   /// Throws InputError for an option that would mean nothing to the method.
-  DenoiseMethod value() const;
+  denoise::DenoiseMethod value() const;
 
-  Choice<DenoiseBy> method{
+  Choice<denoise::DenoiseBy> method{
       this,
       {"method", "NAME",
        "wavelet; lifting: wavelet (2,2) in lifting form; kalman: smoother, ARMA noise", "wavelet"},
-      {{"wavelet", DenoiseBy::wavelet},
-       {"lifting", DenoiseBy::lifting},
-       {"kalman", DenoiseBy::kalman}}};
+      {{"wavelet", denoise::DenoiseBy::wavelet},
+       {"lifting", denoise::DenoiseBy::lifting},
+       {"kalman", denoise::DenoiseBy::kalman}}};
   Choice<std::string> wavelet{
       this,
       {"wavelet", "NAME", "haar, db2 to db10, sym2 to sym10 or coif1 to coif5", "sym8"},
-      as_named(wavelet_names())};
+      as_named(denoise::wavelet_names())};
   Integer<int> levels{this, {"levels", "N", "of the decomposition, 1 to 20", "5"}, 1, 20};
-  Choice<ThresholdRule> threshold{
+  Choice<denoise::ThresholdRule> threshold{
       this,
       {"threshold", "RULE", "heursure, sqtwolog, rigrsure or minimaxi", "heursure"},
-      in_order<ThresholdRule>(threshold_rule_names())};
+      in_order<denoise::ThresholdRule>(denoise::threshold_rule_names())};
   HardOrSoft mode{this, !kRare};
 
  private:

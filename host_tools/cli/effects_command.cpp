@@ -10,7 +10,7 @@
 namespace fogcomp::cli {
 namespace {
 
-Json entry_json(const CatalogueEntry& entry) {
+Json entry_json(const model::CatalogueEntry& entry) {
   Json parameters = json_array(entry.parameters, [&](const auto& parameter) {
     return Json::object()
         .set("name", parameter.name)
@@ -47,28 +47,28 @@ struct EffectsCommand : Command {
       : Command("effects", {"[NAME]", 0, 1},
                 "the catalogue: equation, units, parameters, signature, source",
                 "fogcomp effects temperature_rate") {
-    words = effect_names();
+    words = model::effect_names();
   }
   int run() const override;
 
  private:
-  std::vector<const CatalogueEntry*> chosen_entries() const;
+  std::vector<const model::CatalogueEntry*> chosen_entries() const;
 };
 
-std::vector<const CatalogueEntry*> EffectsCommand::chosen_entries() const {
-  if (!arguments.empty()) return {&find_effect(arguments[0])};
-  std::vector<const CatalogueEntry*> entries;
-  for (const CatalogueEntry& entry : catalogue()) entries.push_back(&entry);
+std::vector<const model::CatalogueEntry*> EffectsCommand::chosen_entries() const {
+  if (!arguments.empty()) return {&model::find_effect(arguments[0])};
+  std::vector<const model::CatalogueEntry*> entries;
+  for (const model::CatalogueEntry& entry : model::catalogue()) entries.push_back(&entry);
   return entries;
 }
 
 int EffectsCommand::run() const {
-  const std::vector<const CatalogueEntry*> entries = chosen_entries();
+  const std::vector<const model::CatalogueEntry*> entries = chosen_entries();
   if (markdown.given()) {
     std::fputs(effects_markdown(entries).c_str(), stdout);
   } else if (json.given()) {
     Json entry_list =
-        json_array(entries, [&](const CatalogueEntry* entry) { return entry_json(*entry); });
+        json_array(entries, [&](const model::CatalogueEntry* entry) { return entry_json(*entry); });
     std::puts(Json::object().set("effects", std::move(entry_list)).text().c_str());
   } else {
     std::fputs(effects_text(entries).c_str(), stdout);

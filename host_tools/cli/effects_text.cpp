@@ -5,24 +5,25 @@
 namespace fogcomp::cli {
 namespace {
 
-std::string without_value(const CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
+std::string without_value(const model::CatalogueEntry& entry,
+                          const fog::ParameterDescription& parameter) {
   if (entry.description.event) return "searched for";
   const std::string start = format("%g", parameter.default_milli / 1000.0);
   if (parameter.scale == fog::Scale::whole) return start;
   if (parameter.not_given == fog::NotGiven::identified) return "identified, from " + start;
-  const std::string stays = is_optional_part(parameter) ? "left out" : start;
+  const std::string stays = model::is_optional_part(parameter) ? "left out" : start;
   return stays + "; " + parameter.name + "=? identifies it";
 }
 
-std::string range(const CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
-  const bool lag = is_lag_of_rate(parameter.unit, entry.coefficients);
+std::string range(const model::CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
+  const bool lag = model::is_lag_of_rate(parameter.unit, entry.coefficients);
   return format("%g to %g%s; not given: %s%s", parameter.least_milli / 1000.0,
-                parameter.most_milli / 1000.0, unit_behind_number(parameter).c_str(),
+                parameter.most_milli / 1000.0, model::unit_behind_number(parameter).c_str(),
                 without_value(entry, parameter).c_str(),
                 lag ? "; behind the lags of dT/dt: `fit` prints the gyro's own beside it" : "");
 }
 
-std::string entry_text(const CatalogueEntry& entry) {
+std::string entry_text(const model::CatalogueEntry& entry) {
   const fog::EffectDescription& effect = entry.description;
   std::string text = format("%s - %s\n", effect.name, effect.title);
   text += format("  equation   %s\n", effect.equation);
@@ -42,7 +43,7 @@ std::string entry_text(const CatalogueEntry& entry) {
   return text;
 }
 
-std::string entry_markdown(const CatalogueEntry& entry) {
+std::string entry_markdown(const model::CatalogueEntry& entry) {
   const fog::EffectDescription& effect = entry.description;
   std::string text =
       format("## `%s`\n\n%s.\n\n    %s\n\n", effect.name, effect.title, effect.equation);
@@ -69,7 +70,7 @@ std::string entry_markdown(const CatalogueEntry& entry) {
 
 }  // namespace
 
-std::vector<std::string> needed_columns(const CatalogueEntry& entry) {
+std::vector<std::string> needed_columns(const model::CatalogueEntry& entry) {
   std::vector<std::string> columns;
   for (const fog::InputDescription& input : fog::kInputTable) {
     if (has(entry.description.needs, input.input)) columns.emplace_back(input.column);
@@ -77,15 +78,15 @@ std::vector<std::string> needed_columns(const CatalogueEntry& entry) {
   return columns;
 }
 
-std::string effects_text(const std::vector<const CatalogueEntry*>& entries) {
+std::string effects_text(const std::vector<const model::CatalogueEntry*>& entries) {
   std::string text;
-  for (const CatalogueEntry* entry : entries) {
+  for (const model::CatalogueEntry* entry : entries) {
     text += (text.empty() ? "" : "\n") + entry_text(*entry);
   }
   return text;
 }
 
-std::string effects_markdown(const std::vector<const CatalogueEntry*>& entries) {
+std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& entries) {
   std::string text =
       "# Physical effects\n\n"
       "Written by `fogcomp effects --markdown` from the headers in `firmware/core/effects`; a test "
@@ -98,12 +99,12 @@ std::string effects_markdown(const std::vector<const CatalogueEntry*>& entries) 
       "In `fit --effects`, `NAME:parameter=value` gives a shape parameter, `parameter=?` or "
       "`parameter=?[least,most]` identifies one.\n\n"
       "| effect | equation | needs |\n|---|---|---|\n";
-  for (const CatalogueEntry* entry : entries) {
+  for (const model::CatalogueEntry* entry : entries) {
     text += format("| [`%s`](#%s) | %s | %s |\n", entry->description.name, entry->description.name,
                    entry->description.equation, join(needed_columns(*entry), ", ").c_str());
   }
   text += "\n";
-  for (const CatalogueEntry* entry : entries) text += entry_markdown(*entry);
+  for (const model::CatalogueEntry* entry : entries) text += entry_markdown(*entry);
   text.pop_back();
   return text;
 }

@@ -8,10 +8,10 @@
 namespace fogcomp::cli {
 
 /// Columns of a recording that an effect needs beside the three that every recording has.
-std::vector<std::string> needed_columns(const CatalogueEntry& entry);
+std::vector<std::string> needed_columns(const model::CatalogueEntry& entry);
 
 /// The catalogue for a terminal, and as the document host_tools/EFFECTS.md.
-std::string effects_text(const std::vector<const CatalogueEntry*>& entries);
-std::string effects_markdown(const std::vector<const CatalogueEntry*>& entries);
+std::string effects_text(const std::vector<const model::CatalogueEntry*>& entries);
+std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& entries);
 
 }  // namespace fogcomp::cli

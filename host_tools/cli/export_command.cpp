@@ -16,8 +16,8 @@ namespace {
 using workflow::ExportOutcome;
 
 void print_json(const ExportOutcome& header, const std::string& output) {
-  const QuantizationError& error = header.quantization;
-  const NetworkError& network = header.network;
+  const board::QuantizationError& error = header.quantization;
+  const board::NetworkError& network = header.network;
   Json result = Json::object();
   result.set("header", output).set("words", header.words);
   result.set("quantization_error_dph", error.worst_dph).set("blocks_compared", error.blocks);
@@ -35,11 +35,11 @@ void print_json(const ExportOutcome& header, const std::string& output) {
 }
 
 void print_text(const ExportOutcome& header, const std::string& output) {
-  const QuantizationError& error = header.quantization;
-  const NetworkError& network = header.network;
+  const board::QuantizationError& error = header.quantization;
+  const board::NetworkError& network = header.network;
   std::printf("%s: %s; integers against double: at most %.5f deg/h over %s (limit %.5f)\n",
               output.c_str(), counted(header.words, "word").c_str(), error.worst_dph,
-              counted(error.blocks, "block").c_str(), kQuantizationLimitDph);
+              counted(error.blocks, "block").c_str(), board::kQuantizationLimitDph);
   for (const auto& expression : error.expressions) {
     std::printf("  %s: at most %.2g deg/h from double there, %.2g by its bound\n",
                 expression.name.c_str(), expression.worst_dph, expression.bound_dph);

@@ -33,7 +33,7 @@ struct FitCommand : Command {
                 "identifies the effects, then trains the network on what they leave",
                 "fogcomp fit run.csv -o gyro.model --effects bias,temperature_rate") {
     recording.make_rare();
-    needs = {{&output}, {&fit.effects, &fit.model, kFirstEffects}};
+    needs = {{&output}, {&fit.effects, &fit.model, model::kFirstEffects}};
   }
 
   int run() const override;
@@ -49,7 +49,7 @@ int FitCommand::run() const {
     std::fprintf(stderr, "interrupted: the best network of %s is kept\n",
                  counted(epochs, "epoch").c_str());
   }
-  model_file.write(model_text(found.model));
+  model_file.write(model::model_text(found.model));
   const findings::Document document =
       findings::fit_findings(found, found.on_its_runs(output.value()));
   if (page.wanted()) page.fill(document);

@@ -2,17 +2,17 @@
 
 namespace fogcomp::cli {
 
-Choice<std::optional<ThresholdRule>>::Meanings FitOptions::row_rules() {
-  Choice<std::optional<ThresholdRule>>::Meanings rules;
-  for (const std::string& name : threshold_rule_names()) {
-    rules.emplace_back(name, threshold_rule(name));
+Choice<std::optional<denoise::ThresholdRule>>::Meanings FitOptions::row_rules() {
+  Choice<std::optional<denoise::ThresholdRule>>::Meanings rules;
+  for (const std::string& name : denoise::threshold_rule_names()) {
+    rules.emplace_back(name, denoise::threshold_rule(name));
   }
   rules.emplace_back("none", std::nullopt);
   return rules;
 }
 
 workflow::FitRequest FitOptions::request(const std::vector<std::string>& runs,
-                                         const ReadOptions& reading) const {
+                                         const recording::ReadOptions& reading) const {
   workflow::FitRequest request;
   request.runs = runs;
   request.reading = reading;

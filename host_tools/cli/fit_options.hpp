@@ -19,11 +19,11 @@ struct FitOptions : OptionGroup {
   using OptionGroup::OptionGroup;
   /// For these recordings. Throws InputError for values out of range and effects that are missing.
   workflow::FitRequest request(const std::vector<std::string>& runs,
-                               const ReadOptions& reading) const;
+                               const recording::ReadOptions& reading) const;
 
   Text effects{this,
                {"effects", "LIST", "NAME,NAME:p=VALUE,...; ? for a value: identified"},
-               effect_names()};
+               model::effect_names()};
   Texts expressions{
       this, {"effect-expr", "EXPR", "a term of your own: 'late = lag(T,?tau[60,900]) - T'"}};
   Text model{this,
@@ -38,31 +38,31 @@ struct FitOptions : OptionGroup {
       this,
       {"inputs", "LIST", "of the network: also lagged_temperature:tau=S, elapsed, supply, ...",
        "temperature,temperature_rate", kRare},
-      network_input_names()};
+      model::network_input_names()};
   Number derivative_tau{
       this,
       {"derivative-tau", "S", "time constant of the two lags behind dT/dt", "30", kRare},
       {1e-3, 1e5}};
   Choice<std::string> wavelet{this,
                               {"wavelet", "NAME", "of the board's denoiser", "sym8", kRare},
-                              as_named(wavelet_names())};
+                              as_named(denoise::wavelet_names())};
   Integer<int> levels{
       this, {"levels", "N", "of the board's denoiser, 0 for none", "5", kRare}, 0, 10};
   Choice<fog::ThresholdRule> threshold{
       this,
       {"threshold", "RULE", "of the board: heursure and sqtwolog follow the noise; or fixed",
        "heursure", kRare},
-      in_order<fog::ThresholdRule>(kBoardRules)};
+      in_order<fog::ThresholdRule>(model::kBoardRules)};
   HardOrSoft mode{this, kRare};
   GyroLimitOptions limits{this};
-  Choice<std::optional<ThresholdRule>> denoise_rows{
+  Choice<std::optional<denoise::ThresholdRule>> denoise_rows{
       this,
       {"denoise-rows", "RULE", "denoise what the network is trained on, by heursure, ...", "none",
        kRare},
       row_rules()};
 
  private:
-  static Choice<std::optional<ThresholdRule>>::Meanings row_rules();
+  static Choice<std::optional<denoise::ThresholdRule>>::Meanings row_rules();
 };
 
 }  // namespace fogcomp::cli

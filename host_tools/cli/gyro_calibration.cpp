@@ -42,8 +42,8 @@ batch::GyroResult calibrate(const batch::GyroFolder& gyro, workflow::Calibration
   request.hold_outs = gyro.holdouts;
   request.model_file = folder + "/" + model_name;
   workflow::CalibrationEvents events;
-  events.fitted = [&](const Model& model) { save_model(model, request.model_file); };
-  events.judged = [&](const ModelOnRuns& hold_outs) {
+  events.fitted = [&](const model::Model& model) { model::save_model(model, request.model_file); };
+  events.judged = [&](const compare::ModelOnRuns& hold_outs) {
     if (!page || hold_outs.runs.empty()) return;
     write_file(folder + "/report.html", report::page(findings::compare_findings({hold_outs})));
     add_output(result, folder, "report.html");

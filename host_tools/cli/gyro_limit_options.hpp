@@ -9,12 +9,12 @@ namespace fogcomp::cli {
 /// read recordings without a model, which would have it.
 struct GyroLimitOptions : OptionGroup {
   using OptionGroup::OptionGroup;
-  GivenLimits value() const { return {range.find(), acceleration.find()}; }
+  recording::GivenLimits value() const { return {range.find(), acceleration.find()}; }
 
   Number range{
       this,
       {"range-dps", "DPS", "full scale of the gyro (default: the model's, or 570)", "", kRare},
-      {1e-3, kMaxRangeDps}};
+      {1e-3, recording::kMaxRangeDps}};
   Number acceleration{this,
                       {"max-acceleration", "DPS2",
                        "no more than it turns, deg/s^2 (the model's, or 20000)", "", kRare},

@@ -35,8 +35,8 @@ void print_words(const fog::HealthRecord& r) {
   std::printf("samples       %u, %u without a valid rate, %u after a gap or late\n", r.samples,
               r.invalid_rates, r.sequence_gaps);
   std::printf("sensor line   %s that were no frame\n", counted(r.discarded_bytes, "byte").c_str());
-  std::printf("flags now     %s\n", in_words(flag_names(r.status_last)).c_str());
-  std::printf("flags so far  %s\n", in_words(flag_names(r.status_seen)).c_str());
+  std::printf("flags now     %s\n", in_words(board::flag_names(r.status_last)).c_str());
+  std::printf("flags so far  %s\n", in_words(board::flag_names(r.status_seen)).c_str());
   std::printf("stack         %d of %d bytes never used\n", r.stack_unused_bytes, r.stack_bytes);
 }
 
@@ -54,8 +54,8 @@ Json as_json(const fog::HealthRecord& r) {
       .set("invalid_rates", static_cast<std::int64_t>(r.invalid_rates))
       .set("sequence_gaps", static_cast<std::int64_t>(r.sequence_gaps))
       .set("discarded_bytes", static_cast<std::int64_t>(r.discarded_bytes))
-      .set("flags_now", flag_names(r.status_last))
-      .set("flags_seen", flag_names(r.status_seen))
+      .set("flags_now", board::flag_names(r.status_last))
+      .set("flags_seen", board::flag_names(r.status_seen))
       .set("stack_bytes", static_cast<std::int64_t>(r.stack_bytes))
       .set("stack_unused_bytes", static_cast<std::int64_t>(r.stack_unused_bytes));
   return object;
@@ -73,8 +73,8 @@ struct HealthCommand : Command {
   int run() const override {
     const std::string& path = arguments.front();
     const double patience_s = timeout.value();
-    BoardPort port(path);
-    const fog::HealthRecord record = query_health(port, path, patience_s);
+    board::BoardPort port(path);
+    const fog::HealthRecord record = board::query_health(port, path, patience_s);
     if (json.given()) {
       std::puts(as_json(record).text().c_str());
     } else {

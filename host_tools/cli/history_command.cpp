@@ -17,7 +17,7 @@ std::string hash_text(std::uint32_t hash) {
   return format("%08x", static_cast<unsigned>(hash));
 }
 
-Json step_json(const HistoryEntry& step) {
+Json step_json(const model::HistoryEntry& step) {
   Json object = Json::object();
   object.set("action", step.action)
       .set("data_hash", hash_text(step.data_hash))
@@ -31,7 +31,7 @@ Json step_json(const HistoryEntry& step) {
   return object;
 }
 
-void print_json(const Model& model, const std::string& file) {
+void print_json(const model::Model& model, const std::string& file) {
   Json steps = json_array(model.history, step_json);
   Json result = Json::object();
   result.set("model", file).set("average_s", model.average_s).set("steps", std::move(steps));
@@ -42,8 +42,8 @@ void print_json(const Model& model, const std::string& file) {
 // last steps show as well as the first; plainly its size where no floor is known.
 class Scale {
  public:
-  explicit Scale(const std::vector<HistoryEntry>& steps) {
-    for (const HistoryEntry& step : steps) {
+  explicit Scale(const std::vector<model::HistoryEntry>& steps) {
+    for (const model::HistoryEntry& step : steps) {
       most_dph_ = std::max({most_dph_, step.rms_before_dph, step.rms_after_dph});
     }
     floor_dph_ = steps.back().noise_floor_dph.value_or(0);
@@ -67,7 +67,7 @@ void print_rung(const Scale& scale, const std::string& name, double rms_dph) {
               name.c_str());
 }
 
-void print_ladder(const std::vector<HistoryEntry>& steps) {
+void print_ladder(const std::vector<model::HistoryEntry>& steps) {
   const Scale scale(steps);
   if (scale.by_ratio()) std::puts("  (bars: ratio to the noise floor, logarithmic)");
   print_rung(scale, "before any step", steps.front().rms_before_dph);
@@ -79,7 +79,7 @@ void print_ladder(const std::vector<HistoryEntry>& steps) {
   }
 }
 
-void print_step(std::size_t number, const HistoryEntry& step) {
+void print_step(std::size_t number, const model::HistoryEntry& step) {
   const auto removed = step.excess_removed();
   std::printf("  %4zu %10s -> %10s %10s", number, rounded(step.rms_before_dph).c_str(),
               rounded(step.rms_after_dph).c_str(),
@@ -92,16 +92,16 @@ void print_step(std::size_t number, const HistoryEntry& step) {
               step.forced ? "  forced: did not help out of sample" : "");
 }
 
-void print_text(const Model& model, const std::string& file) {
-  const std::vector<HistoryEntry>& steps = model.history;
+void print_text(const model::Model& model, const std::string& file) {
+  const std::vector<model::HistoryEntry>& steps = model.history;
   std::printf("%s: error on the data of each fit, deg/h rms of %g s means\n\n", file.c_str(),
               model.average_s);
   print_ladder(steps);
   std::printf("\n  step     before ->      after  of excess   %-24s data\n", "held out");
   for (std::size_t i = 0; i < steps.size(); ++i) print_step(i + 1, steps[i]);
-  const bool several = std::any_of(steps.begin(), steps.end(), [&](const HistoryEntry& step) {
-    return step.data_hash != steps.front().data_hash;
-  });
+  const bool several = std::any_of(
+      steps.begin(), steps.end(),
+      [&](const model::HistoryEntry& step) { return step.data_hash != steps.front().data_hash; });
   if (several) std::puts("  the steps saw different data: compare errors within one hash");
 }
 
@@ -115,7 +115,7 @@ struct HistoryCommand : Command {
 
   int run() const override {
     const std::string& file = arguments[0];
-    const Model model = load_model(file);
+    const model::Model model = model::load_model(file);
     if (model.history.empty()) throw InputError(file, "has no history; fit it again");
     if (json.given()) {
       print_json(model, file);

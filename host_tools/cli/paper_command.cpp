@@ -51,11 +51,12 @@ int PaperCommand::run() const {
   request.gyros = gyros.value();
   if (figures.given()) {  // before the study, which takes long
     make_folder(figures.value());
-    for (const int figure : kFigures) check_output(*this, figure_path(figures.value(), figure));
+    for (const int figure : research::kFigures)
+      check_output(*this, research::figure_path(figures.value(), figure));
   }
   ReportFile page(report);
-  const std::vector<Study> studies = workflow::paper(request, Watch().observer());
-  if (figures.given()) write_figures(studies.front(), figures.value());
+  const std::vector<research::Study> studies = workflow::paper(request, Watch().observer());
+  if (figures.given()) research::write_figures(studies.front(), figures.value());
   const findings::Document document = findings::paper_findings(studies);
   if (page.wanted()) page.write(document);
   if (json.given()) {

@@ -21,8 +21,8 @@ double RecordingOptions::earth_rate_dph() const {
   return axis.value() * kEarthRateDph * std::sin(latitude.value() * kRadiansPerDegree);
 }
 
-ReadOptions RecordingOptions::value() const {
-  ReadOptions options;
+recording::ReadOptions RecordingOptions::value() const {
+  recording::ReadOptions options;
   options.scale_factor = scale_factor.find();
   options.skip_bad_rows = skip_bad_rows.given();
   options.default_input_rate_dph = earth_rate_dph();

@@ -9,7 +9,7 @@ namespace fogcomp::cli {
 struct RecordingOptions : OptionGroup {
   using OptionGroup::OptionGroup;
   /// Throws InputError for a value out of range, or --axis without --latitude.
-  ReadOptions value() const;
+  recording::ReadOptions value() const;
 
   Number scale_factor{
       this,

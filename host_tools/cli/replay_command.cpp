@@ -14,7 +14,7 @@
 namespace fogcomp::cli {
 namespace {
 
-ByteSink to(OutputFile& file) {
+board::ByteSink to(OutputFile& file) {
   return [&file](fog::Span<const std::uint8_t> bytes) { file.write(bytes.data, bytes.size); };
 }
 
@@ -34,10 +34,10 @@ struct ReplayCommand : Command {
   int run() const override;
 
  private:
-  void print(const ReplaySummary& summary) const;
+  void print(const board::ReplaySummary& summary) const;
 };
 
-void ReplayCommand::print(const ReplaySummary& summary) const {
+void ReplayCommand::print(const board::ReplaySummary& summary) const {
   if (json.given()) {
     Json result = Json::object();
     result.set("output", output.value()).set("frames", static_cast<std::int64_t>(summary.frames));
@@ -63,7 +63,7 @@ int ReplayCommand::run() const {
   request.board = board.value();
   request.rate_of_recording = !board.sample_rate.given();
   request.allow_error = allow_error.given();
-  const ReplaySummary seen = workflow::replay(request, to(file), Watch().observer());
+  const board::ReplaySummary seen = workflow::replay(request, to(file), Watch().observer());
   file.commit();
   print(seen);
   return 0;

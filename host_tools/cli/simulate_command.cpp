@@ -53,10 +53,11 @@ struct SimulateCommand : Command {
   Text columns{this,
                {"columns", "NAME,...", "further columns: temperature2, light_power, ..., all"}};
   Text hide{this, {"hide", "OUT", "writes the truth there: every effect's share"}};
-  Choice<RecordingFormat> file_format{
+  Choice<recording::RecordingFormat> file_format{
       this,
       {"format", "csv|stream", "CSV, or the sensor stream that the board reads", "csv"},
-      {{"csv", RecordingFormat::csv}, {"stream", RecordingFormat::sensor_stream}}};
+      {{"csv", recording::RecordingFormat::csv},
+       {"stream", recording::RecordingFormat::sensor_stream}}};
   Flag list{this, "list", "lists profiles, presets, effects and parameters"};
   Flag json{this, "json", "prints one JSON object"};
 
@@ -89,8 +90,8 @@ workflow::SimulateRequest SimulateCommand::request() const {
 
 // The whole run, chunk by chunk. Returns its rows.
 std::size_t SimulateCommand::write(workflow::SimulatedChamber& chamber) const {
-  RecordingWriter recording(output.value(), file_format.value(), chamber.columns(),
-                            kDefaultScaleFactor, rate.value());
+  recording::RecordingWriter recording(output.value(), file_format.value(), chamber.columns(),
+                                       recording::kDefaultScaleFactor, rate.value());
   std::optional<TruthWriter> truth;
   if (!hide.value().empty()) {
     truth.emplace(hide.value(),
@@ -101,7 +102,7 @@ std::size_t SimulateCommand::write(workflow::SimulatedChamber& chamber) const {
   }
   const auto append = [&](const RowChunk& chunk) {
     std::vector<const double*> values;
-    for (const Column column : chamber.columns()) values.push_back(chunk[column].data());
+    for (const recording::Column column : chamber.columns()) values.push_back(chunk[column].data());
     recording.append(values, chunk.rows());
     if (truth) truth->append(chunk);
   };

@@ -4,14 +4,14 @@ namespace fogcomp::cli {
 
 std::string TrainingOptions::trainer_summaries() {
   std::string text;
-  for (const Trainer& trainer : trainers()) {
+  for (const fit::Trainer& trainer : fit::trainers()) {
     text += (text.empty() ? "" : "; ") + std::string(trainer.name) + ": " + trainer.summary;
   }
   return text;
 }
 
-TrainerSettings TrainingOptions::value() const {
-  TrainerSettings settings;
+fit::TrainerSettings TrainingOptions::value() const {
+  fit::TrainerSettings settings;
   settings.seed = seed.value();
   settings.epochs = epochs.value();
   settings.goal = goal.value();

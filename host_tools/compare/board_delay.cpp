@@ -7,7 +7,7 @@
 #include "series/signal_series.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
 struct Delay {
@@ -16,13 +16,13 @@ struct Delay {
 };
 
 // After a start or a gap the two have different rows, which are matched by their time.
-Delay delay_of(const Model& model, const RunInBlocks& run) {
-  SignalSeries board(model);
-  SignalSeries coil(model, Phase::zero);
+Delay delay_of(const model::Model& model, const RunInBlocks& run) {
+  series::SignalSeries board(model);
+  series::SignalSeries coil(model, series::Phase::zero);
   board.add(run.blocks);
   coil.add(run.blocks);
   const Eigen::VectorXd exact = coil.drift_dph(model.terms);
-  const Rows& rows = board.rows();
+  const series::Rows& rows = board.rows();
   Delay delay{board.drift_dph(model.terms), rows.weights};
   Eigen::Index at = 0;
   for (Eigen::Index row = 0; row < rows.size(); ++row) {
@@ -38,7 +38,7 @@ Delay delay_of(const Model& model, const RunInBlocks& run) {
 
 }  // namespace
 
-double delay_error_dph(const Model& model, const std::vector<RunInBlocks>& runs) {
+double delay_error_dph(const model::Model& model, const std::vector<RunInBlocks>& runs) {
   double square = 0;
   double weight = 0;
   for (const RunInBlocks& run : runs) {
@@ -70,8 +70,9 @@ std::string delay_words(const BoardError& error) {
       error.rms_dph, error.without_delay_dph);
 }
 
-BoardError board_error(const Model& model, const RunInBlocks& run, const Comparison& comparison) {
-  Model averaging = model;
+BoardError board_error(const model::Model& model, const RunInBlocks& run,
+                       const Comparison& comparison) {
+  model::Model averaging = model;
   averaging.average_s = run.average_s;
   const Delay delay = delay_of(averaging, run);
   BoardError error{comparison.whole.rms_dph, 0, 0};
@@ -89,4 +90,4 @@ BoardError board_error(const Model& model, const RunInBlocks& run, const Compari
   return error;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -8,12 +8,12 @@
 #include "compare/run_in_blocks.hpp"
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 /// How much of a fit's error is the board's delay: rms over all rows, deg/h, of what the effects
 /// make of signals as the board has them (means of the block before, causal derivative) less what
 /// they make of signals without delay (zero_phase.hpp).
-double delay_error_dph(const Model& model, const std::vector<RunInBlocks>& runs);
+double delay_error_dph(const model::Model& model, const std::vector<RunInBlocks>& runs);
 
 /// Error of a model as the board computes it, and how large it would be without the board's delay,
 /// the model's coefficients the same: rms of the rows that count, deg/h.
@@ -32,6 +32,7 @@ struct BoardError {
 std::string delay_words(const BoardError& error);
 
 /// `comparison`: of this model with this run.
-BoardError board_error(const Model& model, const RunInBlocks& run, const Comparison& comparison);
+BoardError board_error(const model::Model& model, const RunInBlocks& run,
+                       const Comparison& comparison);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

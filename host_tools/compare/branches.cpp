@@ -4,7 +4,7 @@
 
 #include "compare/decision_rules.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 // A play operator: it moves only when the temperature pushes it.
 std::vector<Branch> branches(const std::vector<double>& temperature_degc) {
@@ -25,4 +25,4 @@ std::vector<Branch> branches(const std::vector<double>& temperature_degc) {
   return branch;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

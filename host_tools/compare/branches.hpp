@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 enum class Branch : std::uint8_t { heating, cooling, none };
 
@@ -12,4 +12,4 @@ enum class Branch : std::uint8_t { heating, cooling, none };
 /// movement a row is on neither.
 std::vector<Branch> branches(const std::vector<double>& temperature_degc);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -10,29 +10,29 @@
 #include "series/block_walk.hpp"
 #include "series/required_inputs.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
-std::vector<std::string> names_of_parts(const Model& model) {
+std::vector<std::string> names_of_parts(const model::Model& model) {
   std::vector<std::string> names;
-  for (const EffectTerm& term : model.terms) names.push_back(term.name);
+  for (const model::EffectTerm& term : model.terms) names.push_back(term.name);
   if (model.network.present()) names.emplace_back("network");
   return names;
 }
 
 struct ModelledRows {
-  Rows rows;
+  series::Rows rows;
   Eigen::VectorXd drift_dph;
   std::vector<std::vector<double>> parts_dph;  // [part][row]
 };
 
-ModelledRows modelled_rows(const Model& model, const RunInBlocks& run, std::size_t parts) {
-  require_inputs(model, run.blocks);
-  RealDriftModel drift(model, run.blocks.block_s);
+ModelledRows modelled_rows(const model::Model& model, const RunInBlocks& run, std::size_t parts) {
+  series::require_inputs(model, run.blocks);
+  model::RealDriftModel drift(model, run.blocks.block_s);
   ModelledRows result;
-  RowAverager averager(run.blocks, run.average_s, result.rows, 1 + parts);
+  series::RowAverager averager(run.blocks, run.average_s, result.rows, 1 + parts);
   std::vector<double> values(1 + parts);
-  walk_blocks(run.blocks, drift, [&](const BlockSeries::Block& block) {
+  series::walk_blocks(run.blocks, drift, [&](const series::BlockSeries::Block& block) {
     values[0] = drift.drift_dph();
     for (std::size_t i = 0; i < parts; ++i) {
       values[1 + i] = i < model.terms.size() ? drift.effect_dph(i) : drift.network_dph();
@@ -48,11 +48,12 @@ ModelledRows modelled_rows(const Model& model, const RunInBlocks& run, std::size
   return result;
 }
 
-std::vector<Comparison::VaryingInput> varying(const Rows& rows) {
+std::vector<Comparison::VaryingInput> varying(const series::Rows& rows) {
   std::vector<Comparison::VaryingInput> found;
-  for (const fog::Input input : kOptionalInputs) {
+  for (const fog::Input input : model::kOptionalInputs) {
     Comparison::VaryingInput one{input, {}};
-    for (const RealBlock& means : rows.inputs) one.values.push_back(optional_input(input, means));
+    for (const model::RealBlock& means : rows.inputs)
+      one.values.push_back(model::optional_input(input, means));
     if (varies(one.values)) found.push_back(std::move(one));
   }
   return found;
@@ -73,7 +74,7 @@ WeightedMoments weighted_moments(const Eigen::VectorXd& values, const Eigen::Vec
           std::sqrt(square / time + mean * mean)};
 }
 
-Comparison::SegmentError error_in(const Comparison& comparison, const Segment& segment) {
+Comparison::SegmentError error_in(const Comparison& comparison, const recording::Segment& segment) {
   const auto part = [&](const Eigen::VectorXd& values) -> Eigen::VectorXd {
     return values.segment(static_cast<Eigen::Index>(segment.rows.first),
                           static_cast<Eigen::Index>(segment.rows.size()));
@@ -87,7 +88,7 @@ Comparison::SegmentError error_in(const Comparison& comparison, const Segment& s
   const WeightedMoments residual =
       weighted_moments(measured - part(comparison.modelled_dph), weights);
   Comparison::SegmentError error;
-  static_cast<Segment&>(error) = segment;
+  static_cast<recording::Segment&>(error) = segment;
   error.raw_mean_dph = raw.mean;
   error.raw_std_dph = raw.deviation;
   error.raw_rms_dph = raw.rms;
@@ -97,7 +98,7 @@ Comparison::SegmentError error_in(const Comparison& comparison, const Segment& s
   return error;
 }
 
-OutsideTraining outside_training(const Model& model, const Rows& rows) {
+OutsideTraining outside_training(const model::Model& model, const series::Rows& rows) {
   TrainedRange range(model, rows.row_s);
   const std::vector<double> degc = rows.temperatures_degc();
   const std::vector<double> rates = rows.temperature_rates_degc_per_min();
@@ -139,7 +140,7 @@ std::vector<double> Comparison::measured_dph() const {
 }
 
 std::vector<double> Comparison::bridged(std::vector<double> values) const {
-  bridge_outliers(outlier, rows.stretches(), values);
+  noise::bridge_outliers(outlier, rows.stretches(), values);
   return values;
 }
 
@@ -151,7 +152,7 @@ std::vector<double> Comparison::counted(const std::vector<double>& values) const
   return counted;
 }
 
-Comparison compare_with(const Model& model, const RunInBlocks& run) {
+Comparison compare_with(const model::Model& model, const RunInBlocks& run) {
   const std::vector<std::string> parts = names_of_parts(model);
   ModelledRows modelled = modelled_rows(model, run, parts.size());
   Comparison comparison;
@@ -159,14 +160,15 @@ Comparison compare_with(const Model& model, const RunInBlocks& run) {
   comparison.noise_floor_dph = run.noise_floor_dph;
   comparison.rows = std::move(modelled.rows);
   comparison.modelled_dph = std::move(modelled.drift_dph);
-  const Eigen::VectorXd counts = counted_rows(comparison.rows);
+  const Eigen::VectorXd counts = noise::counted_rows(comparison.rows);
   for (const double count : counts) comparison.outlier.push_back(count == 0);
   comparison.outliers = static_cast<std::size_t>((counts.array() == 0).count());
-  const RowRange all{0, comparison.size()};
-  for (const Segment& segment : segments_on(run.segments, comparison.rows.time_s, all)) {
+  const recording::RowRange all{0, comparison.size()};
+  for (const recording::Segment& segment :
+       recording::segments_on(run.segments, comparison.rows.time_s, all)) {
     comparison.segments.push_back(error_in(comparison, segment));
   }
-  comparison.whole = error_in(comparison, {"all", SegmentKind::soak, 0, 0, all});
+  comparison.whole = error_in(comparison, {"all", recording::SegmentKind::soak, 0, 0, all});
   const std::vector<double> residual = comparison.counted(comparison.residuals_dph());
   const std::vector<double> measured = comparison.counted(comparison.measured_dph());
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -179,4 +181,4 @@ Comparison compare_with(const Model& model, const RunInBlocks& run) {
   return comparison;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -13,13 +13,13 @@
 #include "recording/segments.hpp"
 #include "series/rows.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 /// A model against one recording, in rows of RunInBlocks::average_s.
 struct Comparison {
   /// A segment and what is left in it, deg/h. Rows count with the time behind them, outliers not at
   /// all.
-  struct SegmentError : Segment {
+  struct SegmentError : recording::Segment {
     double raw_mean_dph = 0;
     double raw_std_dph = 0;
     double raw_rms_dph = 0;
@@ -33,7 +33,7 @@ struct Comparison {
     std::vector<double> values;  ///< of each row, in the input's unit
   };
   std::string file;
-  Rows rows;                     ///< of this run alone
+  series::Rows rows;             ///< of this run alone
   Eigen::VectorXd modelled_dph;  ///< drift of each row
   std::vector<bool> outlier;     ///< rows that count in no figure (outlier_rows.hpp)
   std::size_t outliers = 0;
@@ -57,7 +57,7 @@ struct Comparison {
 bool varies(const std::vector<double>& values);
 
 /// Throws InputError where the run lacks a column that the model needs.
-Comparison compare_with(const Model& model, const RunInBlocks& run);
+Comparison compare_with(const model::Model& model, const RunInBlocks& run);
 
 /// Rms that a constant alone would leave of a segment, deg/h: the model's mean over the whole run.
 /// In the same sense as SegmentError::rms_dph, so that an offset of the run counts in both.
@@ -68,4 +68,4 @@ double floor_removed(double std_dph, double floor_dph);
 /// The same; nothing where the floor is not known.
 std::optional<double> floor_removed(double std_dph, const std::optional<double>& floor_dph);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -6,7 +6,7 @@
 /// without a model: its unit, where it comes from, and what looks at the decision (a test of
 /// tests/unit/compare unless a folder is named). What only draws (bins of a curve) stands where it
 /// is used.
-namespace fogcomp::rules {
+namespace fogcomp::compare::rules {
 
 // ---- On what does a residual depend? ----------------------------------------------------------
 /// Standard score from which a dependence is said: reached in 1, 0 and 5 of 300 simulated runs
@@ -57,4 +57,4 @@ constexpr double kMinRateMarginDegcPerMin = 0.02;
 constexpr double kMinShareOfShortSegments = 0.1;
 constexpr double kShortSegmentRows = 2;
 
-}  // namespace fogcomp::rules
+}  // namespace fogcomp::compare::rules

@@ -10,7 +10,7 @@
 #include "support/chi_square.hpp"
 #include "support/decompositions.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
 constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
@@ -54,7 +54,7 @@ Eigen::MatrixXd covariance_of_sums(const ResidualRows& rows,
     covariance(static_cast<Eigen::Index>(place), static_cast<Eigen::Index>(place)) +=
         std::pow(rows.noise.white_dph(), 2) + std::pow(rows.noise.wander_dph(), 2);
   }
-  for (const NoiseModel::Component& component : rows.noise.components) {
+  for (const noise::NoiseModel::Component& component : rows.noise.components) {
     Eigen::MatrixXd before = Eigen::MatrixXd::Zero(size, size);
     Eigen::VectorXd weight = Eigen::VectorXd::Zero(size);
     for (std::size_t i = 0; i < place_of_row.size(); ++i) {
@@ -70,9 +70,9 @@ Eigen::MatrixXd covariance_of_sums(const ResidualRows& rows,
 }
 
 // Long-run variance of a row: what many rows together scatter by, times their number.
-double long_run_variance(const NoiseModel& noise) {
+double long_run_variance(const noise::NoiseModel& noise) {
   double variance = noise.white_variance;
-  for (const NoiseModel::Component& component : noise.components) {
+  for (const noise::NoiseModel::Component& component : noise.components) {
     const double phi = std::exp(-noise.row_s / component.tau_s);
     variance += component.variance * (1 + phi) / (1 - phi);
   }
@@ -93,7 +93,8 @@ double excess_scatter(const ResidualRows& rows, const std::vector<std::size_t>& 
   }
   const double expected = long_run_variance(rows.noise);
   if (expected <= 0) return 1;
-  const double seen = square / std::max(1.0, freedom) * correlated_values(within, rows.stretches);
+  const double seen =
+      square / std::max(1.0, freedom) * noise::correlated_values(within, rows.stretches);
   return std::max(1.0, seen / expected);
 }
 
@@ -260,4 +261,4 @@ Loop loop_over(const std::vector<double>& temperature_degc, const ResidualRows& 
   return loop;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

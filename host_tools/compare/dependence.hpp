@@ -6,14 +6,14 @@
 #include "noise/noise_model.hpp"
 #include "recording/segments.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 /// The residual of a run and what is known of its noise. All vectors have a value per row.
 struct ResidualRows {
   std::vector<double> residual_dph;
   std::vector<double> time_s;
-  std::vector<RowRange> stretches;  ///< rows without a gap
-  NoiseModel noise;                 ///< from the run's soaks: how much its rows go together
+  std::vector<recording::RowRange> stretches;  ///< rows without a gap
+  noise::NoiseModel noise;  ///< from the run's soaks: how much its rows go together
 };
 
 /// Whether means of the residual over classes of rows differ by more than its noise. The covariance
@@ -75,4 +75,4 @@ double sigma_of_mean(const ResidualRows& rows);
 Loop loop_over(const std::vector<double>& temperature_degc, const ResidualRows& rows,
                std::size_t bins);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
 struct Spread {
@@ -36,4 +36,4 @@ EffectShare share_of(const std::string& name, const std::vector<double>& part_dp
           raw.squares > 0 ? (without.squares - with.squares) / raw.squares : 0};
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

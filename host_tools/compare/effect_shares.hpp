@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 /// What one part of a model (an effect, or the network) does on a run.
 struct EffectShare {
@@ -22,4 +22,4 @@ EffectShare share_of(const std::string& name, const std::vector<double>& part_dp
                      const std::vector<double>& residual_dph,
                      const std::vector<double>& measured_dph);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

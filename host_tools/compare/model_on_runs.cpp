@@ -4,9 +4,9 @@
 
 #include "noise/noise_floor.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
-ModelOnRun try_model(const Model& model, const RunInBlocks& run) {
+ModelOnRun try_model(const model::Model& model, const RunInBlocks& run) {
   Comparison comparison = compare_with(model, run);
   ResidualAnalysis analysis = analyse_residual(comparison);
   const BoardError error = board_error(model, run, comparison);
@@ -19,4 +19,4 @@ bool is_below_floor(const Comparison& comparison) {
   return comparison.noise_floor_dph && rms_dph < *comparison.noise_floor_dph * (1 - uncertainty);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -7,7 +7,7 @@
 #include "compare/comparison.hpp"
 #include "compare/residual_analysis.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 struct ModelOnRun {
   Comparison comparison;
@@ -16,16 +16,16 @@ struct ModelOnRun {
 };
 
 /// Throws InputError where the run lacks a column that the model needs.
-ModelOnRun try_model(const Model& model, const RunInBlocks& run);
+ModelOnRun try_model(const model::Model& model, const RunInBlocks& run);
 
 /// One model on every run, in the order of the command line.
 struct ModelOnRuns {
   std::string file;
-  Model model;
+  model::Model model;
   std::vector<ModelOnRun> runs;
 };
 
 /// Whether the noise floor lies above the residual by more than its own uncertainty.
 bool is_below_floor(const Comparison& comparison);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -7,7 +7,7 @@
 #include "noise/autocorrelation.hpp"
 #include "noise/quiet_rows.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
 constexpr std::size_t kTemperatureBins = 20;
@@ -24,12 +24,12 @@ std::optional<double> excess(const Comparison& comparison) {
   return beyond;
 }
 
-std::vector<RowRange> soak_stretches(const Comparison& comparison) {
-  std::vector<RowRange> ranges;
-  const std::vector<RowRange> stretches = comparison.rows.stretches();
+std::vector<recording::RowRange> soak_stretches(const Comparison& comparison) {
+  std::vector<recording::RowRange> ranges;
+  const std::vector<recording::RowRange> stretches = comparison.rows.stretches();
   for (const Comparison::SegmentError& segment : comparison.segments) {
-    if (segment.kind != SegmentKind::soak) continue;
-    for (const RowRange& stretch : stretches) {
+    if (segment.kind != recording::SegmentKind::soak) continue;
+    for (const recording::RowRange& stretch : stretches) {
       const std::size_t first = std::max(segment.rows.first, stretch.first);
       const std::size_t end = std::min(segment.rows.end, stretch.end);
       if (first < end) ranges.push_back({first, end});
@@ -57,8 +57,9 @@ ResidualAnalysis analyse_residual(const Comparison& comparison) {
   rows.residual_dph = comparison.bridged(comparison.residuals_dph());
   rows.time_s = comparison.rows.time_s;
   rows.stretches = comparison.rows.stretches();
-  rows.noise = noise_of(comparison.rows, Eigen::Map<const Eigen::VectorXd>(rows.residual_dph.data(),
-                                                                           comparison.rows.size()));
+  rows.noise = noise::noise_of(
+      comparison.rows,
+      Eigen::Map<const Eigen::VectorXd>(rows.residual_dph.data(), comparison.rows.size()));
   const std::vector<double> degc = comparison.rows.temperatures_degc();
   analysis.excess_dph2 = excess(comparison);
   analysis.offset = test_of_mean(rows);
@@ -72,15 +73,16 @@ ResidualAnalysis analyse_residual(const Comparison& comparison) {
   analysis.history = loop_over(degc, rows, kTemperatureBins);
   for (const std::size_t lag : {1U, 2U, 5U, 10U, 20U, 50U, 100U}) {
     if (lag > rows.residual_dph.size() / 4) break;
-    analysis.autocorrelation.push_back({static_cast<double>(lag) * comparison.rows.row_s,
-                                        autocorrelation(rows.residual_dph, rows.stretches, lag)});
+    analysis.autocorrelation.push_back(
+        {static_cast<double>(lag) * comparison.rows.row_s,
+         noise::autocorrelation(rows.residual_dph, rows.stretches, lag)});
   }
   analysis.white_band = 2 / std::sqrt(static_cast<double>(rows.residual_dph.size()));
-  const std::vector<RowRange> soaks = soak_stretches(comparison);
-  analysis.raw_allan =
-      allan_deviation(comparison.bridged(comparison.measured_dph()), soaks, comparison.rows.row_s);
-  analysis.residual_allan = allan_deviation(rows.residual_dph, soaks, comparison.rows.row_s);
+  const std::vector<recording::RowRange> soaks = soak_stretches(comparison);
+  analysis.raw_allan = noise::allan_deviation(comparison.bridged(comparison.measured_dph()), soaks,
+                                              comparison.rows.row_s);
+  analysis.residual_allan = noise::allan_deviation(rows.residual_dph, soaks, comparison.rows.row_s);
   return analysis;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -7,7 +7,7 @@
 #include "compare/dependence.hpp"
 #include "noise/allan.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 struct LagCorrelation {
   double lag_s = 0;
@@ -29,8 +29,8 @@ struct ResidualAnalysis {
   std::vector<LagCorrelation> autocorrelation;
   double white_band = 0;  ///< +-2/sqrt(rows): where 95 % of them lie for white noise
   /// In soaks only; empty where none is long enough. Same times and uncertainties for both.
-  std::vector<AllanPoint> raw_allan;
-  std::vector<AllanPoint> residual_allan;
+  std::vector<noise::AllanPoint> raw_allan;
+  std::vector<noise::AllanPoint> residual_allan;
 
   /// Of the excess, the part that a class test explains, 0..1; nothing where no excess is known.
   std::optional<double> share_of_excess(const ClassTest& test) const;
@@ -43,4 +43,4 @@ double floor_uncertainty(std::size_t rows);
 /// go together.
 ResidualAnalysis analyse_residual(const Comparison& comparison);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

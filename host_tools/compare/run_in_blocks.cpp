@@ -9,7 +9,7 @@
 #include "recording/rate_resolution.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
 // Two digits, rounded down.
@@ -21,15 +21,16 @@ double rounded_down(double value) {
 // Ramps and soaks that rows of that length do not show apart. Where rows begin is chance: a part of
 // two rows' length has a whole row in it however they lie, a shorter one may be seen only together
 // with what comes before and after. Less than a tenth of the time are pieces between gaps.
-std::vector<std::string> long_row_notes(const Recording& recording,
-                                        const std::vector<Segment>& segments, double row_s) {
+std::vector<std::string> long_row_notes(const recording::Recording& recording,
+                                        const std::vector<recording::Segment>& segments,
+                                        double row_s) {
   if (row_s <= recording.period_s || segments.size() < 2) return {};
   std::size_t parts = 0;
   double in_parts_s = 0;
   double whole_s = 0;
   double shortest_s = HUGE_VAL;
   std::string shortest;
-  for (const Segment& segment : segments) {
+  for (const recording::Segment& segment : segments) {
     const double length_s = segment.end_s - segment.start_s;
     whole_s += length_s;
     if (length_s >= rules::kShortSegmentRows * row_s) continue;
@@ -51,20 +52,20 @@ std::vector<std::string> long_row_notes(const Recording& recording,
 
 }  // namespace
 
-RunInBlocks run_in_blocks(const Recording& recording, double average_s) {
-  require_moving_rate(recording);
+RunInBlocks run_in_blocks(const recording::Recording& recording, double average_s) {
+  recording::require_moving_rate(recording);
   RunInBlocks run;
   run.file = recording.file;
   run.refused_rows = recording.refused_rows;
-  run.rows_hash = rows_hash(recording);
-  run.blocks = make_blocks(recording);
-  run.segments = find_segments(recording);
+  run.rows_hash = recording::rows_hash(recording);
+  run.blocks = series::make_blocks(recording);
+  run.segments = recording::find_segments(recording);
   run.average_s = average_s;
   // Of the rows as they are: a whole number of blocks.
-  const double row_s = row_length_s(average_s, run.blocks.block_s);
-  run.noise_floor_dph = noise_floor_dph(recording, row_s);
+  const double row_s = series::row_length_s(average_s, run.blocks.block_s);
+  run.noise_floor_dph = noise::noise_floor_dph(recording, row_s);
   run.notes = long_row_notes(recording, run.segments, row_s);
   return run;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -9,7 +9,7 @@
 #include "series/signal_series.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
 struct Moments {
@@ -25,7 +25,7 @@ struct Judged {
 
 // Without the outliers; about the first value, so that a small scatter on a large mean keeps its
 // digits.
-Moments moments(const Judged& judged, RowRange rows) {
+Moments moments(const Judged& judged, recording::RowRange rows) {
   double origin = 0;
   double count = 0;
   double sum = 0;
@@ -46,13 +46,14 @@ Moments moments(const Judged& judged, RowRange rows) {
   return result;
 }
 
-BiasSummary summarize_bias(const Judged& bias, RowRange samples, const Judged& row_bias,
-                           RowRange rows) {
+BiasSummary summarize_bias(const Judged& bias, recording::RowRange samples, const Judged& row_bias,
+                           recording::RowRange rows) {
   const Moments all = moments(bias, samples);
   return {all.mean, moments(row_bias, rows).deviation, all.deviation};
 }
 
-SegmentSummary summarize_segment(const Recording& recording, const Segment& segment) {
+SegmentSummary summarize_segment(const recording::Recording& recording,
+                                 const recording::Segment& segment) {
   SegmentSummary summary;
   summary.name = segment.name;
   summary.kind = segment.kind;
@@ -76,24 +77,25 @@ SegmentSummary summarize_segment(const Recording& recording, const Segment& segm
 }
 
 // By the rows that fit and compare would make: whole blocks of theirs, where they are not longer.
-double wanted_row_s(const Recording& recording, double average_s) {
-  const double block_s = recording.period_s * samples_per_block(recording.period_s);
-  return average_s > block_s && block_s > 0 ? row_length_s(average_s, block_s) : average_s;
+double wanted_row_s(const recording::Recording& recording, double average_s) {
+  const double block_s = recording.period_s * series::samples_per_block(recording.period_s);
+  return average_s > block_s && block_s > 0 ? series::row_length_s(average_s, block_s) : average_s;
 }
 
-Judged judge_rows(const Recording& rows) {
-  ValuesInTime in_time{bias_dph(rows), {}, stretches_of(rows, {0, rows.rows()}), {}};
+Judged judge_rows(const recording::Recording& rows) {
+  noise::ValuesInTime in_time{
+      recording::bias_dph(rows), {}, recording::stretches_of(rows, {0, rows.rows()}), {}};
   if (!rows.input_rate_dph.empty()) in_time.inputs.push_back(rows.input_rate_dph);
   for (const std::vector<double>& input : rows.extension) {
     if (!input.empty()) in_time.inputs.push_back(input);
   }
-  return {in_time.values, find_outliers(in_time)};
+  return {in_time.values, noise::find_outliers(in_time)};
 }
 
 // All samples of a row that is an outlier are.
-Judged judge_samples(const Recording& recording, const CompleteRows& rows,
+Judged judge_samples(const recording::Recording& recording, const series::CompleteRows& rows,
                      const std::vector<bool>& row_outlier) {
-  Judged samples{bias_dph(recording), std::vector<bool>(recording.rows())};
+  Judged samples{recording::bias_dph(recording), std::vector<bool>(recording.rows())};
   for (std::size_t row = 0; row < row_outlier.size(); ++row) {
     if (!row_outlier[row]) continue;
     const auto first =
@@ -103,14 +105,15 @@ Judged judge_samples(const Recording& recording, const CompleteRows& rows,
   return samples;
 }
 
-std::vector<double> bridged(const Judged& judged, const Recording& recording) {
+std::vector<double> bridged(const Judged& judged, const recording::Recording& recording) {
   std::vector<double> values = judged.values;
-  bridge_outliers(judged.outlier, stretches_of(recording, {0, recording.rows()}), values);
+  noise::bridge_outliers(judged.outlier, recording::stretches_of(recording, {0, recording.rows()}),
+                         values);
   return values;
 }
 
 // As a recording, for what looks at one.
-Recording without_outliers(Recording rows, const Judged& judged) {
+recording::Recording without_outliers(recording::Recording rows, const Judged& judged) {
   const std::vector<double> values = bridged(judged, rows);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (judged.outlier[i]) rows.rate_dph[i] += values[i] - judged.values[i];
@@ -120,11 +123,11 @@ Recording without_outliers(Recording rows, const Judged& judged) {
 
 }  // namespace
 
-RunSummary summarize(const Recording& recording, double average_s) {
-  const std::vector<Segment> segments = find_segments(recording);
-  CompleteRows rows = complete_rows(recording, wanted_row_s(recording, average_s));
-  const std::vector<Segment> in_rows =
-      segments_on(segments, rows.means.time_s, {0, rows.means.rows()});
+RunSummary summarize(const recording::Recording& recording, double average_s) {
+  const std::vector<recording::Segment> segments = recording::find_segments(recording);
+  series::CompleteRows rows = series::complete_rows(recording, wanted_row_s(recording, average_s));
+  const std::vector<recording::Segment> in_rows =
+      recording::segments_on(segments, rows.means.time_s, {0, rows.means.rows()});
   const Judged row_bias = judge_rows(rows.means);
   const Judged bias = judge_samples(recording, rows, row_bias.outlier);
 
@@ -133,21 +136,21 @@ RunSummary summarize(const Recording& recording, double average_s) {
   summary.outliers =
       static_cast<std::size_t>(std::count(row_bias.outlier.begin(), row_bias.outlier.end(), true));
   summary.bias = summarize_bias(bias, {0, recording.rows()}, row_bias, {0, rows.means.rows()});
-  summary.noise_floor_dph = noise_floor_dph(recording, summary.average_s);
+  summary.noise_floor_dph = noise::noise_floor_dph(recording, summary.average_s);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     SegmentSummary segment = summarize_segment(recording, segments[i]);
     segment.bias = summarize_bias(bias, segments[i].rows, row_bias, in_rows[i].rows);
     summary.segments.push_back(std::move(segment));
   }
-  const std::vector<RowRange> soaks = soak_ranges(recording, segments);
-  for (const RowRange& soak : soaks) {
+  const std::vector<recording::RowRange> soaks = noise::soak_ranges(recording, segments);
+  for (const recording::RowRange& soak : soaks) {
     summary.soak_s += static_cast<double>(soak.size()) * recording.period_s;
   }
-  summary.allan = allan_deviation(bridged(bias, recording), soaks, recording.period_s);
-  summary.noise = fit_noise_coefficients(summary.allan);
+  summary.allan = noise::allan_deviation(bridged(bias, recording), soaks, recording.period_s);
+  summary.noise = noise::fit_noise_coefficients(summary.allan);
   summary.sensitivity = temperature_sensitivity(without_outliers(rows.means, row_bias), in_rows);
   summary.blocks = std::move(rows.means);
   return summary;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

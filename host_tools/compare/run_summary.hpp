@@ -10,7 +10,7 @@
 #include "recording/recording.hpp"
 #include "recording/segments.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 /// Bias (rate less input rate) over some samples. Standard deviations have n - 1 in the denominator
 /// and are absent for a single value.
@@ -22,7 +22,7 @@ struct BiasSummary {
 
 struct SegmentSummary {
   std::string name;
-  SegmentKind kind = SegmentKind::soak;
+  recording::SegmentKind kind = recording::SegmentKind::soak;
   BiasSummary bias;
   std::size_t rows = 0;
   double start_s = 0;
@@ -36,19 +36,19 @@ struct SegmentSummary {
 /// What one recording shows without any model.
 struct RunSummary {
   BiasSummary bias;
-  double average_s = 0;      ///< length of a row
-  std::size_t outliers = 0;  ///< rows left out of all figures (outlier_rows.hpp)
-  Recording blocks;          ///< their means
+  double average_s = 0;         ///< length of a row
+  std::size_t outliers = 0;     ///< rows left out of all figures (outlier_rows.hpp)
+  recording::Recording blocks;  ///< their means
   std::optional<double> noise_floor_dph;
   std::vector<SegmentSummary> segments;
   double soak_s = 0;  ///< of data behind the Allan deviation
-  std::vector<AllanPoint> allan;
-  NoiseCoefficients noise;
+  std::vector<noise::AllanPoint> allan;
+  noise::NoiseCoefficients noise;
   TemperatureSensitivity sensitivity;
 };
 
 /// Everything in rows of `average_s`, as whole a number of the board's blocks as fit and compare
 /// take; of one row where the recording's period is longer.
-RunSummary summarize(const Recording& recording, double average_s);
+RunSummary summarize(const recording::Recording& recording, double average_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -9,7 +9,7 @@
 #include "support/decompositions.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
 constexpr double kRoomDegc = 20;
@@ -19,17 +19,18 @@ struct Soak {
   double bias_dph;
 };
 
-double mean(const std::vector<double>& values, const Segment& segment) {
+double mean(const std::vector<double>& values, const recording::Segment& segment) {
   double sum = 0;
   for (std::size_t i = segment.rows.first; i < segment.rows.end; ++i) sum += values[i];
   return sum / static_cast<double>(segment.rows.size());
 }
 
-void compare_soaks(const Recording& rows, const std::vector<double>& bias,
-                   const std::vector<Segment>& segments, TemperatureSensitivity& result) {
+void compare_soaks(const recording::Recording& rows, const std::vector<double>& bias,
+                   const std::vector<recording::Segment>& segments,
+                   TemperatureSensitivity& result) {
   std::vector<Soak> soaks;
-  for (const Segment& segment : segments) {
-    if (segment.kind != SegmentKind::soak || segment.rows.size() == 0) continue;
+  for (const recording::Segment& segment : segments) {
+    if (segment.kind != recording::SegmentKind::soak || segment.rows.size() == 0) continue;
     soaks.push_back({mean(rows.temperature_degc, segment), mean(bias, segment)});
   }
   if (soaks.empty()) return;
@@ -49,11 +50,11 @@ void compare_soaks(const Recording& rows, const std::vector<double>& bias,
 }
 
 // dT/dt of each row by the difference over a minute to each side, less at the ends of a stretch.
-std::vector<double> temperature_rate_degc_per_min(const Recording& rows) {
+std::vector<double> temperature_rate_degc_per_min(const recording::Recording& rows) {
   constexpr double kSideS = 60;
   const auto side = static_cast<std::size_t>(std::max(1.0, std::round(kSideS / rows.period_s)));
   std::vector<double> rate(rows.rows(), 0);
-  for (const RowRange& stretch : stretches_of(rows, {0, rows.rows()})) {
+  for (const recording::RowRange& stretch : recording::stretches_of(rows, {0, rows.rows()})) {
     for (std::size_t i = stretch.first; i < stretch.end; ++i) {
       const std::size_t first = i - std::min(side, i - stretch.first);
       const std::size_t last = std::min(i + side, stretch.end - 1);
@@ -65,17 +66,18 @@ std::vector<double> temperature_rate_degc_per_min(const Recording& rows) {
   return rate;
 }
 
-bool has(const std::vector<Segment>& segments, SegmentKind kind) {
+bool has(const std::vector<recording::Segment>& segments, recording::SegmentKind kind) {
   return std::any_of(segments.begin(), segments.end(),
-                     [kind](const Segment& segment) { return segment.kind == kind; });
+                     [kind](const recording::Segment& segment) { return segment.kind == kind; });
 }
 
 // Least squares of a parabola in T and one rate term for each direction in which there is a ramp.
-void fit_rate_terms(const Recording& rows, const std::vector<double>& bias,
-                    const std::vector<Segment>& segments, TemperatureSensitivity& result) {
+void fit_rate_terms(const recording::Recording& rows, const std::vector<double>& bias,
+                    const std::vector<recording::Segment>& segments,
+                    TemperatureSensitivity& result) {
   constexpr double kTemperatureScaleDegc = 50;
-  const bool heats = has(segments, SegmentKind::ramp_up);
-  const bool cools = has(segments, SegmentKind::ramp_down);
+  const bool heats = has(segments, recording::SegmentKind::ramp_up);
+  const bool cools = has(segments, recording::SegmentKind::ramp_down);
   const auto count = static_cast<Eigen::Index>(rows.rows());
   const Eigen::Index columns = 3 + (heats ? 1 : 0) + (cools ? 1 : 0);
   if (count <= columns || columns == 3) return;
@@ -108,17 +110,18 @@ struct Branch {
   std::size_t rows = 0;
 };
 
-void find_widest_loop(const Recording& rows, const std::vector<double>& bias,
-                      const std::vector<Segment>& segments, TemperatureSensitivity& result) {
+void find_widest_loop(const recording::Recording& rows, const std::vector<double>& bias,
+                      const std::vector<recording::Segment>& segments,
+                      TemperatureSensitivity& result) {
   constexpr std::size_t kBins = 20;
   const auto [least, most] =
       std::minmax_element(rows.temperature_degc.begin(), rows.temperature_degc.end());
   const double width_degc = (*most - *least) / kBins;
   if (width_degc * kBins < rules::kMinRangeDegc) return;
   std::array<std::array<Branch, 2>, kBins> branches{};
-  for (const Segment& segment : segments) {
-    if (segment.kind == SegmentKind::soak) continue;
-    const std::size_t branch = segment.kind == SegmentKind::ramp_up ? 0 : 1;
+  for (const recording::Segment& segment : segments) {
+    if (segment.kind == recording::SegmentKind::soak) continue;
+    const std::size_t branch = segment.kind == recording::SegmentKind::ramp_up ? 0 : 1;
     for (std::size_t i = segment.rows.first; i < segment.rows.end; ++i) {
       const auto bin = static_cast<std::size_t>((rows.temperature_degc[i] - *least) / width_degc);
       Branch& part = branches[std::min(bin, kBins - 1)][branch];
@@ -139,14 +142,14 @@ void find_widest_loop(const Recording& rows, const std::vector<double>& bias,
 
 }  // namespace
 
-TemperatureSensitivity temperature_sensitivity(const Recording& rows,
-                                               const std::vector<Segment>& segments) {
+TemperatureSensitivity temperature_sensitivity(const recording::Recording& rows,
+                                               const std::vector<recording::Segment>& segments) {
   TemperatureSensitivity result;
-  const std::vector<double> bias = bias_dph(rows);
+  const std::vector<double> bias = recording::bias_dph(rows);
   compare_soaks(rows, bias, segments, result);
   fit_rate_terms(rows, bias, segments, result);
   find_widest_loop(rows, bias, segments, result);
   return result;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -5,7 +5,7 @@
 
 #include "recording/segments.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 /// How the bias follows temperature, in the terms of IEEE Std 952 and 528. A figure that the
 /// recording cannot show is absent.
@@ -26,7 +26,7 @@ struct TemperatureSensitivity {
 };
 
 /// `segments` count rows (segments_on).
-TemperatureSensitivity temperature_sensitivity(const Recording& rows,
-                                               const std::vector<Segment>& segments);
+TemperatureSensitivity temperature_sensitivity(const recording::Recording& rows,
+                                               const std::vector<recording::Segment>& segments);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -6,29 +6,29 @@
 #include "compare/decision_rules.hpp"
 #include "model/catalogue.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
-constexpr Range kEverything{-HUGE_VAL, HUGE_VAL};
+constexpr model::Range kEverything{-HUGE_VAL, HUGE_VAL};
 
-Range rate_limits(const Model& model) {
+model::Range rate_limits(const model::Model& model) {
   if (!model.rate_range_degc_per_min) return kEverything;
-  const Range& trained = *model.rate_range_degc_per_min;
+  const model::Range& trained = *model.rate_range_degc_per_min;
   const double margin = std::max(rules::kMinRateMarginDegcPerMin,
                                  rules::kRateMargin * (trained.most - trained.least));
   return {trained.least - margin, trained.most + margin};
 }
 
-Range time_limits(const Model& model, double row_s) {
+model::Range time_limits(const model::Model& model, double row_s) {
   if (!model.time_range_s) return kEverything;
-  const bool needs_time = (needs_of(model) & bit_of(fog::Input::elapsed)) != 0;
+  const bool needs_time = (model::needs_of(model) & bit_of(fog::Input::elapsed)) != 0;
   return {model.time_range_s->least - row_s,
           needs_time ? model.time_range_s->most + row_s : HUGE_VAL};
 }
 
 }  // namespace
 
-TrainedRange::TrainedRange(const Model& model, double row_s)
+TrainedRange::TrainedRange(const model::Model& model, double row_s)
     : degc_{model.least_degc, model.most_degc},
       rate_(rate_limits(model)),
       time_(time_limits(model, row_s)) {}
@@ -47,4 +47,4 @@ OutsideTraining TrainedRange::outside() const {
           rows_outside_.sooner / rows, rows_outside_.later / rows};
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -2,7 +2,7 @@
 
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 /// Parts of a run's rows (0..1) that lie where the training data never was.
 struct OutsideTraining {
@@ -18,18 +18,18 @@ struct OutsideTraining {
 class TrainedRange {
  public:
   /// `row_s`: length of a row; as much is allowed beyond the range of time.
-  TrainedRange(const Model& model, double row_s);
+  TrainedRange(const model::Model& model, double row_s);
 
   void count(double time_s, double temperature_degc, double rate_degc_per_min);
   /// Of the rows counted.
   OutsideTraining outside() const;
 
  private:
-  Range degc_;
-  Range rate_;
-  Range time_;
+  model::Range degc_;
+  model::Range rate_;
+  model::Range time_;
   double rows_ = 0;
   OutsideTraining rows_outside_;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -1,6 +1,6 @@
 #include "denoise/filter_tables.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 // Daubechies, Orthonormal bases of compactly supported wavelets II (1993). As PyWavelets has them.
 const FilterTable kCoiflets{
@@ -37,4 +37,4 @@ const FilterTable kCoiflets{
                0.0021782943778456947,  0.0003585777411617577,   -0.000212081862067494}},
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

@@ -1,6 +1,6 @@
 #include "denoise/filter_tables.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 // Daubechies, Ten Lectures on Wavelets (1992), extremal phase; haar is her db1. As PyWavelets has
 // them.
@@ -47,4 +47,4 @@ const FilterTable kDaubechies{
               0.1881768000776915,      0.026670057900555554}},
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

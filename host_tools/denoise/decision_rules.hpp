@@ -6,7 +6,7 @@
 /// Every number by which offline denoising decides: its unit, where it comes from, and what looks
 /// at the decision. The rules for thresholds are MATLAB's and stand with their formulas
 /// (thresholds.cpp).
-namespace fogcomp::rules {
+namespace fogcomp::denoise::rules {
 
 /// Standard deviations of a difference of neighbours beyond which a single value that stands out of
 /// both is an outlier: 1 of 1.7 million of noise alone. tests/integration/denoise_worth.sh.
@@ -23,4 +23,4 @@ constexpr Eigen::Index kLongOrder = 12;
 /// tests/unit/denoise/alternatives_test.
 constexpr std::size_t kMinValues = 200;
 
-}  // namespace fogcomp::rules
+}  // namespace fogcomp::denoise::rules

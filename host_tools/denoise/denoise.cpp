@@ -5,7 +5,7 @@
 #include "denoise/lifting.hpp"
 #include "denoise/outliers.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 namespace {
 
 // Shrinks levels from the finest on.
@@ -65,4 +65,4 @@ DenoiseReport denoise(fog::Span<double> values, const DenoiseMethod& method) {
   return report;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

@@ -7,7 +7,7 @@
 #include "denoise/thresholds.hpp"
 #include "denoise/transform.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 /// Where the standard deviation of the noise is taken from.
 enum class NoiseFrom : std::uint8_t {
@@ -48,4 +48,4 @@ struct DenoiseReport {
 /// are shrunken and the coarsest approximation stays; any number of levels (see decompose()).
 DenoiseReport denoise(fog::Span<double> values, const DenoiseMethod& method);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

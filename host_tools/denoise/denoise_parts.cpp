@@ -6,7 +6,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 namespace {
 
 constexpr std::size_t kLiftingTaps = 5;
@@ -53,4 +53,4 @@ DenoiseReport denoise_parts(const std::vector<fog::Span<double>>& parts,
   return all;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

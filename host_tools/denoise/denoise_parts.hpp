@@ -5,7 +5,7 @@
 
 #include "denoise/denoise.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 /// Denoises the parts of a signal between its gaps, each by itself and in place. A part too short
 /// for all levels gets those that its length allows. Returns the report of the longest part, with
@@ -14,4 +14,4 @@ namespace fogcomp {
 DenoiseReport denoise_parts(const std::vector<fog::Span<double>>& parts,
                             const DenoiseMethod& method, const std::string& where);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

@@ -2,7 +2,7 @@
 
 #include "denoise/filters.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 void analyse(const FilterPair& filters, const double* even, const double* odd, std::size_t count,
              double* low, double* high) {
@@ -56,4 +56,4 @@ FilterPair::FilterPair(const std::vector<double>& lowpass) {
   }
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 /// Outputs that one round of a kernel makes: arrays are a multiple of this long.
 constexpr std::size_t kKernelStep = 8;
@@ -30,4 +30,4 @@ void analyse(const FilterPair& filters, const double* even, const double* odd, s
 void synthesise(const FilterPair& filters, const double* low, const double* high, std::size_t count,
                 double* even, double* odd);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 /// Names and decomposition low-pass filters of a family.
 using FilterTable = std::vector<std::pair<std::string, std::vector<double>>>;
@@ -13,4 +13,4 @@ extern const FilterTable kDaubechies;
 extern const FilterTable kSymlets;
 extern const FilterTable kCoiflets;
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

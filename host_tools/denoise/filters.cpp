@@ -4,7 +4,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 const std::vector<double>& lowpass_filter(const std::string& wavelet) {
   for (const FilterTable* table : {&kDaubechies, &kSymlets, &kCoiflets}) {
@@ -33,4 +33,4 @@ const std::vector<std::string>& wavelet_names() {
   return names;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

@@ -7,7 +7,7 @@
 #include "denoise/decision_rules.hpp"
 #include "support/decompositions.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 namespace {
 
 using Eigen::Index;
@@ -171,4 +171,4 @@ ArmaNoise kalman_smooth(fog::Span<double> values) {
   return noise;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

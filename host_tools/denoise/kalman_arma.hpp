@@ -4,7 +4,7 @@
 
 #include "core/signal/span.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 /// x[t] = phi1 x[t-1] + phi2 x[t-2] + e[t] + theta e[t-1], e white.
 struct ArmaNoise {
@@ -23,4 +23,4 @@ ArmaNoise fit_arma(fog::Span<const double> values);
 /// likeliest. In place; returns the noise.
 ArmaNoise kalman_smooth(fog::Span<double> values);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 namespace {
 
 // The neighbour of an odd place on its right, or, past the end, on its left.
@@ -56,4 +56,4 @@ void unlift(const LiftingParts& parts, fog::Span<double> values) {
   std::copy(current.begin(), current.end(), values.data);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

@@ -4,7 +4,7 @@
 
 #include "core/signal/span.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 /// Second-generation wavelet (Sweldens, SIAM J. Math. Anal. 29(2), 1998) in place, the (2,2) or 5/3
 /// filter pair: every odd sample less the mean of its even neighbours is a detail; every even
@@ -20,4 +20,4 @@ LiftingParts lift(fog::Span<const double> values, int levels);
 /// Undoes lift(): `values` has the length that was taken apart.
 void unlift(const LiftingParts& parts, fog::Span<double> values);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

@@ -7,7 +7,7 @@
 #include "denoise/decision_rules.hpp"
 #include "denoise/thresholds.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 std::size_t remove_outliers(fog::Span<double> values, double limit) {
   std::size_t removed = 0;
@@ -36,4 +36,4 @@ double outlier_limit(fog::Span<const double> values) {
          noise_of({differences.data(), differences.size()});
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

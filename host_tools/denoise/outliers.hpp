@@ -4,7 +4,7 @@
 
 #include "core/signal/span.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 /// Replaces outliers of one sample by the mean of their neighbours; returns how many. Wavelet
 /// shrinkage keeps an outlier, because its coefficients stand far out of the noise. One is a value
@@ -17,4 +17,4 @@ std::size_t remove_outliers(fog::Span<double> values, double limit);
 /// noise, these from the median of differences between neighbours at up to 65536 places.
 double outlier_limit(fog::Span<const double> values);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

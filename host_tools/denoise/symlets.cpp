@@ -1,6 +1,6 @@
 #include "denoise/filter_tables.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 // Daubechies, Ten Lectures on Wavelets (1992), least asymmetric. PyWavelets' tables of sym2 to sym8
 // are orthonormal to 5e-12 only; here they are refined by Newton's method on orthonormality and
@@ -46,4 +46,4 @@ const FilterTable kSymlets{
                5.703608361849501e-05,  -0.00045932942100465206}},
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

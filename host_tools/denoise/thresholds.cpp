@@ -7,7 +7,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 namespace {
 
 double universal(double n) {
@@ -107,4 +107,4 @@ void shrink(fog::Span<double> coefficients, double threshold, bool hard) {
   }
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

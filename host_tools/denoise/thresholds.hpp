@@ -6,7 +6,7 @@
 
 #include "core/signal/span.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 /// How the threshold of n coefficients with noise of standard deviation 1 is chosen; definitions of
 /// MATLAB's thselect, n being the coefficients of the level.
@@ -33,4 +33,4 @@ double noise_of(fog::Span<const double> details);
 /// Towards 0 by `threshold` (soft), or to 0 what is not beyond it (hard).
 void shrink(fog::Span<double> coefficients, double threshold, bool hard);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

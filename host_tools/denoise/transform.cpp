@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 namespace {
 
 // Outputs per round: with its inputs this stays in the first-level cache.
@@ -150,4 +150,4 @@ void reconstruct(const Decomposition& decomposition, const std::vector<double>& 
   if (longer.size() > 0) std::copy_n(work, values.size, values.data);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

@@ -7,7 +7,7 @@
 #include "core/signal/span.hpp"
 #include "denoise/filter_kernels.hpp"
 
-namespace fogcomp {
+namespace fogcomp::denoise {
 
 /// What stands beyond the ends of a signal x0 x1 ... xn. Names and meaning as PyWavelets.
 enum class Extension : std::uint8_t {
@@ -36,4 +36,4 @@ Decomposition decompose(fog::Span<const double> values, const std::vector<double
 void reconstruct(const Decomposition& decomposition, const std::vector<double>& lowpass,
                  fog::Span<double> values);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::denoise

@@ -9,7 +9,7 @@
 #include "diagnosis/refit.hpp"
 #include "fit/decision_rules.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 // How probable the candidate is among the hypotheses; returns its shape in the likeliest of them
@@ -34,9 +34,9 @@ std::size_t weigh(std::size_t candidate, std::size_t alone, const EvidenceSpace&
 
 CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
                          const std::vector<Hypothesis>& hypotheses, double excess,
-                         const SignalSeries& series, const NoiseWeightedFit& fit) {
+                         const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
   const Candidate& own = evidence.candidates[candidate];
-  const std::vector<ColumnRange>& ranges = evidence.library[candidate];
+  const std::vector<series::ColumnRange>& ranges = evidence.library[candidate];
   const BestShape best = best_shape(evidence.space, ranges, {}, evidence.space.along());
   CandidateFinding finding;
   finding.effect = own.effect;
@@ -47,12 +47,12 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
     finding.explained_fraction = std::clamp((best.gain - columns) / excess, 0.0, 1.0);
   }
   const double all_but =
-      best.gain - rules::kPossible * (1 + rules::kModelFormTolerance * best.gain);
+      best.gain - rules::kPossible * (1 + fit::rules::kModelFormTolerance * best.gain);
   for (std::size_t s = 0; s < ranges.size(); ++s) {
     if (s != shape && evidence.space.gain({ranges[s]}) < all_but) continue;
     finding.possible.push_back(own.shapes[s].term);
   }
-  std::vector<EffectTerm> terms = fit.terms;
+  std::vector<model::EffectTerm> terms = fit.terms;
   put(terms, own.shapes[shape].term);
   Refit completed = refit(std::move(terms), series, fit);
   finding.rms_after_dph = rms_of_rows(series.rows(), fit, completed.residual_dph);
@@ -64,8 +64,8 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
 
 std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
                                                  const std::vector<Hypothesis>& hypotheses,
-                                                 double excess, const SignalSeries& series,
-                                                 const NoiseWeightedFit& fit) {
+                                                 double excess, const series::SignalSeries& series,
+                                                 const fit::NoiseWeightedFit& fit) {
   std::vector<CandidateFinding> findings;
   for (std::size_t i = 0; i < evidence.candidates.size(); ++i) {
     findings.push_back(find_of(i, evidence, hypotheses, excess, series, fit));
@@ -94,4 +94,4 @@ void sort_by_lead(std::vector<CandidateFinding>& findings) {
       [&](const CandidateFinding& a, const CandidateFinding& b) { return rank(a) > rank(b); });
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

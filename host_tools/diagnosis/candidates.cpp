@@ -11,7 +11,7 @@
 #include "model/effect_list.hpp"
 #include "support/least_squares.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 constexpr double kLeastVisible = 0.03;
@@ -30,10 +30,10 @@ constexpr int kStepsPerRun = 48;
 // What the effect's columns are behind those that the model has already.
 class ShapeMaker {
  public:
-  ShapeMaker(const SignalSeries& series, const ToVisible& to_visible, Eigen::Index owned)
+  ShapeMaker(const series::SignalSeries& series, const ToVisible& to_visible, Eigen::Index owned)
       : series_(series), to_visible_(to_visible), owned_(owned) {}
 
-  std::optional<Candidate::Shape> operator()(const EffectTerm& term) const {
+  std::optional<Candidate::Shape> operator()(const model::EffectTerm& term) const {
     const Eigen::MatrixXd all = series_.regressors(term);
     const Eigen::Index added = all.cols() - owned_;
     if (added <= 0) return std::nullopt;
@@ -53,7 +53,7 @@ class ShapeMaker {
   }
 
  private:
-  const SignalSeries& series_;
+  const series::SignalSeries& series_;
   const ToVisible& to_visible_;
   Eigen::Index owned_;
 };
@@ -79,7 +79,7 @@ std::size_t best_of(const std::vector<Candidate::Shape>& shapes, const Eigen::Ve
 
 // Half way to the nearest other place of a parameter, down (-1) or up (+1), in units of its range;
 // 0 where there is none: what lies beyond was left to a simpler effect, or cannot be seen.
-double half_gap(const std::vector<Candidate::Shape>& shapes, const ShapeParameter& parameter,
+double half_gap(const std::vector<Candidate::Shape>& shapes, const model::ShapeParameter& parameter,
                 double unit, int direction) {
   double gap = 0;
   for (const Candidate::Shape& shape : shapes) {
@@ -91,7 +91,7 @@ double half_gap(const std::vector<Candidate::Shape>& shapes, const ShapeParamete
 }
 
 // Lays one parameter out; the others stay as they are in `term`.
-void lay_out(const ShapeMaker& make, EffectTerm term, const ShapeParameter& parameter,
+void lay_out(const ShapeMaker& make, model::EffectTerm term, const model::ShapeParameter& parameter,
              std::vector<Candidate::Shape>& shapes) {
   struct Place {
     double unit;
@@ -130,17 +130,17 @@ void lay_out(const ShapeMaker& make, EffectTerm term, const ShapeParameter& para
 }
 
 // All shapes of a term whose marked parameters may move: the first finely, the others coarsely.
-std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const EffectTerm& term) {
+std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const model::EffectTerm& term) {
   std::vector<Candidate::Shape> shapes;
-  const std::vector<ShapeParameter> parameters = shape_parameters({term});
+  const std::vector<model::ShapeParameter> parameters = model::shape_parameters({term});
   if (parameters.empty()) {
     if (auto shape = make(term)) shapes.push_back(std::move(*shape));
     return shapes;
   }
-  std::vector<EffectTerm> starts{term};
+  std::vector<model::EffectTerm> starts{term};
   for (std::size_t i = 1; i < std::min(kLaidOut, parameters.size()); ++i) {
-    std::vector<EffectTerm> more;
-    for (const EffectTerm& start : starts) {
+    std::vector<model::EffectTerm> more;
+    for (const model::EffectTerm& start : starts) {
       for (const double place : kOtherPlaces) {
         more.push_back(start);
         more.back().parameters[parameters[i].index] = parameters[i].from_unit(place);
@@ -148,14 +148,14 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const EffectTer
     }
     starts = std::move(more);
   }
-  for (const EffectTerm& start : starts) lay_out(make, start, parameters[0], shapes);
+  for (const model::EffectTerm& start : starts) lay_out(make, start, parameters[0], shapes);
   return shapes;
 }
 
 // `step`, from this row on.
-std::optional<Candidate::Shape> step_shape(const Rows& rows, const ToVisible& to_visible,
-                                           EffectTerm step, std::size_t row) {
-  VisiblePart part = to_visible(step_column(rows, row));
+std::optional<Candidate::Shape> step_shape(const series::Rows& rows, const ToVisible& to_visible,
+                                           model::EffectTerm step, std::size_t row) {
+  VisiblePart part = to_visible(fit::step_column(rows, row));
   if (part.visible[0] < kLeastVisible) return std::nullopt;
   step.parameters[0] = rows.time_s[row];
   step.identified[0] = false;
@@ -164,12 +164,13 @@ std::optional<Candidate::Shape> step_shape(const Rows& rows, const ToVisible& to
 
 // What the model's own term could grow by. Laid out along what is new; the rest stays where it is,
 // until all is fitted.
-std::vector<Candidate::Shape> grown_shapes(const SignalSeries& series, const ToVisible& to_visible,
-                                           const EffectTerm& own) {
+std::vector<Candidate::Shape> grown_shapes(const series::SignalSeries& series,
+                                           const ToVisible& to_visible,
+                                           const model::EffectTerm& own) {
   std::vector<Candidate::Shape> shapes;
   const Eigen::Index owned = series.regressors(own).cols();
-  for (const EffectTerm& term : grown_terms(own)) {
-    EffectTerm along = term;
+  for (const model::EffectTerm& term : model::grown_terms(own)) {
+    model::EffectTerm along = term;
     for (std::size_t i = 0; i < along.identified.size(); ++i) {
       along.identified[i] = term.identified[i] && !own.identified[i];
     }
@@ -182,10 +183,10 @@ std::vector<Candidate::Shape> grown_shapes(const SignalSeries& series, const ToV
 }
 
 // An event has a moment, not a shape: a step at evenly spaced times of each recording.
-std::vector<Candidate::Shape> step_shapes(const Rows& rows, const ToVisible& to_visible,
-                                          const EffectTerm& step) {
+std::vector<Candidate::Shape> step_shapes(const series::Rows& rows, const ToVisible& to_visible,
+                                          const model::EffectTerm& step) {
   std::vector<Candidate::Shape> shapes;
-  for (const RowRange& run : rows.runs()) {
+  for (const recording::RowRange& run : rows.runs()) {
     for (int i = 1; i < kStepsPerRun; ++i) {
       const std::size_t at = run.first + run.size() * static_cast<std::size_t>(i) / kStepsPerRun;
       if (at <= run.first || at >= run.end) continue;
@@ -197,7 +198,7 @@ std::vector<Candidate::Shape> step_shapes(const Rows& rows, const ToVisible& to_
 }
 
 // Moves each of the best few steps to the row near it from which on it explains most.
-void move_steps(const Rows& rows, const ToVisible& to_visible,
+void move_steps(const series::Rows& rows, const ToVisible& to_visible,
                 std::vector<Candidate::Shape>& shapes, const Eigen::VectorXd& residual) {
   constexpr std::size_t kBestSteps = 4;
   const auto more = [&](const Candidate::Shape& a, const Candidate::Shape& b) {
@@ -206,11 +207,12 @@ void move_steps(const Rows& rows, const ToVisible& to_visible,
   const std::size_t count = std::min(kBestSteps, shapes.size());
   std::partial_sort(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(count),
                     shapes.end(), more);
-  const std::vector<RowRange> runs = rows.runs();
+  const std::vector<recording::RowRange> runs = rows.runs();
   for (std::size_t i = 0; i < count; ++i) {
     Candidate::Shape& shape = shapes[i];
-    const RowRange run = *std::find_if(runs.begin(), runs.end(),
-                                       [&](const RowRange& one) { return shape.row < one.end; });
+    const recording::RowRange run =
+        *std::find_if(runs.begin(), runs.end(),
+                      [&](const recording::RowRange& one) { return shape.row < one.end; });
     for (std::size_t away = run.size() / kStepsPerRun / 2; away > 0; away /= 2) {
       for (const std::size_t row : {shape.row - away, shape.row + away}) {
         if (row <= run.first || row >= run.end) continue;
@@ -223,7 +225,7 @@ void move_steps(const Rows& rows, const ToVisible& to_visible,
   }
 }
 
-std::string missing_input(const CatalogueEntry& entry, fog::InputMask inputs) {
+std::string missing_input(const model::CatalogueEntry& entry, fog::InputMask inputs) {
   const fog::InputMask missing = entry.description.needs & ~inputs;
   for (const fog::InputDescription& input : fog::kInputTable) {
     if (has(missing, input.input)) return input.column;
@@ -232,7 +234,7 @@ std::string missing_input(const CatalogueEntry& entry, fog::InputMask inputs) {
 }
 
 // Why nothing of an effect shows although its inputs are there.
-std::string what_would_show(const CatalogueEntry& entry) {
+std::string what_would_show(const model::CatalogueEntry& entry) {
   for (const fog::InputDescription& input : fog::kInputTable) {
     if (!has(entry.description.needs, input.input)) continue;
     if (input.input == fog::Input::elapsed) return "a recording that begins at power-on";
@@ -265,12 +267,13 @@ void leave_to_simpler(std::vector<Candidate>& candidates) {
 }
 
 // Those that the model has not got already.
-void add_expressions(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                     std::vector<EffectTerm> offered, const ToVisible& to_visible,
+void add_expressions(const series::SignalSeries& series,
+                     const std::vector<model::EffectTerm>& terms,
+                     std::vector<model::EffectTerm> offered, const ToVisible& to_visible,
                      CandidateList& list) {
-  set_expression_ranges(offered, series);
-  for (const EffectTerm& expression : offered) {
-    const bool own = std::any_of(terms.begin(), terms.end(), [&](const EffectTerm& term) {
+  fit::set_expression_ranges(offered, series);
+  for (const model::EffectTerm& expression : offered) {
+    const bool own = std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
       return term.name == expression.name;
     });
     if (own) continue;
@@ -288,7 +291,7 @@ void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes,
                   const Eigen::VectorXd& residual) {
   Candidate::Shape& shape = shapes[index];
   double gain = gain_of(shape, residual);
-  for (const ShapeParameter& parameter : shape_parameters({shape.term})) {
+  for (const model::ShapeParameter& parameter : model::shape_parameters({shape.term})) {
     // The shape itself changes below.
     const auto place = [&] { return parameter.to_unit(shape.term.parameters[parameter.index]); };
     const double start = place();
@@ -297,7 +300,7 @@ void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes,
     for (double share = 0.5; share > 0.05; share /= 2) {
       const double middle = place();
       for (const double unit : {middle - share * down, middle + share * up}) {
-        EffectTerm moved = shape.term;
+        model::EffectTerm moved = shape.term;
         moved.parameters[parameter.index] = parameter.from_unit(unit);
         auto tried = make(moved);
         if (!tried || gain_of(*tried, residual) <= gain) continue;
@@ -311,8 +314,8 @@ void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes,
 
 }  // namespace
 
-void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
-             const std::vector<EffectTerm>& terms, const ToVisible& to_visible,
+void sharpen(std::vector<Candidate>& candidates, const series::SignalSeries& series,
+             const std::vector<model::EffectTerm>& terms, const ToVisible& to_visible,
              const Eigen::VectorXd& residual) {
   constexpr double kLeastGain = 100;
   constexpr double kLeading = 0.5;
@@ -326,7 +329,7 @@ void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
   const double needed =
       std::max(kLeastGain, kLeading * *std::max_element(gain.begin(), gain.end()));
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const bool grown = std::any_of(terms.begin(), terms.end(), [&](const EffectTerm& term) {
+    const bool grown = std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
       return term.name == candidates[i].effect;
     });
     if (gain[i] < needed || grown) continue;
@@ -339,25 +342,26 @@ void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
 }
 
 bool Candidate::has_free_shape() const {
-  return !shape_parameters({shapes[0].term}).empty();
+  return !model::shape_parameters({shapes[0].term}).empty();
 }
 
 bool Candidate::is_event() const {
-  return fogcomp::is_event(shapes[0].term);
+  return fogcomp::model::is_event(shapes[0].term);
 }
 
 bool Candidate::has_own_input() const {
-  return (info_of(shapes[0].term).needs & ~bit_of(fog::Input::elapsed)) != 0;
+  return (model::info_of(shapes[0].term).needs & ~bit_of(fog::Input::elapsed)) != 0;
 }
 
-CandidateList find_candidates(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                              const std::vector<EffectTerm>& offered, fog::InputMask inputs,
+CandidateList find_candidates(const series::SignalSeries& series,
+                              const std::vector<model::EffectTerm>& terms,
+                              const std::vector<model::EffectTerm>& offered, fog::InputMask inputs,
                               const ToVisible& to_visible,
                               const std::function<void(double)>& progress) {
   CandidateList list;
   double done = 0;
-  for (const CatalogueEntry& entry : catalogue()) {
-    progress(done++ / static_cast<double>(catalogue().size()));
+  for (const model::CatalogueEntry& entry : model::catalogue()) {
+    progress(done++ / static_cast<double>(model::catalogue().size()));
     const std::string name = entry.description.name;
     const std::string missing = missing_input(entry, inputs);
     if (!missing.empty()) {
@@ -365,12 +369,12 @@ CandidateList find_candidates(const SignalSeries& series, const std::vector<Effe
       continue;
     }
     const auto own = std::find_if(terms.begin(), terms.end(),
-                                  [&](const EffectTerm& term) { return term.name == name; });
+                                  [&](const model::EffectTerm& term) { return term.name == name; });
     Candidate candidate{name, {}};
     if (entry.description.event) {
-      candidate.shapes = step_shapes(series.rows(), to_visible, parse_effects(name)[0]);
+      candidate.shapes = step_shapes(series.rows(), to_visible, model::parse_effects(name)[0]);
     } else if (own == terms.end()) {
-      candidate.shapes = all_shapes({series, to_visible, 0}, parse_effects(name)[0]);
+      candidate.shapes = all_shapes({series, to_visible, 0}, model::parse_effects(name)[0]);
     } else {
       candidate.shapes = grown_shapes(series, to_visible, *own);
     }
@@ -385,4 +389,4 @@ CandidateList find_candidates(const SignalSeries& series, const std::vector<Effe
   return list;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -6,15 +6,15 @@
 
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// An effect or an expression that the model may lack, at several places of its shape parameters.
 struct Candidate {
   std::string effect;  ///< or the expression's name
   struct Shape {
-    EffectTerm term;        ///< what would be added, or what the model's own would become
-    Eigen::MatrixXd basis;  ///< rows x 1 or more, orthonormal: what that adds, whitened
-    std::size_t row = 0;    ///< of a bias step: from which on it is there
+    model::EffectTerm term;  ///< what would be added, or what the model's own would become
+    Eigen::MatrixXd basis;   ///< rows x 1 or more, orthonormal: what that adds, whitened
+    std::size_t row = 0;     ///< of a bias step: from which on it is there
   };
   std::vector<Shape> shapes;  ///< at least one
 
@@ -52,8 +52,9 @@ using ToVisible = std::function<VisiblePart(const Eigen::MatrixXd& regressors)>;
 /// the model's own terms. So does one at which the effect is next to nothing on these recordings.
 /// The recordings have what the expressions need. Throws InputError for an expression that is not
 /// finite on them. `progress` is told how much is done, 0..1.
-CandidateList find_candidates(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                              const std::vector<EffectTerm>& offered, fog::InputMask inputs,
+CandidateList find_candidates(const series::SignalSeries& series,
+                              const std::vector<model::EffectTerm>& terms,
+                              const std::vector<model::EffectTerm>& offered, fog::InputMask inputs,
                               const ToVisible& to_visible,
                               const std::function<void(double)>& progress);
 
@@ -63,8 +64,8 @@ CandidateList find_candidates(const SignalSeries& series, const std::vector<Effe
 /// explained (chi^2 of 100) that no test against noise is in question: there every shape must be
 /// one that noise is tried with too. Of bias steps the best few, to the row. Not for effects that
 /// `terms` have and that could grow.
-void sharpen(std::vector<Candidate>& candidates, const SignalSeries& series,
-             const std::vector<EffectTerm>& terms, const ToVisible& to_visible,
+void sharpen(std::vector<Candidate>& candidates, const series::SignalSeries& series,
+             const std::vector<model::EffectTerm>& terms, const ToVisible& to_visible,
              const Eigen::VectorXd& residual);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -8,7 +8,7 @@
 /// ("hidden effects" is tests/bench/hidden_effects, "clean gyros" its faultless cases and
 /// tests/integration/diagnose.sh). Numbers that only lay out a search or bound its cost stand where
 /// they are used.
-namespace fogcomp::rules {
+namespace fogcomp::diagnosis::rules {
 
 // ---- Is there anything beside noise? ----------------------------------------------------------
 // Logarithms of the chance that noise alone is called a fault. Small where a single shape or line
@@ -96,4 +96,4 @@ constexpr double kNeeded = 15;
 /// were added describe what they took out.
 constexpr double kWorthAdding = 0.025;
 
-}  // namespace fogcomp::rules
+}  // namespace fogcomp::diagnosis::rules

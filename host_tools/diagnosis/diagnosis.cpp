@@ -14,13 +14,13 @@
 #include "support/decompositions.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 // chi^2 that leaving each term of the model out would bring.
-std::vector<double> gain_of_terms(const NoiseWeightedFit& fit, double row_s) {
+std::vector<double> gain_of_terms(const fit::NoiseWeightedFit& fit, double row_s) {
   std::vector<double> gains;
-  for (const auto& [first, count] : columns_of(fit.terms, row_s)) {
+  for (const auto& [first, count] : series::columns_of(fit.terms, row_s)) {
     const Eigen::VectorXd own = fit.coefficients.segment(first, count);
     gains.push_back(
         fit.covariance.size() == 0
@@ -30,9 +30,9 @@ std::vector<double> gain_of_terms(const NoiseWeightedFit& fit, double row_s) {
   return gains;
 }
 
-std::vector<EffectTerm> fitted_terms(const NoiseWeightedFit& fit, double row_s) {
-  std::vector<EffectTerm> terms = fit.terms;
-  const std::vector<ColumnRange> columns = columns_of(fit.terms, row_s);
+std::vector<model::EffectTerm> fitted_terms(const fit::NoiseWeightedFit& fit, double row_s) {
+  std::vector<model::EffectTerm> terms = fit.terms;
+  const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, row_s);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Eigen::VectorXd own = fit.coefficients.segment(columns[i].first, columns[i].count);
     terms[i].coefficients_dph.assign(own.begin(), own.end());
@@ -53,7 +53,7 @@ std::vector<Diagnosis::Explanation> likeliest_sets(const EvidenceSpace& evidence
     }
     set.probability = hypothesis.probability;
     if (excess > 0) {
-      const double columns = column_count(ranges_of(evidence.library, hypothesis));
+      const double columns = fit::column_count(ranges_of(evidence.library, hypothesis));
       set.explained_fraction = std::clamp((hypothesis.gain - columns) / excess, 0.0, 1.0);
     }
     sets.push_back(std::move(set));
@@ -62,14 +62,14 @@ std::vector<Diagnosis::Explanation> likeliest_sets(const EvidenceSpace& evidence
 }
 
 // What would tell the most probable rivals apart.
-Experiment experiment_for_rivals(const Model& model, const Diagnosis& diagnosis) {
+Experiment experiment_for_rivals(const model::Model& model, const Diagnosis& diagnosis) {
   constexpr std::size_t kMaxRivals = 3;
   std::vector<Rival> rivals;
   bool event = false;
   for (const std::string& effect : diagnosis.confusable) {
     if (rivals.size() == kMaxRivals) break;
     const CandidateFinding& finding = *diagnosis.find(effect);
-    if (is_event(finding.term())) {
+    if (model::is_event(finding.term())) {
       event = true;
       continue;
     }
@@ -82,7 +82,7 @@ Experiment experiment_for_rivals(const Model& model, const Diagnosis& diagnosis)
 }
 
 // Several effects may be missing at once; the question is which brings most.
-void name_effects(const Model& model, Diagnosis& diagnosis) {
+void name_effects(const model::Model& model, Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.candidates.front();
   if (first.probability >= rules::kNamed) {
     diagnosis.verdict = Verdict::missing_effect;
@@ -97,8 +97,9 @@ void name_effects(const Model& model, Diagnosis& diagnosis) {
 }
 
 // Tests what the model leaves against noise, weighs what might explain it, and says what it is.
-void judge(const Model& model, const EvidenceSpace& evidence, const SignalSeries& series,
-           const NoiseWeightedFit& fit, std::uint64_t seed, Diagnosis& diagnosis) {
+void judge(const model::Model& model, const EvidenceSpace& evidence,
+           const series::SignalSeries& series, const fit::NoiseWeightedFit& fit, std::uint64_t seed,
+           Diagnosis& diagnosis) {
   const NullTest test = test_against_noise(evidence.space, evidence.library, evidence.structure,
                                            fit.noise.freedom, seed);
   const std::vector<Hypothesis> hypotheses =
@@ -139,7 +140,7 @@ void judge(const Model& model, const EvidenceSpace& evidence, const SignalSeries
 }
 
 // What limits the answer.
-std::vector<std::string> limits_of(const Diagnosis& diagnosis, const Rows& rows,
+std::vector<std::string> limits_of(const Diagnosis& diagnosis, const series::Rows& rows,
                                    bool noise_is_known) {
   std::vector<std::string> notes;
   if (diagnosis.candidates.empty()) {
@@ -164,11 +165,11 @@ std::vector<std::string> limits_of(const Diagnosis& diagnosis, const Rows& rows,
 
 }  // namespace
 
-Diagnosis diagnose(const Model& model, const DiagnosisData& data,
+Diagnosis diagnose(const model::Model& model, const DiagnosisData& data,
                    const DiagnosisSettings& settings) {
-  const SignalSeries& series = data.series();
-  const Rows& rows = series.rows();
-  const NoiseWeightedFit fit = fit_for_diagnosis(model, data, settings.noise);
+  const series::SignalSeries& series = data.series();
+  const series::Rows& rows = series.rows();
+  const fit::NoiseWeightedFit fit = fit_for_diagnosis(model, data, settings.noise);
 
   Diagnosis diagnosis;
   diagnosis.rows = rows.size();
@@ -201,4 +202,4 @@ Diagnosis diagnose(const Model& model, const DiagnosisData& data,
   return diagnosis;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -19,7 +19,7 @@
 #include "noise/noise_model.hpp"
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 enum class Verdict : std::uint8_t { none, missing_effect, ambiguous, unknown };
 const char* name_of(Verdict verdict);
@@ -40,7 +40,7 @@ struct Diagnosis {
 
   std::optional<Experiment> experiment;  ///< where effects are ambiguous
 
-  std::vector<EffectTerm> terms;  ///< of the model, refitted to these runs
+  std::vector<model::EffectTerm> terms;  ///< of the model, refitted to these runs
   std::vector<double> term_gain;  ///< rise of chi^2 that leaving each of them out would bring
 
   std::string variable;               ///< on which what is left depends most
@@ -52,7 +52,7 @@ struct Diagnosis {
 
   double residual_rms_dph = 0;  ///< of a row, the model refitted to these runs
   /// The model as it was given on these runs, network and all: what `compare` says.
-  std::optional<BoardError> as_given;
+  std::optional<compare::BoardError> as_given;
   std::size_t outliers = 0;      ///< rows left out of all figures
   Eigen::VectorXd residual_dph;  ///< row by row
   double noise_floor_dph = 0;
@@ -61,7 +61,7 @@ struct Diagnosis {
   /// ln of it by each test: an effect of the catalogue, smooth structure, fast structure.
   std::vector<double> tests;
   WalkFinding walk;
-  NoiseModel noise;
+  noise::NoiseModel noise;
   Eigen::Index rows = 0;
   double row_s = 0;
   std::optional<NetworkLearnt> network;  ///< of the model, if it has one
@@ -82,8 +82,9 @@ std::vector<std::string> effects_together(const Diagnosis& diagnosis);
 std::string effect_to_add(const Diagnosis& diagnosis);
 
 struct DiagnosisSettings {
-  std::optional<NoiseModel> noise;  ///< from a static record; otherwise from the runs' quiet parts
-  std::uint64_t seed = 1;           ///< of the draws that calibrate the test
+  std::optional<noise::NoiseModel>
+      noise;               ///< from a static record; otherwise from the runs' quiet parts
+  std::uint64_t seed = 1;  ///< of the draws that calibrate the test
   /// Told how much is done, 0..1 (of a ladder: of the most that it may be); or empty.
   std::function<void(double)> progress{};
 };
@@ -92,7 +93,7 @@ struct DiagnosisSettings {
 /// catalogue, or expression of data.offered(), is missing if so. Its network, if any, is left out,
 /// and asked afterwards what it had learnt. The effects are solved for anew together with every
 /// candidate. Throws InputError for data too short for the model's effects.
-Diagnosis diagnose(const Model& model, const DiagnosisData& data,
+Diagnosis diagnose(const model::Model& model, const DiagnosisData& data,
                    const DiagnosisSettings& settings = {});
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -8,18 +8,19 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
-std::string DiagnosisData::add(const RunInBlocks& run) {
+std::string DiagnosisData::add(const compare::RunInBlocks& run) {
   std::string same = known_.file_with(run.rows_hash);
   if (!same.empty()) return same;
   known_.add(run.rows_hash, run.file);
-  require_inputs(offered_, run.blocks);
+  series::require_inputs(offered_, run.blocks);
   const std::size_t first_row = series_.rows().time_s.size();
   series_.add(run.blocks);
   inputs_ &= run.blocks.inputs;
-  const Rows& rows = series_.rows();
-  for (Segment& segment : segments_on(run.segments, rows.time_s, {first_row, rows.time_s.size()})) {
+  const series::Rows& rows = series_.rows();
+  for (recording::Segment& segment :
+       recording::segments_on(run.segments, rows.time_s, {first_row, rows.time_s.size()})) {
     if (segment.rows.size() > 0) segments_.push_back(std::move(segment));
   }
   if (run.noise_floor_dph) {
@@ -35,23 +36,23 @@ std::optional<double> DiagnosisData::noise_floor_dph() const {
   return std::sqrt(floor_square_rows_ / floor_rows_);
 }
 
-NoiseModel noise_of_static(const Model& model, const Recording& recording,
-                           const DiagnosisData& data) {
+noise::NoiseModel noise_of_static(const model::Model& model, const recording::Recording& recording,
+                                  const DiagnosisData& data) {
   constexpr Eigen::Index kLeastStaticRows = 128;
-  require_moving_rate(recording);
-  const std::string same = data.known().file_with(rows_hash(recording));
+  recording::require_moving_rate(recording);
+  const std::string same = data.known().file_with(recording::rows_hash(recording));
   if (!same.empty()) {
     throw InputError(recording.file, "has the same rows as " + same +
                                          ", which is diagnosed; --static must be another "
                                          "recording, at rest");
   }
   const double row_s = data.series().rows().row_s;
-  Model averaging = model;
+  model::Model averaging = model;
   averaging.terms.clear();
   averaging.average_s = row_s;
-  SignalSeries series(averaging, Phase::zero);
-  series.add(make_blocks(recording));
-  const Rows& rows = series.rows();
+  series::SignalSeries series(averaging, series::Phase::zero);
+  series.add(series::make_blocks(recording));
+  const series::Rows& rows = series.rows();
   if (std::abs(rows.row_s - row_s) > 1e-6 * row_s) {
     throw InputError(recording.file, format("has rows of %g s, the others of %g s; choose an "
                                             "--average that suits both",
@@ -63,8 +64,8 @@ NoiseModel noise_of_static(const Model& model, const Recording& recording,
                             counted(static_cast<std::size_t>(rows.size()), "row").c_str(), row_s,
                             kLeastStaticRows));
   }
-  return fit_noise({{rows.drift_dph}}, row_s,
-                   std::max(rows.longest_run_s(), data.series().rows().longest_run_s()));
+  return noise::fit_noise({{rows.drift_dph}}, row_s,
+                          std::max(rows.longest_run_s(), data.series().rows().longest_run_s()));
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -2,11 +2,11 @@
 
 #include "noise/random_walk.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
-EvidenceSpace make_evidence_space(const DiagnosisData& data, const NoiseWeightedFit& fit,
+EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
                                   const std::function<void(double)>& progress) {
-  const SignalSeries& series = data.series();
+  const series::SignalSeries& series = data.series();
   ModelRemover remover(series.rows(), fit);
   const ToVisible to_visible = [&](const Eigen::MatrixXd& columns) { return remover(columns); };
   CandidateList list =
@@ -14,7 +14,7 @@ EvidenceSpace make_evidence_space(const DiagnosisData& data, const NoiseWeighted
   sharpen(list.testable, series, fit.terms, to_visible, remover.residual());
   VisibleStructure smooth = visible_structure(series.rows(), remover);
 
-  ExplainedSpace space(remover.residual());
+  fit::ExplainedSpace space(remover.residual());
   Library library;
   for (const Candidate& candidate : list.testable) {
     library.emplace_back();
@@ -22,8 +22,9 @@ EvidenceSpace make_evidence_space(const DiagnosisData& data, const NoiseWeighted
       library.back().push_back(space.add(shape.basis));
     }
   }
-  const ColumnRange structure = space.add(smooth.all);
-  WalkModes walk = add_walk(space, remover(random_walk_modes(series.rows())).columns);
+  const series::ColumnRange structure = space.add(smooth.all);
+  fit::WalkModes walk =
+      fit::add_walk(space, remover(noise::random_walk_modes(series.rows())).columns);
   space.finish();
   return {std::move(remover), std::move(list.testable), std::move(list.untestable),
           std::move(smooth),  std::move(space),         std::move(library),
@@ -32,7 +33,7 @@ EvidenceSpace make_evidence_space(const DiagnosisData& data, const NoiseWeighted
 
 Eigen::VectorXd without(const EvidenceSpace& evidence, const Hypothesis& hypothesis,
                         Eigen::Index rows) {
-  std::vector<ColumnRange> ranges = ranges_of(evidence.library, hypothesis);
+  std::vector<series::ColumnRange> ranges = ranges_of(evidence.library, hypothesis);
   ranges.push_back(evidence.structure);
   const Eigen::VectorXd coefficients = evidence.space.coefficients(ranges);
   Eigen::VectorXd left = evidence.residual();
@@ -46,4 +47,4 @@ Eigen::VectorXd without(const EvidenceSpace& evidence, const Hypothesis& hypothe
   return left.head(rows);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

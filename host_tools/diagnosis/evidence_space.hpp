@@ -11,7 +11,7 @@
 #include "fit/explained_space.hpp"
 #include "fit/walk_rival.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// Second stage of a diagnosis: all that might explain what a model leaves, as columns that are
 /// whitened and free of what the model can do itself, and their inner products.
@@ -20,11 +20,11 @@ struct EvidenceSpace {
   std::vector<Candidate> candidates;
   std::vector<Untestable> untestable;
   VisibleStructure smooth;  ///< smooth functions of everything: no physics
-  ExplainedSpace space;
+  fit::ExplainedSpace space;
   // Where they lie in `space`:
   Library library;  ///< the shapes of each candidate
-  ColumnRange structure;
-  WalkModes walk;  ///< of a random walk of the bias
+  series::ColumnRange structure;
+  fit::WalkModes walk;  ///< of a random walk of the bias
 
   /// What the model leaves of the measurement, whitened.
   const Eigen::VectorXd& residual() const { return remover.residual(); }
@@ -32,7 +32,7 @@ struct EvidenceSpace {
 
 /// `fit`: of the rows of `data`; both must outlive the result. `progress` is told how much is done,
 /// 0..1. Throws InputError as find_candidates().
-EvidenceSpace make_evidence_space(const DiagnosisData& data, const NoiseWeightedFit& fit,
+EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
                                   const std::function<void(double)>& progress);
 
 /// The whitened residual without what a hypothesis and smooth functions explain of it, a value a
@@ -40,4 +40,4 @@ EvidenceSpace make_evidence_space(const DiagnosisData& data, const NoiseWeighted
 Eigen::VectorXd without(const EvidenceSpace& evidence, const Hypothesis& hypothesis,
                         Eigen::Index rows);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

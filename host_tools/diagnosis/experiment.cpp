@@ -16,7 +16,7 @@
 #include "support/least_squares.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 // Separation below which a programme is not worth its chamber time: odds of e^(3^2 / 2) = 90.
@@ -43,7 +43,7 @@ const std::array<Choice, 9> kMenu{{
 }};
 
 // What a typical gyro would record; rates are left at 0.
-Recording simulated(const std::string& profile, double row_s) {
+recording::Recording simulated(const std::string& profile, double row_s) {
   using namespace simulation;
   const auto& profiles = ready_made_profiles();
   const auto text = std::find_if(profiles.begin(), profiles.end(),
@@ -55,7 +55,7 @@ Recording simulated(const std::string& profile, double row_s) {
   options.earth.latitude_deg = kLatitude_deg;
   options.grid.axial_cells = 1;  // what the sensor reads, the rows' only temperature, needs no more
   Simulation run(gyro, programme, options);
-  Recording recording = record(run, row_s).recording;
+  recording::Recording recording = record(run, row_s).recording;
   recording.file = profile;
   recording.rate_dph.assign(recording.time_s.size(), 0);
   return recording;
@@ -63,9 +63,10 @@ Recording simulated(const std::string& profile, double row_s) {
 
 class Trial {
  public:
-  Trial(const Model& model, const Recording& recording, const NoiseModel& noise)
-      : model_(model), series_(model_, Phase::zero) {
-    series_.add(make_blocks(recording));
+  Trial(const model::Model& model, const recording::Recording& recording,
+        const noise::NoiseModel& noise)
+      : model_(model), series_(model_, series::Phase::zero) {
+    series_.add(series::make_blocks(recording));
     whitening_.emplace(noise, series_.rows(), series_.rows().weights);
   }
 
@@ -82,12 +83,12 @@ class Trial {
     }
     const double visible = left_by(base, signal);
     double least = visible;
-    for (const EffectTerm& shape : imitator.shapes) {
+    for (const model::EffectTerm& shape : imitator.shapes) {
       std::vector<Eigen::MatrixXd> parts = base;
       parts.push_back(series_.regressors(shape));
       least = std::min(least, left_by(parts, signal));
     }
-    return least / std::sqrt(1 + rules::kModelFormTolerance * visible * visible);
+    return least / std::sqrt(1 + fit::rules::kModelFormTolerance * visible * visible);
   }
 
  private:
@@ -96,9 +97,9 @@ class Trial {
     return solve_linear(whitening_->apply(columns), signal).residual.norm();
   }
 
-  Model model_;
-  SignalSeries series_;
-  std::optional<Whitening> whitening_;
+  model::Model model_;
+  series::SignalSeries series_;
+  std::optional<noise::Whitening> whitening_;
 };
 
 // Of the pair that is told apart worst, in standard deviations.
@@ -133,13 +134,13 @@ std::string sentence_of(const Experiment& best, const char* what,
 
 }  // namespace
 
-Experiment propose_experiment(const Model& model, const std::vector<Rival>& rivals,
-                              const NoiseModel& noise) {
+Experiment propose_experiment(const model::Model& model, const std::vector<Rival>& rivals,
+                              const noise::NoiseModel& noise) {
   fog::InputMask needs = 0;
   for (const Rival& rival : rivals) {
-    for (const EffectTerm& term : rival.terms) needs |= info_of(term).needs;
+    for (const model::EffectTerm& term : rival.terms) needs |= model::info_of(term).needs;
   }
-  Model thermal = model;
+  model::Model thermal = model;
   thermal.terms.clear();
   thermal.average_s = noise.row_s;
   Experiment best;
@@ -157,4 +158,4 @@ Experiment propose_experiment(const Model& model, const std::vector<Rival>& riva
   return best;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

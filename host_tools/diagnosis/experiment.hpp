@@ -7,7 +7,7 @@
 #include "model/model.hpp"
 #include "noise/noise_model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// A chamber test that would tell rivals apart.
 struct Experiment {
@@ -20,15 +20,15 @@ struct Experiment {
 /// A rival completion of a model.
 struct Rival {
   std::string effect;
-  std::vector<EffectTerm> terms;   ///< with coefficients, the effect the last of them
-  std::vector<EffectTerm> shapes;  ///< of the effect, that the recordings leave possible
+  std::vector<model::EffectTerm> terms;   ///< with coefficients, the effect the last of them
+  std::vector<model::EffectTerm> shapes;  ///< of the effect, that the recordings leave possible
 };
 
 /// Simulates every programme of the menu (fast, reversed, minor loops, random steps, heater,
 /// restarts, axis flips...) for a typical gyro, and asks of each: if one rival is true as fitted,
 /// how much of it can the other not imitate there, in any shape that is still possible and with
 /// everything refitted? The programme whose least told pair of rivals is told best is proposed.
-Experiment propose_experiment(const Model& model, const std::vector<Rival>& rivals,
-                              const NoiseModel& noise);
+Experiment propose_experiment(const model::Model& model, const std::vector<Rival>& rivals,
+                              const noise::NoiseModel& noise);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -6,7 +6,7 @@
 #include "diagnosis/decision_rules.hpp"
 #include "support/chi_square.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 double most_unexplained(const Hypothesis& hypothesis) {
@@ -19,8 +19,9 @@ double most_unexplained(const Hypothesis& hypothesis) {
 
 }  // namespace
 
-Explanation explain(const ExplainedSpace& space, const Library& library,
-                    const ColumnRange& structure, const std::vector<Hypothesis>& hypotheses) {
+Explanation explain(const fit::ExplainedSpace& space, const Library& library,
+                    const series::ColumnRange& structure,
+                    const std::vector<Hypothesis>& hypotheses) {
   Explanation result;
   std::array<const Hypothesis*, rules::kMaxUnexplained.size()> best{};
   for (const Hypothesis& hypothesis : hypotheses) {
@@ -30,8 +31,8 @@ Explanation explain(const ExplainedSpace& space, const Library& library,
   const auto left_width = static_cast<double>(structure.count);
   for (std::size_t size = 0; size < best.size() && !result.enough; ++size) {
     if (best[size] == nullptr) continue;
-    std::vector<ColumnRange> ranges = ranges_of(library, *best[size]);
-    const double own_width = column_count(ranges);
+    std::vector<series::ColumnRange> ranges = ranges_of(library, *best[size]);
+    const double own_width = fit::column_count(ranges);
     ranges.push_back(structure);
     const double all = space.gain(ranges);
     const double left = all - best[size]->gain;
@@ -46,4 +47,4 @@ Explanation explain(const ExplainedSpace& space, const Library& library,
   return result;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

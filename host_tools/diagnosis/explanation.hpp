@@ -4,7 +4,7 @@
 
 #include "diagnosis/hypotheses.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// What the best set of effects explains of a residual.
 struct Explanation {
@@ -17,7 +17,8 @@ struct Explanation {
 /// The smallest set of effects that explains enough; else the best one, which does not.
 /// `structure`: smooth functions of everything, which show what there is. `hypotheses`: of up to
 /// three parts, at least one; they must outlive the result.
-Explanation explain(const ExplainedSpace& space, const Library& library,
-                    const ColumnRange& structure, const std::vector<Hypothesis>& hypotheses);
+Explanation explain(const fit::ExplainedSpace& space, const Library& library,
+                    const series::ColumnRange& structure,
+                    const std::vector<Hypothesis>& hypotheses);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -9,13 +9,13 @@
 #include "diagnosis/refit.hpp"
 #include "noise/quiet_rows.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 // What a hypothesis leaves, in rows of equal noise; NaN where a row does not count.
 Eigen::VectorXd quiet_values(const EvidenceSpace& evidence, const Hypothesis& hypothesis,
-                             const SignalSeries& series, const NoiseWeightedFit& fit) {
-  std::vector<EffectTerm> terms = fit.terms;
+                             const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
+  std::vector<model::EffectTerm> terms = fit.terms;
   for (const Hypothesis::Part& part : hypothesis.parts) {
     put(terms, evidence.candidates[part.candidate].shapes[part.shape].term);
   }
@@ -40,12 +40,13 @@ double excess_of(const FastFinding& finding, Eigen::Index rows) {
 }  // namespace
 
 FastFinding find_fast(const EvidenceSpace& evidence, const Hypothesis& best,
-                      const SignalSeries& series, const NoiseWeightedFit& fit) {
-  const Rows& rows = series.rows();
+                      const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
+  const series::Rows& rows = series.rows();
   FastFinding finding;
   finding.spectrum = find_fast_structure(rows, without(evidence, best, rows.size()));
-  finding.jumps = find_two_levels(quiet_stretches(rows, quiet_values(evidence, best, series, fit)),
-                                  fit.noise.white_dph(), rows.row_s);
+  finding.jumps =
+      find_two_levels(noise::quiet_stretches(rows, quiet_values(evidence, best, series, fit)),
+                      fit.noise.white_dph(), rows.row_s);
   const std::array<std::pair<double, FastKind>, 3> kinds{
       {{finding.spectrum.line_log_p, FastKind::line},
        {finding.spectrum.band_log_p, FastKind::band},
@@ -57,4 +58,4 @@ FastFinding find_fast(const EvidenceSpace& evidence, const Hypothesis& best,
   return finding;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -6,7 +6,7 @@
 #include "diagnosis/fast_structure.hpp"
 #include "diagnosis/two_levels.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// Structure that no smooth function describes.
 enum class FastKind : std::uint8_t { none, line, band, two_levels };
@@ -21,6 +21,6 @@ struct FastFinding {
 };
 
 FastFinding find_fast(const EvidenceSpace& evidence, const Hypothesis& best,
-                      const SignalSeries& series, const NoiseWeightedFit& fit);
+                      const series::SignalSeries& series, const fit::NoiseWeightedFit& fit);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

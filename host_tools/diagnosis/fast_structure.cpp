@@ -8,7 +8,7 @@
 #include "support/median.hpp"
 #include "support/periodogram.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 constexpr std::size_t kFirstLine = 3;  // periods in a run
@@ -79,11 +79,12 @@ void find_band(const std::vector<Octave>& octaves, double level, double lines,
 
 }  // namespace
 
-FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& whitened_residual) {
+FastStructure find_fast_structure(const series::Rows& rows,
+                                  const Eigen::VectorXd& whitened_residual) {
   std::vector<Octave> octaves(kMostOctaves);
   std::vector<double> all;
   FastStructure fast;
-  for (const RowRange& run : rows.runs()) {
+  for (const recording::RowRange& run : rows.runs()) {
     const std::size_t size = run.size();
     const double length_s = static_cast<double>(size) * rows.row_s;
     const auto begin = whitened_residual.begin() + static_cast<std::ptrdiff_t>(run.first);
@@ -110,4 +111,4 @@ FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& white
   return fast;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

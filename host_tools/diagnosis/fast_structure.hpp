@@ -4,7 +4,7 @@
 
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// Fast structure: the strongest line and the strongest octave of the residual's periodogram.
 struct FastStructure {
@@ -20,6 +20,7 @@ struct FastStructure {
 
 /// Looks at a whitened residual, run by run, at periods of two rows to a third of the run (lines)
 /// or a twentieth (octaves).
-FastStructure find_fast_structure(const Rows& rows, const Eigen::VectorXd& whitened_residual);
+FastStructure find_fast_structure(const series::Rows& rows,
+                                  const Eigen::VectorXd& whitened_residual);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

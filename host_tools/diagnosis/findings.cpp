@@ -4,7 +4,7 @@
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/diagnosis.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 const char* name_of(Verdict verdict) {
   switch (verdict) {
@@ -85,4 +85,4 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
   return "";
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -8,14 +8,14 @@
 #include "fit/shape_search.hpp"
 #include "model/catalogue.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 constexpr std::size_t kExtended = 8;  // pairs that are tried with a third effect
 
 class Search {
  public:
-  Search(const ExplainedSpace& space, const std::vector<Candidate>& candidates,
+  Search(const fit::ExplainedSpace& space, const std::vector<Candidate>& candidates,
          const Library& library)
       : space_(space), candidates_(candidates), library_(library) {}
 
@@ -51,8 +51,8 @@ class Search {
   // Where the effect itself has an optional second part of the same form.
   bool may_stand_twice(std::size_t candidate) const {
     if (candidates_[candidate].is_expression()) return false;
-    const CatalogueEntry& entry = find_effect(candidates_[candidate].effect);
-    return std::any_of(entry.parameters.begin(), entry.parameters.end(), is_optional_part);
+    const model::CatalogueEntry& entry = model::find_effect(candidates_[candidate].effect);
+    return std::any_of(entry.parameters.begin(), entry.parameters.end(), model::is_optional_part);
   }
 
   // Moves the shapes, one part at a time, to where they explain most together.
@@ -67,11 +67,11 @@ class Search {
                                           ranges_of(library_, h, i), space_.along());
         h.parts[i].shape = best.shape;
         h.gain = best.gain;
-        width = column_count(ranges_of(library_, h));
-        unlikely += log_evidence(best.gain, width) - best.log_evidence;
+        width = fit::column_count(ranges_of(library_, h));
+        unlikely += fit::log_evidence(best.gain, width) - best.log_evidence;
       }
     }
-    h.log_evidence = log_evidence(h.gain, width) - unlikely;
+    h.log_evidence = fit::log_evidence(h.gain, width) - unlikely;
     if (h.parts.size() == 1) alone_.push_back(h.parts[0].shape);
     return h;
   }
@@ -79,7 +79,7 @@ class Search {
   // A set in which every part earns its place.
   void keep(Hypothesis h) {
     for (std::size_t i = 0; i < h.parts.size(); ++i) {
-      const std::vector<ColumnRange> rest = ranges_of(library_, h, i);
+      const std::vector<series::ColumnRange> rest = ranges_of(library_, h, i);
       const double without = rest.empty() ? 0 : space_.gain(rest);
       const bool step = is_step(h.parts[i].candidate);
       const double needed = step ? rules::kMinStepGain : rest.empty() ? 0 : rules::kMinPartGain;
@@ -121,7 +121,8 @@ class Search {
       const double parameters =
           static_cast<double>(library_[part.candidate][part.shape].count) +
           static_cast<double>(
-              shape_parameters({candidates_[part.candidate].shapes[part.shape].term}).size());
+              model::shape_parameters({candidates_[part.candidate].shapes[part.shape].term})
+                  .size());
       prior -= std::log(rules::kSimpler) * (parameters - 1);
     }
     return prior;
@@ -131,7 +132,7 @@ class Search {
     if (found_.empty()) return;
     double most = 0;
     for (const Hypothesis& h : found_) most = std::max(most, h.log_evidence);
-    const double temper = 1 + rules::kModelFormTolerance * 2 * most;
+    const double temper = 1 + fit::rules::kModelFormTolerance * 2 * most;
     double best = -HUGE_VAL;
     const auto score = [&](const Hypothesis& h) { return h.log_evidence / temper + h.log_prior; };
     for (Hypothesis& h : found_) {
@@ -146,7 +147,7 @@ class Search {
     });
   }
 
-  const ExplainedSpace& space_;
+  const fit::ExplainedSpace& space_;
   const std::vector<Candidate>& candidates_;
   const Library& library_;
   std::vector<std::size_t> alone_;  // best shape of each candidate by itself
@@ -155,9 +156,9 @@ class Search {
 
 }  // namespace
 
-std::vector<ColumnRange> ranges_of(const Library& library, const Hypothesis& hypothesis,
-                                   std::size_t left_out) {
-  std::vector<ColumnRange> ranges;
+std::vector<series::ColumnRange> ranges_of(const Library& library, const Hypothesis& hypothesis,
+                                           std::size_t left_out) {
+  std::vector<series::ColumnRange> ranges;
   for (std::size_t i = 0; i < hypothesis.parts.size(); ++i) {
     const Hypothesis::Part& part = hypothesis.parts[i];
     if (i != left_out) ranges.push_back(library[part.candidate][part.shape]);
@@ -165,12 +166,12 @@ std::vector<ColumnRange> ranges_of(const Library& library, const Hypothesis& hyp
   return ranges;
 }
 
-std::size_t leading_candidate(const ExplainedSpace& space, const Library& library,
+std::size_t leading_candidate(const fit::ExplainedSpace& space, const Library& library,
                               const Hypothesis& hypothesis) {
   std::size_t best = hypothesis.parts.front().candidate;
   double least = HUGE_VAL;
   for (const Hypothesis::Part& part : hypothesis.parts) {
-    std::vector<ColumnRange> others;
+    std::vector<series::ColumnRange> others;
     for (const Hypothesis::Part& other : hypothesis.parts) {
       if (other.candidate != part.candidate)
         others.push_back(library[other.candidate][other.shape]);
@@ -199,19 +200,20 @@ std::size_t Hypothesis::effects() const {
   return count;
 }
 
-BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>& shapes,
-                     const std::vector<ColumnRange>& others, const Eigen::VectorXd& along) {
+BestShape best_shape(const fit::ExplainedSpace& space,
+                     const std::vector<series::ColumnRange>& shapes,
+                     const std::vector<series::ColumnRange>& others, const Eigen::VectorXd& along) {
   BestShape best;
-  std::vector<ColumnRange> parts = others;
+  std::vector<series::ColumnRange> parts = others;
   double width = 0;
-  for (const ColumnRange& other : others) width += static_cast<double>(other.count);
+  for (const series::ColumnRange& other : others) width += static_cast<double>(other.count);
   parts.push_back({});
   std::vector<double> evidence;
   evidence.reserve(shapes.size());
   for (std::size_t shape = 0; shape < shapes.size(); ++shape) {
     parts.back() = shapes[shape];
     const double gain = space.gain(parts, along);
-    evidence.push_back(log_evidence(gain, width + static_cast<double>(shapes[shape].count)));
+    evidence.push_back(fit::log_evidence(gain, width + static_cast<double>(shapes[shape].count)));
     if (shape > 0 && gain <= best.gain) continue;
     best.gain = gain;
     best.shape = shape;
@@ -223,10 +225,10 @@ BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>
   return best;
 }
 
-std::vector<Hypothesis> find_hypotheses(const ExplainedSpace& space,
+std::vector<Hypothesis> find_hypotheses(const fit::ExplainedSpace& space,
                                         const std::vector<Candidate>& candidates,
                                         const Library& library) {
   return Search(space, candidates, library).run();
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -6,10 +6,10 @@
 #include "diagnosis/candidates.hpp"
 #include "fit/explained_space.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// Where each shape of each candidate lies in the space.
-using Library = std::vector<std::vector<ColumnRange>>;  // candidate, shape
+using Library = std::vector<std::vector<series::ColumnRange>>;  // candidate, shape
 
 /// A set of effects, each at one shape, that might be what is missing. One effect may stand in it
 /// twice: two radii of hysteresis, two lags.
@@ -33,11 +33,11 @@ struct Hypothesis {
 
 /// Where the parts of a hypothesis lie, in their order; one may be left out.
 constexpr std::size_t kEveryPart = static_cast<std::size_t>(-1);
-std::vector<ColumnRange> ranges_of(const Library& library, const Hypothesis& hypothesis,
-                                   std::size_t left_out = kEveryPart);
+std::vector<series::ColumnRange> ranges_of(const Library& library, const Hypothesis& hypothesis,
+                                           std::size_t left_out = kEveryPart);
 
 /// The candidate without which a hypothesis would explain least.
-std::size_t leading_candidate(const ExplainedSpace& space, const Library& library,
+std::size_t leading_candidate(const fit::ExplainedSpace& space, const Library& library,
                               const Hypothesis& hypothesis);
 
 /// Average over the shapes of a candidate, given `others`: its evidence, and its best shape.
@@ -46,13 +46,14 @@ struct BestShape {
   double gain = 0;          ///< with the others, at the best shape
   double log_evidence = 0;  ///< with the others, averaged over shapes
 };
-BestShape best_shape(const ExplainedSpace& space, const std::vector<ColumnRange>& shapes,
-                     const std::vector<ColumnRange>& others, const Eigen::VectorXd& along);
+BestShape best_shape(const fit::ExplainedSpace& space,
+                     const std::vector<series::ColumnRange>& shapes,
+                     const std::vector<series::ColumnRange>& others, const Eigen::VectorXd& along);
 
 /// One, two or three of the candidates at a time, most probable first. Sets that contain a
 /// event need it to bring a chi^2 of rules::kMinStepGain.
-std::vector<Hypothesis> find_hypotheses(const ExplainedSpace& space,
+std::vector<Hypothesis> find_hypotheses(const fit::ExplainedSpace& space,
                                         const std::vector<Candidate>& candidates,
                                         const Library& library);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -4,13 +4,13 @@
 
 #include "diagnosis/decision_rules.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 // The term that the loop added and needs least, if it does not need it.
-std::vector<EffectTerm>::iterator superfluous(std::vector<EffectTerm>& terms,
-                                              const Diagnosis& diagnosis,
-                                              const std::vector<std::string>& added) {
+std::vector<model::EffectTerm>::iterator superfluous(std::vector<model::EffectTerm>& terms,
+                                                     const Diagnosis& diagnosis,
+                                                     const std::vector<std::string>& added) {
   auto least = terms.end();
   double least_gain = rules::kNeeded;
   for (auto term = terms.begin(); term != terms.end(); ++term) {
@@ -59,10 +59,10 @@ std::vector<std::string> Ladder::added() const {
   return names;
 }
 
-Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effects,
+Ladder walk_ladder(const model::Model& model, const DiagnosisData& data, int most_effects,
                    const DiagnosisSettings& settings) {
   Ladder ladder;
-  Model grown = model;
+  model::Model grown = model;
   double before = 0;
   DiagnosisSettings each = settings;
   each.progress = [&](double done) {
@@ -98,4 +98,4 @@ Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effec
   return ladder;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -5,7 +5,7 @@
 
 #include "diagnosis/diagnosis.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// The whole loop: diagnose, add what is named, refit everything, look again.
 struct Ladder {
@@ -22,7 +22,7 @@ struct Ladder {
   /// What the last diagnosis would add, but for so little that it may be how inexactly the effects
   /// before describe what they took out; "" if nothing.
   std::string left_alone;
-  std::vector<EffectTerm> terms;  ///< at the end, with coefficients
+  std::vector<model::EffectTerm> terms;  ///< at the end, with coefficients
 
   /// Effects that the loop added and kept, in that order.
   std::vector<std::string> added() const;
@@ -31,7 +31,7 @@ struct Ladder {
 /// Adds up to `most_effects`: what is named, or the likeliest of those that the recordings cannot
 /// tell apart. After each, an effect that the loop had added before and that is no longer needed is
 /// taken out. Ends where nothing is missing, or what is missing is unknown.
-Ladder walk_ladder(const Model& model, const DiagnosisData& data, int most_effects,
+Ladder walk_ladder(const model::Model& model, const DiagnosisData& data, int most_effects,
                    const DiagnosisSettings& settings = {});
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -10,36 +10,38 @@
 #include "support/least_squares.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 // Where there is too little quiet to know the slow noise from, the faster part of everything else
 // helps: what smooth functions of any kind leave of it.
-NoiseModel noise_with_less_quiet(const Rows& rows, const NoiseWeightedFit& fit) {
+noise::NoiseModel noise_with_less_quiet(const series::Rows& rows,
+                                        const fit::NoiseWeightedFit& fit) {
   // Smooth functions reach 8 periods in a run and take some of what is beyond with them. Without
   // any quiet part a guess that is too low is better than one that takes all drift for noise.
   const std::size_t first_frequency = fit.noise.from_quiet_parts ? 16 : 8;
   std::vector<Eigen::MatrixXd> parts{fit.columns};
   for (StructureGroup& group : structure_groups(rows)) parts.push_back(std::move(group.columns));
   const LinearFit smooth = solve_linear(side_by_side(parts, rows.size()), rows.drift_dph);
-  const Eigen::VectorXd rest = bridged(rows, smooth.residual, fit.robust);
-  const Eigen::VectorXd residual = bridged(rows, fit.residual_dph, fit.robust);
-  std::vector<NoiseSample> samples = noise_samples(quiet_stretches(rows, residual));
-  for (const RowRange& run : rows.runs()) {
+  const Eigen::VectorXd rest = noise::bridged(rows, smooth.residual, fit.robust);
+  const Eigen::VectorXd residual = noise::bridged(rows, fit.residual_dph, fit.robust);
+  std::vector<noise::NoiseSample> samples =
+      noise::noise_samples(noise::quiet_stretches(rows, residual));
+  for (const recording::RowRange& run : rows.runs()) {
     samples.push_back(
         {rest.segment(static_cast<Eigen::Index>(run.first), static_cast<Eigen::Index>(run.size())),
          first_frequency});
   }
-  NoiseModel noise = fit_noise(samples, rows.row_s, rows.longest_run_s());
+  noise::NoiseModel noise = noise::fit_noise(samples, rows.row_s, rows.longest_run_s());
   noise.from_quiet_parts = fit.noise.from_quiet_parts;
   return noise;
 }
 
 }  // namespace
 
-NoiseWeightedFit fit_for_diagnosis(const Model& model, const DiagnosisData& data,
-                                   const std::optional<NoiseModel>& noise) {
-  const Rows& rows = data.series().rows();
+fit::NoiseWeightedFit fit_for_diagnosis(const model::Model& model, const DiagnosisData& data,
+                                        const std::optional<noise::NoiseModel>& noise) {
+  const series::Rows& rows = data.series().rows();
   if (rows.size() < rules::kMinRows) {
     throw InputError("diagnose",
                      format("%s of %g s: too few; at least %td are needed: "
@@ -47,21 +49,23 @@ NoiseWeightedFit fit_for_diagnosis(const Model& model, const DiagnosisData& data
                             counted(static_cast<std::size_t>(rows.size()), "row").c_str(),
                             rows.row_s, rules::kMinRows));
   }
-  const Eigen::MatrixXd offsets = run_offset_columns(rows);
-  NoiseWeightedFit fit = fit_rows(data.series(), model.terms, offsets, {{}, noise});
+  const Eigen::MatrixXd offsets = fit::run_offset_columns(rows);
+  fit::NoiseWeightedFit fit = fit::fit_rows(data.series(), model.terms, offsets, {{}, noise});
   if (noise || fit.noise.freedom >= rules::kEnoughFreedom) return fit;
-  return fit_rows(data.series(), fit.terms, offsets, {{}, noise_with_less_quiet(rows, fit)});
+  return fit::fit_rows(data.series(), fit.terms, offsets, {{}, noise_with_less_quiet(rows, fit)});
 }
 
-double rms_of_rows(const Rows& rows, const NoiseWeightedFit& fit, const Eigen::VectorXd& residual) {
-  const Eigen::VectorXd weights = counted_weights(rows, fit.row_weights);
+double rms_of_rows(const series::Rows& rows, const fit::NoiseWeightedFit& fit,
+                   const Eigen::VectorXd& residual) {
+  const Eigen::VectorXd weights = noise::counted_weights(rows, fit.row_weights);
   return std::sqrt(residual.cwiseAbs2().dot(weights) / weights.sum());
 }
 
-bool at_rest(const Rows& rows) {
+bool at_rest(const series::Rows& rows) {
   double quiet = 0;
-  for (const RowRange& range : quiet_ranges(rows)) quiet += static_cast<double>(range.size());
+  for (const recording::RowRange& range : noise::quiet_ranges(rows))
+    quiet += static_cast<double>(range.size());
   return quiet > rules::kAtRest * static_cast<double>(rows.size());
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

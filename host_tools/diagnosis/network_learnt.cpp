@@ -5,11 +5,11 @@
 
 #include "model/catalogue.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
-NetworkLearnt ask_network(const RealNetwork& network, const SignalSeries& series,
+NetworkLearnt ask_network(const model::RealNetwork& network, const series::SignalSeries& series,
                           const std::vector<Candidate>& candidates, const ToVisible& to_visible) {
-  const Rows& rows = series.rows();
+  const series::Rows& rows = series.rows();
   const Eigen::MatrixXd inputs = series.network_inputs(network.inputs);
   Eigen::VectorXd output(rows.size());
   for (Eigen::Index row = 0; row < rows.size(); ++row) {
@@ -36,4 +36,4 @@ NetworkLearnt ask_network(const RealNetwork& network, const SignalSeries& series
   return learnt;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -6,7 +6,7 @@
 #include "diagnosis/candidates.hpp"
 #include "model/network.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// Least share that makes an effect what a network had learnt. Less is imitation: of |dT/dt|, which
 /// is not in the catalogue, a single effect explained a third, of learnt slow noise two thirds.
@@ -19,7 +19,7 @@ struct NetworkLearnt {
   /// Part of that, 0..1 (whitened squares), which the model's own effects could not do themselves.
   double beyond_effects = 0;
   struct Share {
-    EffectTerm term;   ///< where its shape parameters fit best; no coefficients
+    model::EffectTerm term;  ///< where its shape parameters fit best; no coefficients
     double share = 0;  ///< of what is beyond the effects, 0..1; shares of different effects overlap
   };
   std::vector<Share> effects;  ///< each by itself, the largest first
@@ -27,7 +27,7 @@ struct NetworkLearnt {
 
 /// Evaluates `network` over the rows of `series`, whose recordings have what its inputs need, and
 /// takes out what `to_visible` takes out of any regressor. An event is no answer.
-NetworkLearnt ask_network(const RealNetwork& network, const SignalSeries& series,
+NetworkLearnt ask_network(const model::RealNetwork& network, const series::SignalSeries& series,
                           const std::vector<Candidate>& candidates, const ToVisible& to_visible);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -6,7 +6,7 @@
 
 #include "support/decompositions.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 constexpr int kDraws = 400;
@@ -15,11 +15,12 @@ constexpr double kCovarianceRidge = 1e-7;
 
 // The best effect's evidence, measured in the noise that smooth functions still find beside that
 // effect: where slow noise is stronger than the quiet parts said, it is so in every direction.
-double best_evidence(const ExplainedSpace& space, const Library& library,
-                     const ColumnRange& structure, double freedom, const Eigen::VectorXd& along) {
-  const auto most = [&](const Eigen::VectorXd& values, ColumnRange* where) {
+double best_evidence(const fit::ExplainedSpace& space, const Library& library,
+                     const series::ColumnRange& structure, double freedom,
+                     const Eigen::VectorXd& along) {
+  const auto most = [&](const Eigen::VectorXd& values, series::ColumnRange* where) {
     double evidence = 0;
-    for (const std::vector<ColumnRange>& shapes : library) {
+    for (const std::vector<series::ColumnRange>& shapes : library) {
       const BestShape best = best_shape(space, shapes, {}, values);
       if (best.log_evidence <= evidence) continue;
       evidence = best.log_evidence;
@@ -27,7 +28,7 @@ double best_evidence(const ExplainedSpace& space, const Library& library,
     }
     return evidence;
   };
-  ColumnRange best;
+  series::ColumnRange best;
   if (most(along, &best) == 0) return 0;
   const double left = space.gain({best, structure}, along) - space.gain({best}, along);
   const double variance = (freedom + left) / (freedom + static_cast<double>(structure.count));
@@ -51,8 +52,9 @@ double beyond_log_p(std::vector<double> draws, double value) {
 
 }  // namespace
 
-NullTest test_against_noise(const ExplainedSpace& space, const Library& library,
-                            const ColumnRange& structure, double freedom, std::uint64_t seed) {
+NullTest test_against_noise(const fit::ExplainedSpace& space, const Library& library,
+                            const series::ColumnRange& structure, double freedom,
+                            std::uint64_t seed) {
   Eigen::MatrixXd covariance = space.gram();
   covariance.diagonal().array() += kCovarianceRidge * covariance.diagonal().maxCoeff();
   const Eigen::MatrixXd root = cholesky_factor(covariance);
@@ -77,4 +79,4 @@ NullTest test_against_noise(const ExplainedSpace& space, const Library& library,
   return test;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -6,7 +6,7 @@
 #include "diagnosis/hypotheses.hpp"
 #include "fit/explained_space.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// How often noise alone would seem to contain an effect.
 struct NullTest {
@@ -20,7 +20,8 @@ struct NullTest {
 
 /// The best over all effects and shapes of many draws of white noise, put through the same space.
 /// `freedom`: how well the noise itself is known, as the degrees of freedom of a variance.
-NullTest test_against_noise(const ExplainedSpace& space, const Library& library,
-                            const ColumnRange& structure, double freedom, std::uint64_t seed);
+NullTest test_against_noise(const fit::ExplainedSpace& space, const Library& library,
+                            const series::ColumnRange& structure, double freedom,
+                            std::uint64_t seed);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -6,22 +6,22 @@
 #include "noise/whitening.hpp"
 #include "support/least_squares.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
-void put(std::vector<EffectTerm>& terms, const EffectTerm& added) {
-  const auto same = [&](const EffectTerm& term) { return term.name == added.name; };
+void put(std::vector<model::EffectTerm>& terms, const model::EffectTerm& added) {
+  const auto same = [&](const model::EffectTerm& term) { return term.name == added.name; };
   terms.erase(std::remove_if(terms.begin(), terms.end(), same), terms.end());
   terms.push_back(added);
 }
 
-Refit refit(std::vector<EffectTerm> terms, const SignalSeries& series,
-            const NoiseWeightedFit& fit) {
-  const Rows& rows = series.rows();
+Refit refit(std::vector<model::EffectTerm> terms, const series::SignalSeries& series,
+            const fit::NoiseWeightedFit& fit) {
+  const series::Rows& rows = series.rows();
   std::vector<Eigen::MatrixXd> parts;
-  for (const EffectTerm& term : terms) parts.push_back(series.regressors(term));
-  parts.push_back(run_offset_columns(rows));
+  for (const model::EffectTerm& term : terms) parts.push_back(series.regressors(term));
+  parts.push_back(fit::run_offset_columns(rows));
   const Eigen::MatrixXd columns = side_by_side(parts, rows.size());
-  const Whitening whitening(fit.noise, rows, fit.row_weights);
+  const noise::Whitening whitening(fit.noise, rows, fit.row_weights);
   const LinearFit solved = solve_linear(whitening.apply(columns), fit.whitened_measured);
   Eigen::Index first = 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -32,4 +32,4 @@ Refit refit(std::vector<EffectTerm> terms, const SignalSeries& series,
   return {std::move(terms), rows.drift_dph - columns * solved.coefficients};
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -2,15 +2,16 @@
 
 #include "fit/explained_space.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd& residual,
-                       const std::vector<Segment>& segments) {
+                       const std::vector<recording::Segment>& segments) {
   ResidualPlace place;
   double most = 0;
   for (std::size_t i = 0; i < structure.groups.size(); ++i) {
     const Eigen::VectorXd along = structure.groups[i].transpose() * residual;
-    const double evidence = log_evidence(along.squaredNorm(), static_cast<double>(along.size()));
+    const double evidence =
+        fit::log_evidence(along.squaredNorm(), static_cast<double>(along.size()));
     place.variables.push_back({structure.variables[i], evidence});
     if (evidence <= most) continue;
     most = evidence;
@@ -19,7 +20,7 @@ ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd&
   for (NamedShare& variable : place.variables) variable.share /= most > 0 ? most : 1;
   const Eigen::VectorXd smooth = structure.all * (structure.all.transpose() * residual);
   double sum = 0;
-  for (const Segment& segment : segments) {
+  for (const recording::Segment& segment : segments) {
     const auto first = static_cast<Eigen::Index>(segment.rows.first);
     const double part =
         smooth.segment(first, static_cast<Eigen::Index>(segment.rows.size())).squaredNorm();
@@ -30,4 +31,4 @@ ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd&
   return place;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -6,7 +6,7 @@
 #include "diagnosis/diagnosis_data.hpp"
 #include "diagnosis/structure.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 struct NamedShare {
   std::string name;
@@ -22,6 +22,6 @@ struct ResidualPlace {
 
 /// `residual`: whitened, as `structure`.
 ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd& residual,
-                       const std::vector<Segment>& segments);
+                       const std::vector<recording::Segment>& segments);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -11,7 +11,7 @@
 #include "support/decompositions.hpp"
 #include "support/least_squares.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 constexpr int kTemperatureKnots = 8;
@@ -22,8 +22,9 @@ constexpr int kMostTimeKnots = 32;
 constexpr std::array<double, 4> kHistoryLags_s{240, 960, 3840, 15360};
 constexpr std::array<double, 4> kRadii_degc{2, 5, 10, 20};
 
-Eigen::VectorXd column_of(const Rows& rows,
-                          const std::function<double(const fog::Signals<RealNumbers>&)>& value) {
+Eigen::VectorXd column_of(
+    const series::Rows& rows,
+    const std::function<double(const fog::Signals<model::RealNumbers>&)>& value) {
   Eigen::VectorXd column(rows.size());
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
     column[i] = value(rows.signals[static_cast<std::size_t>(i)]);
@@ -46,8 +47,8 @@ Eigen::MatrixXd smooths(const Eigen::VectorXd& x, int knots) {
   return columns;
 }
 
-Eigen::VectorXd played(const Rows& rows, const Eigen::VectorXd& x, double radius) {
-  fog::Play<RealNumbers> play(radius);
+Eigen::VectorXd played(const series::Rows& rows, const Eigen::VectorXd& x, double radius) {
+  fog::Play<model::RealNumbers> play(radius);
   Eigen::VectorXd behind(x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     if (rows.starts_run(static_cast<std::size_t>(i))) play.centre(x[i]);
@@ -56,11 +57,11 @@ Eigen::VectorXd played(const Rows& rows, const Eigen::VectorXd& x, double radius
   return behind;
 }
 
-Eigen::MatrixXd of_time(const Rows& rows) {
+Eigen::MatrixXd of_time(const series::Rows& rows) {
   const auto runs = static_cast<int>(rows.run_starts.size());
   const int knots = std::clamp(kMostTimeKnots / runs, 3, kTimeKnots);
   std::vector<Eigen::MatrixXd> parts;
-  for (const RowRange& run : rows.runs()) {
+  for (const recording::RowRange& run : rows.runs()) {
     const auto first = static_cast<Eigen::Index>(run.first);
     const auto count = static_cast<Eigen::Index>(run.size());
     const Eigen::VectorXd time = Eigen::Map<const Eigen::VectorXd>(&rows.time_s[run.first], count);
@@ -74,7 +75,7 @@ Eigen::MatrixXd of_time(const Rows& rows) {
 
 }  // namespace
 
-std::vector<StructureGroup> structure_groups(const Rows& rows) {
+std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
   const Eigen::VectorXd temperature = column_of(rows, [](const auto& s) { return s.temperature; });
   const Eigen::VectorXd rate = column_of(rows, [](const auto& s) { return s.temperature_rate; });
   std::vector<StructureGroup> groups;
@@ -88,7 +89,7 @@ std::vector<StructureGroup> structure_groups(const Rows& rows) {
                                  rows.size())});
   std::vector<Eigen::MatrixXd> history;
   for (const double tau_s : kHistoryLags_s) {
-    history.push_back(temperature - lagged(rows, temperature, tau_s));
+    history.push_back(temperature - series::lagged(rows, temperature, tau_s));
   }
   for (const double radius : kRadii_degc) history.push_back(played(rows, temperature, radius));
   groups.push_back({"temperature history", side_by_side(history, rows.size())});
@@ -97,7 +98,7 @@ std::vector<StructureGroup> structure_groups(const Rows& rows) {
   for (std::size_t i = static_cast<std::size_t>(fog::Input::input_rate); i < fog::kInputs; ++i) {
     const fog::InputDescription& input = fog::kInputTable[i];
     const Eigen::VectorXd values =
-        column_of(rows, [&](const auto& s) { return optional_input(input.input, s.block); });
+        column_of(rows, [&](const auto& s) { return model::optional_input(input.input, s.block); });
     if (!(values.maxCoeff() > values.minCoeff())) continue;
     const Eigen::VectorXd x = values.array() - values.mean();
     groups.push_back(
@@ -121,7 +122,7 @@ Eigen::MatrixXd principal(const Eigen::MatrixXd& columns) {
 
 }  // namespace
 
-VisibleStructure visible_structure(const Rows& rows, const ModelRemover& remover) {
+VisibleStructure visible_structure(const series::Rows& rows, const ModelRemover& remover) {
   VisibleStructure structure;
   std::vector<Eigen::MatrixXd> parts;
   for (const StructureGroup& group : structure_groups(rows)) {
@@ -141,4 +142,4 @@ VisibleStructure visible_structure(const Rows& rows, const ModelRemover& remover
   return structure;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

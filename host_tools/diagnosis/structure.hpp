@@ -7,7 +7,7 @@
 #include "diagnosis/visible_part.hpp"
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// Smooth functions of one thing that a drift can depend on; no physics in them. They find out
 /// whether a residual has structure that no catalogued effect explains, and on what it depends.
@@ -18,7 +18,7 @@ struct StructureGroup {
 
 /// Smooths of temperature, of its rate, of their product, of history (lagged temperatures and play
 /// operators), of time within each run, and of every further input that varies.
-std::vector<StructureGroup> structure_groups(const Rows& rows);
+std::vector<StructureGroup> structure_groups(const series::Rows& rows);
 
 /// Smooth structure behind a model: orthonormal whitened columns, group by group and together.
 struct VisibleStructure {
@@ -26,6 +26,6 @@ struct VisibleStructure {
   std::vector<Eigen::MatrixXd> groups;
   Eigen::MatrixXd all;
 };
-VisibleStructure visible_structure(const Rows& rows, const ModelRemover& remover);
+VisibleStructure visible_structure(const series::Rows& rows, const ModelRemover& remover);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

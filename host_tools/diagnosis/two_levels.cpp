@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 // In units of the white noise of a row.
@@ -200,4 +200,4 @@ TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double 
   return found;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

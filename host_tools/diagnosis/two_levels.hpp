@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// A bias that jumps to and fro between two levels at random times (random telegraph noise).
 struct TwoLevels {
@@ -24,4 +24,4 @@ struct TwoLevels {
 TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double white_dph,
                           double row_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -11,7 +11,7 @@
 #include "series/term_columns.hpp"
 #include "support/least_squares.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 constexpr double kRankThreshold = 1e-8;
@@ -46,13 +46,13 @@ constexpr double kMaxBend = 0.1;
 constexpr Eigen::Index kBends = 2;  // in T and T^2
 
 // What the model's coefficients of the temperature rate make of the drift.
-Eigen::VectorXd drift_of_rate_terms(const Rows& rows, const NoiseWeightedFit& fit) {
+Eigen::VectorXd drift_of_rate_terms(const series::Rows& rows, const fit::NoiseWeightedFit& fit) {
   Eigen::VectorXd drift = Eigen::VectorXd::Zero(rows.size());
-  const std::vector<ColumnRange> columns = columns_of(fit.terms, rows.row_s);
+  const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
   for (std::size_t term = 0; term < columns.size(); ++term) {
-    const TermInfo info = info_of(fit.terms[term]);
+    const model::TermInfo info = model::info_of(fit.terms[term]);
     for (Eigen::Index i = 0; i < columns[term].count; ++i) {
-      if (!of_temperature_rate(info.coefficients[static_cast<std::size_t>(i)])) continue;
+      if (!model::of_temperature_rate(info.coefficients[static_cast<std::size_t>(i)])) continue;
       const Eigen::Index column = columns[term].first + i;
       drift += fit.columns.col(column) * fit.coefficients[column];
     }
@@ -61,7 +61,7 @@ Eigen::VectorXd drift_of_rate_terms(const Rows& rows, const NoiseWeightedFit& fi
 }
 
 // d/dt of a series of rows, per second; 0 where a run begins or ends.
-Eigen::VectorXd slope(const Rows& rows, const Eigen::VectorXd& values) {
+Eigen::VectorXd slope(const series::Rows& rows, const Eigen::VectorXd& values) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(values.size());
   for (Eigen::Index i = 1; i + 1 < values.size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
@@ -71,22 +71,23 @@ Eigen::VectorXd slope(const Rows& rows, const Eigen::VectorXd& values) {
   return result;
 }
 
-bool is_of_rate(const EffectTerm& term) {
-  const TermInfo info = info_of(term);
-  return std::any_of(info.coefficients.begin(), info.coefficients.end(),
-                     [](const auto& coefficient) { return of_temperature_rate(coefficient); });
+bool is_of_rate(const model::EffectTerm& term) {
+  const model::TermInfo info = model::info_of(term);
+  return std::any_of(
+      info.coefficients.begin(), info.coefficients.end(),
+      [](const auto& coefficient) { return model::of_temperature_rate(coefficient); });
 }
 
 // How each term may bend: what it makes of the drift beside its mean, bent with temperature over
 // the range of these rows (Legendre's polynomials).
-Eigen::MatrixXd bent_terms(const Rows& rows, const NoiseWeightedFit& fit) {
+Eigen::MatrixXd bent_terms(const series::Rows& rows, const fit::NoiseWeightedFit& fit) {
   Eigen::ArrayXd degc(rows.size());
   for (Eigen::Index i = 0; i < degc.size(); ++i) {
     degc[i] = rows.signals[static_cast<std::size_t>(i)].temperature;
   }
   const double half_range = std::max((degc.maxCoeff() - degc.minCoeff()) / 2, 1e-9);
   const Eigen::ArrayXd u = (degc - (degc.maxCoeff() + degc.minCoeff()) / 2) / half_range;
-  const std::vector<ColumnRange> columns = columns_of(fit.terms, rows.row_s);
+  const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
   Eigen::MatrixXd bent(rows.size(), kBends * static_cast<Eigen::Index>(columns.size()));
   const double max_bend_dph = kMaxBend * fit.noise.white_dph() * std::sqrt(rows.row_s / 10);
   Eigen::Index at = 0;
@@ -105,24 +106,24 @@ Eigen::MatrixXd bent_terms(const Rows& rows, const NoiseWeightedFit& fit) {
 }
 
 // How the model's terms may differ from what they stand for, each by one standard deviation.
-Eigen::MatrixXd inexact_terms(const Rows& rows, const NoiseWeightedFit& fit) {
+Eigen::MatrixXd inexact_terms(const series::Rows& rows, const fit::NoiseWeightedFit& fit) {
   const Eigen::VectorXd drift = fit.columns * fit.coefficients;
   const Eigen::VectorXd of_rate = drift_of_rate_terms(rows, fit);
   Eigen::MatrixXd timings(rows.size(), kTimings);
   timings.col(0) = kSensorDelay_s * slope(rows, drift);
-  timings.col(1) = drift - smoothed(rows, drift, kRounding_s);
+  timings.col(1) = drift - series::smoothed(rows, drift, kRounding_s);
   for (std::size_t i = 0; i < kLagging.size(); ++i) {
     const Lagging& part = kLagging[i];
     const Eigen::VectorXd& whole = part.rate_terms_only ? of_rate : drift;
     timings.col(static_cast<Eigen::Index>(i) + 2) =
-        part.share * (whole - lagged(rows, whole, part.lag_s));
+        part.share * (whole - series::lagged(rows, whole, part.lag_s));
   }
   return side_by_side({timings, bent_terms(rows, fit)}, rows.size());
 }
 
 }  // namespace
 
-ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
+ModelRemover::ModelRemover(const series::Rows& rows, const fit::NoiseWeightedFit& fit)
     : whitening_(fit.noise, rows, fit.row_weights) {
   const Eigen::MatrixXd inexact = inexact_terms(rows, fit);
   priors_ = inexact.cols();
@@ -135,7 +136,7 @@ ModelRemover::ModelRemover(const Rows& rows, const NoiseWeightedFit& fit)
   const double excess = std::max(0.0, fit.whitened_residual.squaredNorm() - size);
   columns.bottomRightCorner(priors_, priors_)
       .diagonal()
-      .setConstant(std::sqrt(1 + rules::kModelFormTolerance * excess));
+      .setConstant(std::sqrt(1 + fit::rules::kModelFormTolerance * excess));
   basis_ = orthonormal(columns, kRankThreshold);
   residual_ = without_model(with_priors(fit.whitened_measured));
 }
@@ -165,4 +166,4 @@ VisiblePart ModelRemover::operator()(const Eigen::MatrixXd& regressors) const {
   return part;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

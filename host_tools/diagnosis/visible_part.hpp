@@ -6,7 +6,7 @@
 #include "fit/noise_weighted_fit.hpp"
 #include "noise/whitening.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// Takes out of whitened columns what a fitted model could do itself: its coefficients, small
 /// changes of its shape parameters, and that its terms are not exactly what the coil does: a sensor
@@ -14,23 +14,23 @@ namespace fogcomp {
 /// with temperature.
 class ModelRemover {
  public:
-  ModelRemover(const Rows& rows, const NoiseWeightedFit& fit);
+  ModelRemover(const series::Rows& rows, const fit::NoiseWeightedFit& fit);
 
   /// Whitened, without the model; a few rows more than given (what is known beforehand is
   /// like a few more measurements).
   VisiblePart operator()(const Eigen::MatrixXd& regressors) const;
   /// What the model leaves of the measurement.
   const Eigen::VectorXd& residual() const { return residual_; }
-  const Whitening& whitening() const { return whitening_; }
+  const noise::Whitening& whitening() const { return whitening_; }
 
  private:
   Eigen::MatrixXd with_priors(const Eigen::MatrixXd& columns) const;
   Eigen::MatrixXd without_model(Eigen::MatrixXd columns) const;
 
-  Whitening whitening_;
+  noise::Whitening whitening_;
   Eigen::Index priors_ = 0;  // rows for what is known beforehand
   Eigen::MatrixXd basis_;    // orthonormal
   Eigen::VectorXd residual_;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -6,14 +6,14 @@
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/null_test.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 namespace {
 
 // One effect of the library is as likely to be missing as none.
-std::vector<Explanatory> explanatory(const std::vector<Hypothesis>& hypotheses,
-                                     const Library& library) {
+std::vector<fit::Explanatory> explanatory(const std::vector<Hypothesis>& hypotheses,
+                                          const Library& library) {
   const double each = -std::log(static_cast<double>(library.size()));
-  std::vector<Explanatory> all;
+  std::vector<fit::Explanatory> all;
   for (const Hypothesis& h : hypotheses) all.push_back({h.log_evidence, h.log_prior + each});
   return all;
 }
@@ -21,21 +21,22 @@ std::vector<Explanatory> explanatory(const std::vector<Hypothesis>& hypotheses,
 }  // namespace
 
 WalkFinding weigh_walk(const EvidenceSpace& evidence, const std::vector<Hypothesis>& hypotheses,
-                       const NoiseModel& noise, std::uint64_t seed) {
+                       const noise::NoiseModel& noise, std::uint64_t seed) {
   if (!noise.from_quiet_parts) return {};
-  const WalkRival rival = find_walk(evidence.space, evidence.walk, noise.walks);
+  const fit::WalkRival rival = fit::find_walk(evidence.space, evidence.walk, noise.walks);
   if (rival.coefficient == 0) return {};
   const NullTest test =
       test_against_noise(rival.space, evidence.library, evidence.structure, noise.freedom, seed);
   if (test.finds_something()) return {};
-  std::vector<Explanatory> alone = explanatory(hypotheses, evidence.library);
-  alone.push_back({log_evidence(evidence.space.gain({evidence.structure}),
-                                static_cast<double>(evidence.structure.count)),
+  std::vector<fit::Explanatory> alone = explanatory(hypotheses, evidence.library);
+  alone.push_back({fit::log_evidence(evidence.space.gain({evidence.structure}),
+                                     static_cast<double>(evidence.structure.count)),
                    0});
   const std::vector<Hypothesis> beside =
       find_hypotheses(rival.space, evidence.candidates, evidence.library);
-  return {rival.coefficient, chance_of_walk(rival, alone, explanatory(beside, evidence.library)),
+  return {rival.coefficient,
+          fit::chance_of_walk(rival, alone, explanatory(beside, evidence.library)),
           std::exp(std::min(test.library_log_p, test.structure_log_p))};
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -6,7 +6,7 @@
 #include "diagnosis/evidence_space.hpp"
 #include "fit/decision_rules.hpp"
 
-namespace fogcomp {
+namespace fogcomp::diagnosis {
 
 /// A random walk of the bias instead of an effect or of any other slow structure.
 struct WalkFinding {
@@ -15,13 +15,13 @@ struct WalkFinding {
   double noise_alone = 1;  ///< chance that such noise looks like this
 
   /// Whether effects of whatever is slow are not to be believed for it.
-  bool may_be_all() const { return chance >= rules::kMaxChanceOfWalk; }
+  bool may_be_all() const { return chance >= fit::rules::kMaxChanceOfWalk; }
 };
 
 /// How likely all that is slow is a random walk of the bias: no effect and no smooth structure
 /// stands out of noise that walks, and none is likelier. {} without quiet parts, where nothing is
 /// known of slow noise and anything could be a walk.
 WalkFinding weigh_walk(const EvidenceSpace& evidence, const std::vector<Hypothesis>& hypotheses,
-                       const NoiseModel& noise, std::uint64_t seed);
+                       const noise::NoiseModel& noise, std::uint64_t seed);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::diagnosis

@@ -8,11 +8,11 @@
 namespace fogcomp::findings {
 namespace {
 
-Text remark(const Addition::RunError& run) {
+Text remark(const fit::Addition::RunError& run) {
   return run.holdout ? " (holdout)" : "";
 }
 
-void add_errors(Document& document, const Addition& addition) {
+void add_errors(Document& document, const fit::Addition& addition) {
   Table table;
   table.caption =
       words(format("what is left of each run, means of %g s, the model refitted to the same runs "
@@ -24,12 +24,12 @@ void add_errors(Document& document, const Addition& addition) {
   table.quantity = "rms left, deg/h";
   table.floor = addition.runs[0].noise_floor_dph.value_or(0);
   std::vector<std::string> files;
-  for (const Addition::RunError& run : addition.runs) files.push_back(run.file);
+  for (const fit::Addition::RunError& run : addition.runs) files.push_back(run.file);
   const std::vector<std::string> names = short_names(files);
   for (std::size_t i = 0; i < addition.runs.size(); ++i) {
-    const Addition::RunError& run = addition.runs[i];
+    const fit::Addition::RunError& run = addition.runs[i];
     const auto drift = [&](double rms_dph) {
-      return dph(floor_removed(rms_dph, run.noise_floor_dph));
+      return dph(compare::floor_removed(rms_dph, run.noise_floor_dph));
     };
     std::vector<std::string> remarks;
     if (run.after.outliers > 0) remarks.push_back(counted(run.after.outliers, "row") + " left out");
@@ -46,28 +46,28 @@ void add_errors(Document& document, const Addition& addition) {
   }
   document.heading("Before and after");
   document.table(std::move(table));
-  for (const HalfTest& half : addition.halves) document.sentence(words(half_words(half)));
+  for (const fit::HalfTest& half : addition.halves) document.sentence(words(fit::half_words(half)));
 }
 
 // Of several effects, each by itself and beside the others.
-void add_parts(Document& document, const Addition& addition) {
-  const auto judged = [](const std::optional<OutOfSample>& one) {
-    return one ? words(out_of_sample_words(*one)) : Text("not determined");
+void add_parts(Document& document, const fit::Addition& addition) {
+  const auto judged = [](const std::optional<fit::OutOfSample>& one) {
+    return one ? words(fit::out_of_sample_words(*one)) : Text("not determined");
   };
   Table table;
   table.columns = {"effect", "alone", "beside the others"};
-  for (const Addition::Part& part : addition.parts) {
+  for (const fit::Addition::Part& part : addition.parts) {
     table.rows.push_back({verbatim(part.effect), judged(part.alone), judged(part.beside)});
   }
   document.table(std::move(table));
 }
 
-Text before_and_after(const Addition::RunError& run) {
+Text before_and_after(const fit::Addition::RunError& run) {
   return "Rms " + number(run.rms_before_dph) + " deg/h before, " + number(run.rms_after_dph) +
          " after.";
 }
 
-void add_run(Document& document, const Addition::RunError& run, const std::string& group) {
+void add_run(Document& document, const fit::Addition::RunError& run, const std::string& group) {
   const std::vector<double> degc = run.after.rows.temperatures_degc();
   const std::vector<double> before = run.before.residuals_dph();
   const std::vector<double> after = run.after.residuals_dph();
@@ -78,7 +78,7 @@ void add_run(Document& document, const Addition::RunError& run, const std::strin
   residual.caption = before_and_after(run);
   document.plot(residual);
   document.plot(temperature_plot(axis, degc));
-  const std::vector<Branch> branch = branches(degc);
+  const std::vector<compare::Branch> branch = compare::branches(degc);
   if (!ever_moves(branch)) return;
   const auto over_temperature = [&](const Text& title, const std::vector<double>& values) {
     document.plot(branch_plot(title, "temperature, degC", "residual, deg/h", degc, values, branch));
@@ -89,14 +89,14 @@ void add_run(Document& document, const Addition::RunError& run, const std::strin
 
 }  // namespace
 
-Document add_findings(const Addition& addition, const std::string& model,
+Document add_findings(const fit::Addition& addition, const std::string& model,
                       const std::string& written) {
-  Model changed;
+  model::Model changed;
   for (const std::size_t i : addition.changed) changed.terms.push_back(addition.model.terms[i]);
   std::vector<std::string> names;
-  for (const EffectTerm& one : addition.model.terms) names.push_back(one.name);
+  for (const model::EffectTerm& one : addition.model.terms) names.push_back(one.name);
   std::string runs;
-  for (const Addition::RunError& run : addition.runs) {
+  for (const fit::Addition::RunError& run : addition.runs) {
     if (!run.holdout) runs += " " + run.file;
   }
   Document document(
@@ -113,7 +113,7 @@ Document add_findings(const Addition& addition, const std::string& model,
   }
   if (addition.fit.network_judged) document.sentence(words(network_verdict(addition.fit)));
   add_parts(document, addition);
-  document.listing(describe(changed));
+  document.listing(model::describe(changed));
   add_errors(document, addition);
   for (std::size_t i = 0; i < addition.runs.size(); ++i) {
     add_run(document, addition.runs[i], format("run %zu", i));

@@ -5,8 +5,8 @@
 namespace fogcomp::findings {
 namespace {
 
-Json halves_json(const std::vector<HalfTest>& halves) {
-  return json_array(halves, [&](const HalfTest& half) {
+Json halves_json(const std::vector<fit::HalfTest>& halves) {
+  return json_array(halves, [&](const fit::HalfTest& half) {
     return Json::object()
         .set("identified_on", half.identified_on)
         .set("determined", half.determined)
@@ -15,7 +15,7 @@ Json halves_json(const std::vector<HalfTest>& halves) {
   });
 }
 
-Json judged_json(const std::optional<OutOfSample>& judged) {
+Json judged_json(const std::optional<fit::OutOfSample>& judged) {
   if (!judged) return Json();
   return Json::object()
       .set("rms_before_dph", judged->rms_before_dph)
@@ -23,23 +23,23 @@ Json judged_json(const std::optional<OutOfSample>& judged) {
       .set("gain", judged->gain);
 }
 
-Json parameters_json(const EffectTerm& term) {
+Json parameters_json(const model::EffectTerm& term) {
   Json parameters = Json::object();
   set_parameters(parameters, term);
   return parameters;
 }
 
-Json coefficients_json(const EffectTerm& term) {
+Json coefficients_json(const model::EffectTerm& term) {
   Json coefficients = Json::object();
   set_coefficients(coefficients, term);
   return coefficients;
 }
 
 // All that were added; of several, each alone and beside the others.
-Json added_terms_json(const Addition& addition) {
+Json added_terms_json(const fit::Addition& addition) {
   Json terms = Json::array();
   for (std::size_t i = 0; i < addition.changed.size(); ++i) {
-    const EffectTerm& term = addition.model.terms[addition.changed[i]];
+    const model::EffectTerm& term = addition.model.terms[addition.changed[i]];
     Json one = Json::object();
     one.set("effect", term.name)
         .set("parameters", parameters_json(term))
@@ -53,8 +53,8 @@ Json added_terms_json(const Addition& addition) {
   return terms;
 }
 
-Json runs_json(const std::vector<Addition::RunError>& runs) {
-  return json_array(runs, [&](const Addition::RunError& run) {
+Json runs_json(const std::vector<fit::Addition::RunError>& runs) {
+  return json_array(runs, [&](const fit::Addition::RunError& run) {
     return Json::object()
         .set("file", run.file)
         .set("holdout", run.holdout)
@@ -68,9 +68,9 @@ Json runs_json(const std::vector<Addition::RunError>& runs) {
 
 }  // namespace
 
-Json add_json(const Addition& addition, const std::string& written) {
-  const EffectTerm& term = addition.model.terms[addition.changed.front()];
-  const OutOfSample& judged = addition.out_of_sample;
+Json add_json(const fit::Addition& addition, const std::string& written) {
+  const model::EffectTerm& term = addition.model.terms[addition.changed.front()];
+  const fit::OutOfSample& judged = addition.out_of_sample;
   Json notes = addition.fit.identified.warnings;
   if (addition.fit.training && !addition.model.network.present()) {
     notes.push(network_verdict(addition.fit));

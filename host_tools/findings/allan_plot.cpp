@@ -13,11 +13,11 @@ namespace {
 struct Term {
   const char* label;
   const char* colour;
-  const std::optional<NoiseCoefficient>& coefficient;
+  const std::optional<noise::NoiseCoefficient>& coefficient;
   double (*square)(double coefficient, double tau_h);
 };
 
-std::vector<Term> terms_of(const NoiseCoefficients& noise) {
+std::vector<Term> terms_of(const noise::NoiseCoefficients& noise) {
   return {
       {"quantization Q, slope -1", "part4", noise.quantization_deg,
        [](double q, double tau) { return 3 * q * q / (tau * tau); }},
@@ -50,7 +50,8 @@ Text seen(const std::vector<Curve>& slopes) {
 namespace {
 
 // Of each coefficient that was found, over these times.
-std::vector<Curve> slopes_of(const NoiseCoefficients& fitted, const std::vector<double>& tau_s) {
+std::vector<Curve> slopes_of(const noise::NoiseCoefficients& fitted,
+                             const std::vector<double>& tau_s) {
   std::vector<Curve> slopes;
   for (const Term& term : terms_of(fitted)) {
     if (!term.coefficient) continue;
@@ -65,7 +66,7 @@ std::vector<Curve> slopes_of(const NoiseCoefficients& fitted, const std::vector<
 
 }  // namespace
 
-Plot allan_plot(const std::vector<AllanCurve>& curves, const NoiseCoefficients& fitted) {
+Plot allan_plot(const std::vector<AllanCurve>& curves, const noise::NoiseCoefficients& fitted) {
   Plot plot;
   plot.kind = Plot::Kind::log_log;
   plot.title = "Allan deviation in soaks.";
@@ -73,7 +74,7 @@ Plot allan_plot(const std::vector<AllanCurve>& curves, const NoiseCoefficients& 
   plot.y_label = "Allan deviation, deg/h";
   for (const AllanCurve& curve : curves) {
     Curve points{curve.label, curve.colour, {}, {}, {}, Look::points};
-    for (const AllanPoint& point : curve.points) {
+    for (const noise::AllanPoint& point : curve.points) {
       points.x.push_back(point.tau_s);
       points.y.push_back(point.sigma);
       points.sigma.push_back(point.one_sigma);

@@ -13,11 +13,11 @@ namespace fogcomp::findings {
 struct AllanCurve {
   Text label;
   std::string colour;
-  const std::vector<AllanPoint>& points;
+  const std::vector<noise::AllanPoint>& points;
 };
 
 /// Allan deviations with their standard deviations; through the last one the fitted slopes of IEEE
 /// Std 952, those that the data show, and their sum.
-Plot allan_plot(const std::vector<AllanCurve>& curves, const NoiseCoefficients& fitted);
+Plot allan_plot(const std::vector<AllanCurve>& curves, const noise::NoiseCoefficients& fitted);
 
 }  // namespace fogcomp::findings

@@ -11,23 +11,26 @@ namespace fogcomp::findings {
 namespace {
 
 // The run that a model serves worst.
-const ModelOnRun& worst_of(const ModelOnRuns& model) {
-  const auto drift = [](const ModelOnRun& run) {
-    return floor_removed(run.comparison.whole.rms_dph, run.comparison.noise_floor_dph.value_or(0));
+const compare::ModelOnRun& worst_of(const compare::ModelOnRuns& model) {
+  const auto drift = [](const compare::ModelOnRun& run) {
+    return compare::floor_removed(run.comparison.whole.rms_dph,
+                                  run.comparison.noise_floor_dph.value_or(0));
   };
-  return *std::max_element(
-      model.runs.begin(), model.runs.end(),
-      [&](const ModelOnRun& a, const ModelOnRun& b) { return drift(a) < drift(b); });
+  return *std::max_element(model.runs.begin(), model.runs.end(),
+                           [&](const compare::ModelOnRun& a, const compare::ModelOnRun& b) {
+                             return drift(a) < drift(b);
+                           });
 }
 
-double worst_rms_dph(const ModelOnRuns& model) {
+double worst_rms_dph(const compare::ModelOnRuns& model) {
   return worst_of(model).comparison.whole.rms_dph;
 }
 
 // The model whose worst run is best comes first; the others in the order of the command line.
-std::vector<const ModelOnRuns*> best_first(const std::vector<ModelOnRuns>& models) {
-  std::vector<const ModelOnRuns*> order;
-  for (const ModelOnRuns& model : models) order.push_back(&model);
+std::vector<const compare::ModelOnRuns*> best_first(
+    const std::vector<compare::ModelOnRuns>& models) {
+  std::vector<const compare::ModelOnRuns*> order;
+  for (const compare::ModelOnRuns& model : models) order.push_back(&model);
   const auto best = std::min_element(order.begin(), order.end(), [](const auto* a, const auto* b) {
     return worst_rms_dph(*a) < worst_rms_dph(*b);
   });
@@ -35,11 +38,11 @@ std::vector<const ModelOnRuns*> best_first(const std::vector<ModelOnRuns>& model
   return order;
 }
 
-Text found(const std::vector<const ModelOnRuns*>& models) {
-  const ModelOnRuns& best = *models[0];
+Text found(const std::vector<const compare::ModelOnRuns*>& models) {
+  const compare::ModelOnRuns& best = *models[0];
   std::vector<std::string> files;
-  for (const ModelOnRuns* model : models) files.push_back(model->file);
-  const Comparison& worst = worst_of(best).comparison;
+  for (const compare::ModelOnRuns* model : models) files.push_back(model->file);
+  const compare::Comparison& worst = worst_of(best).comparison;
   Text text = verbatim(short_names(files)[0]) + (models.size() > 1 ? " is best: " : ": ");
   if (best.runs.size() > 1) {
     text += "at worst, on " + verbatim(short_names({worst.file})[0]) + ", ";
@@ -49,12 +52,12 @@ Text found(const std::vector<const ModelOnRuns*>& models) {
 
 }  // namespace
 
-Document compare_findings(const std::vector<ModelOnRuns>& models) {
-  const ModelOnRuns& first = models[0];
+Document compare_findings(const std::vector<compare::ModelOnRuns>& models) {
+  const compare::ModelOnRuns& first = models[0];
   std::string subject = "fogcomp compare " + first.file + run_files(first);
   for (std::size_t i = 1; i < models.size(); ++i) subject += " --model " + models[i].file;
-  const std::vector<const ModelOnRuns*> ranked = best_first(models);
-  const ModelOnRuns& best = *ranked[0];
+  const std::vector<const compare::ModelOnRuns*> ranked = best_first(models);
+  const compare::ModelOnRuns& best = *ranked[0];
   Document document(subject, found(ranked));
   if (std::any_of(best.runs.begin(), best.runs.end(), leaves_drift)) {
     document.next("ask which effect is missing", "fogcomp diagnose " + best.file + run_files(best));

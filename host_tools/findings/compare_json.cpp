@@ -14,7 +14,8 @@ std::vector<double> members(const std::vector<Element>& elements, Member member)
   return values;
 }
 
-Json segment_json(const Comparison::SegmentError& segment, const std::optional<double>& floor_dph) {
+Json segment_json(const compare::Comparison::SegmentError& segment,
+                  const std::optional<double>& floor_dph) {
   Json object = Json::object();
   object.set("name", segment.name)
       .set("rows", segment.rows.size())
@@ -24,12 +25,12 @@ Json segment_json(const Comparison::SegmentError& segment, const std::optional<d
       .set("raw_mean_dph", segment.raw_mean_dph)
       .set("raw_std_dph", segment.raw_std_dph)
       .set("raw_rms_dph", segment.raw_rms_dph)
-      .set("drift_left_dph", floor_removed(segment.rms_dph, floor_dph));
+      .set("drift_left_dph", compare::floor_removed(segment.rms_dph, floor_dph));
   return object;
 }
 
-Json effects_json(const std::vector<EffectShare>& effects) {
-  return json_array(effects, [&](const EffectShare& effect) {
+Json effects_json(const std::vector<compare::EffectShare>& effects) {
+  return json_array(effects, [&](const compare::EffectShare& effect) {
     return Json::object()
         .set("effect", effect.name)
         .set("mean_dph", effect.mean_dph)
@@ -38,7 +39,7 @@ Json effects_json(const std::vector<EffectShare>& effects) {
   });
 }
 
-Json test_json(const ResidualAnalysis& analysis, const ClassTest& test) {
+Json test_json(const compare::ResidualAnalysis& analysis, const compare::ClassTest& test) {
   Json object = Json::object();
   object.set("structured", test.structured())
       .set("score", test.score)
@@ -46,8 +47,9 @@ Json test_json(const ResidualAnalysis& analysis, const ClassTest& test) {
   return object;
 }
 
-Json dependence_json(const ResidualAnalysis& analysis, const Dependence& dependence) {
-  using Bin = ResidualBin;
+Json dependence_json(const compare::ResidualAnalysis& analysis,
+                     const compare::Dependence& dependence) {
+  using Bin = compare::ResidualBin;
   Json object = test_json(analysis, dependence.test);
   object.set("at", members(dependence.bins, [](const Bin& bin) { return bin.at; }))
       .set("mean_dph", members(dependence.bins, [](const Bin& bin) { return bin.mean_dph; }))
@@ -56,21 +58,24 @@ Json dependence_json(const ResidualAnalysis& analysis, const Dependence& depende
   return object;
 }
 
-Json loop_json(const ResidualAnalysis& analysis) {
-  const Loop& loop = analysis.history;
-  const LoopBin* const widest = loop.widest();
+Json loop_json(const compare::ResidualAnalysis& analysis) {
+  const compare::Loop& loop = analysis.history;
+  const compare::LoopBin* const widest = loop.widest();
   Json object = test_json(analysis, loop.test);
   object.set("loop_width_dph", widest != nullptr ? Json(std::abs(widest->width_dph())) : Json())
       .set("loop_sigma_dph", widest != nullptr ? Json(widest->sigma_dph) : Json())
       .set("loop_at_degc", widest != nullptr ? Json(widest->at_degc) : Json())
-      .set("at", members(loop.bins, [](const LoopBin& bin) { return bin.at_degc; }))
-      .set("heating_dph", members(loop.bins, [](const LoopBin& bin) { return bin.heating_dph; }))
-      .set("cooling_dph", members(loop.bins, [](const LoopBin& bin) { return bin.cooling_dph; }))
-      .set("sigma_dph", members(loop.bins, [](const LoopBin& bin) { return bin.sigma_dph; }));
+      .set("at", members(loop.bins, [](const compare::LoopBin& bin) { return bin.at_degc; }))
+      .set("heating_dph",
+           members(loop.bins, [](const compare::LoopBin& bin) { return bin.heating_dph; }))
+      .set("cooling_dph",
+           members(loop.bins, [](const compare::LoopBin& bin) { return bin.cooling_dph; }))
+      .set("sigma_dph",
+           members(loop.bins, [](const compare::LoopBin& bin) { return bin.sigma_dph; }));
   return object;
 }
 
-Json structure_json(const ResidualAnalysis& analysis) {
+Json structure_json(const compare::ResidualAnalysis& analysis) {
   Json offset = test_json(analysis, analysis.offset);
   offset.set("sigma_dph", analysis.offset_sigma_dph);
   Json object = Json::object();
@@ -83,8 +88,8 @@ Json structure_json(const ResidualAnalysis& analysis) {
   return object;
 }
 
-Json autocorrelation_json(const ResidualAnalysis& analysis) {
-  using Lag = LagCorrelation;
+Json autocorrelation_json(const compare::ResidualAnalysis& analysis) {
+  using Lag = compare::LagCorrelation;
   Json object = Json::object();
   object.set("lag_s", members(analysis.autocorrelation, [](const Lag& lag) { return lag.lag_s; }))
       .set("correlation",
@@ -93,13 +98,13 @@ Json autocorrelation_json(const ResidualAnalysis& analysis) {
   return object;
 }
 
-Json allan_json(const ResidualAnalysis& analysis) {
-  const auto sigma = [](const AllanPoint& point) { return point.sigma; };
-  const auto one_sigma = [](const AllanPoint& point) { return point.one_sigma; };
+Json allan_json(const compare::ResidualAnalysis& analysis) {
+  const auto sigma = [](const noise::AllanPoint& point) { return point.sigma; };
+  const auto one_sigma = [](const noise::AllanPoint& point) { return point.one_sigma; };
   Json object = Json::object();
   object
       .set("tau_s",
-           members(analysis.raw_allan, [](const AllanPoint& point) { return point.tau_s; }))
+           members(analysis.raw_allan, [](const noise::AllanPoint& point) { return point.tau_s; }))
       .set("raw_dph", members(analysis.raw_allan, sigma))
       .set("residual_dph", members(analysis.residual_allan, sigma))
       .set("raw_one_sigma_dph", members(analysis.raw_allan, one_sigma))
@@ -107,7 +112,7 @@ Json allan_json(const ResidualAnalysis& analysis) {
   return object;
 }
 
-Json outside_json(const OutsideTraining& outside) {
+Json outside_json(const compare::OutsideTraining& outside) {
   Json object = Json::object();
   object.set("temperature", outside.temperature)
       .set("temperature_rate", outside.temperature_rate)
@@ -116,12 +121,13 @@ Json outside_json(const OutsideTraining& outside) {
   return object;
 }
 
-Json run_json(const ModelOnRun& run) {
-  const Comparison& comparison = run.comparison;
-  const Comparison::SegmentError& whole = comparison.whole;
-  Json segments = json_array(comparison.segments, [&](const Comparison::SegmentError& segment) {
-    return segment_json(segment, comparison.noise_floor_dph);
-  });
+Json run_json(const compare::ModelOnRun& run) {
+  const compare::Comparison& comparison = run.comparison;
+  const compare::Comparison::SegmentError& whole = comparison.whole;
+  Json segments =
+      json_array(comparison.segments, [&](const compare::Comparison::SegmentError& segment) {
+        return segment_json(segment, comparison.noise_floor_dph);
+      });
   Json object = Json::object();
   object.set("file", comparison.file)
       .set("rows", comparison.size())
@@ -135,9 +141,10 @@ Json run_json(const ModelOnRun& run) {
       .set("residual_rms_without_delay_dph", run.error.without_delay_dph)
       .set("residual_std_dph", whole.std_dph)
       .set("noise_floor_dph", comparison.noise_floor_dph)
-      .set("below_noise_floor", is_below_floor(comparison))
-      .set("drift_before_dph", floor_removed(whole.raw_std_dph, comparison.noise_floor_dph))
-      .set("drift_left_dph", floor_removed(whole.rms_dph, comparison.noise_floor_dph))
+      .set("below_noise_floor", compare::is_below_floor(comparison))
+      .set("drift_before_dph",
+           compare::floor_removed(whole.raw_std_dph, comparison.noise_floor_dph))
+      .set("drift_left_dph", compare::floor_removed(whole.rms_dph, comparison.noise_floor_dph))
       .set("segments", std::move(segments))
       .set("effects", effects_json(comparison.effects))
       .set("structure", structure_json(run.analysis))
@@ -147,11 +154,11 @@ Json run_json(const ModelOnRun& run) {
   return object;
 }
 
-Json model_json(const ModelOnRuns& model, Json object) {
+Json model_json(const compare::ModelOnRuns& model, Json object) {
   Json runs = Json::array();
   double outside = 0;
   double rows = 0;
-  for (const ModelOnRun& run : model.runs) {
+  for (const compare::ModelOnRun& run : model.runs) {
     runs.push(run_json(run));
     const auto run_rows = static_cast<double>(run.comparison.size());
     outside += run.comparison.outside.temperature * run_rows;
@@ -163,9 +170,9 @@ Json model_json(const ModelOnRuns& model, Json object) {
 
 }  // namespace
 
-Json compare_json(const std::vector<ModelOnRuns>& models) {
+Json compare_json(const std::vector<compare::ModelOnRuns>& models) {
   Json result = model_json(models[0], Json::object());
-  Json all = json_array(models, [&](const ModelOnRuns& model) {
+  Json all = json_array(models, [&](const compare::ModelOnRuns& model) {
     return model_json(model, Json::object().set("model", model.file));
   });
   result.set("models", std::move(all));

@@ -15,9 +15,10 @@ struct Part {
   double share = 0;
 };
 
-std::vector<Part> parts_of(const ResidualAnalysis& analysis, const Comparison& comparison) {
+std::vector<Part> parts_of(const compare::ResidualAnalysis& analysis,
+                           const compare::Comparison& comparison) {
   std::vector<Part> found;
-  const auto look_at = [&](const ClassTest& test, const std::string& name,
+  const auto look_at = [&](const compare::ClassTest& test, const std::string& name,
                            const std::string& note = "") {
     if (!test.structured()) return;
     const auto share = analysis.share_of_excess(test);
@@ -26,7 +27,7 @@ std::vector<Part> parts_of(const ResidualAnalysis& analysis, const Comparison& c
   };
   look_at(analysis.temperature.test, "temperature");
   look_at(analysis.rate.test, "temperature rate");
-  if (const LoopBin* widest = analysis.history.widest()) {
+  if (const compare::LoopBin* widest = analysis.history.widest()) {
     look_at(
         analysis.history.test, "history",
         format(" (heating less cooling %s +- %.2g at %.0f degC)",
@@ -43,7 +44,7 @@ std::vector<Part> parts_of(const ResidualAnalysis& analysis, const Comparison& c
 
 }  // namespace
 
-std::string error_words(const Comparison& comparison) {
+std::string error_words(const compare::Comparison& comparison) {
   if (!comparison.noise_floor_dph) {
     return format("residual %s (too short to know its noise floor)",
                   rounded(comparison.whole.rms_dph).c_str());
@@ -51,13 +52,13 @@ std::string error_words(const Comparison& comparison) {
   const double floor = *comparison.noise_floor_dph;
   return format("residual %s against a floor of %s: drift left %s, was %s",
                 rounded(comparison.whole.rms_dph).c_str(), rounded(floor).c_str(),
-                rounded(floor_removed(comparison.whole.rms_dph, floor)).c_str(),
-                rounded(floor_removed(comparison.whole.raw_std_dph, floor)).c_str());
+                rounded(compare::floor_removed(comparison.whole.rms_dph, floor)).c_str(),
+                rounded(compare::floor_removed(comparison.whole.raw_std_dph, floor)).c_str());
 }
 
-std::string structure_words(const ModelOnRun& run) {
+std::string structure_words(const compare::ModelOnRun& run) {
   const std::vector<Part> found = parts_of(run.analysis, run.comparison);
-  if (run.comparison.size() < rules::kMinRowsToJudge)
+  if (run.comparison.size() < compare::rules::kMinRowsToJudge)
     return "too few rows to say on what it depends";
   if (found.empty()) {
     return "nothing in it depends on temperature, temperature rate, time or history beyond noise";
@@ -68,13 +69,13 @@ std::string structure_words(const ModelOnRun& run) {
   return "of what is above the floor: " + list + (found.size() > 1 ? "; these overlap" : "");
 }
 
-std::vector<std::string> remarks(const ModelOnRun& run) {
-  const Comparison& comparison = run.comparison;
+std::vector<std::string> remarks(const compare::ModelOnRun& run) {
+  const compare::Comparison& comparison = run.comparison;
   std::vector<std::string> found;
   if (comparison.outliers > 0)
-    found.push_back(outlier_words(comparison.outliers, comparison.rows.row_s));
-  if (run.error.delay_matters()) found.push_back(delay_words(run.error));
-  if (is_below_floor(comparison)) {
+    found.push_back(noise::outlier_words(comparison.outliers, comparison.rows.row_s));
+  if (run.error.delay_matters()) found.push_back(compare::delay_words(run.error));
+  if (compare::is_below_floor(comparison)) {
     found.push_back(format(
         "the floor is above the residual, so it is none: from row to row (%.3g s) this recording "
         "changes by more than noise, as with a line near a period of two rows or an input "
@@ -84,8 +85,9 @@ std::vector<std::string> remarks(const ModelOnRun& run) {
   return found;
 }
 
-std::vector<std::string> range_warnings(const Comparison& comparison, const Model& model) {
-  const OutsideTraining& outside = comparison.outside;
+std::vector<std::string> range_warnings(const compare::Comparison& comparison,
+                                        const model::Model& model) {
+  const compare::OutsideTraining& outside = comparison.outside;
   std::vector<std::string> warnings;
   const auto warn = [&](double part, const std::string& what) {
     if (part > 0) warnings.push_back(format("%.1f %% of the rows ", 100 * part) + what);
@@ -93,10 +95,10 @@ std::vector<std::string> range_warnings(const Comparison& comparison, const Mode
   warn(outside.temperature,
        format("lie outside the trained %.1f to %.1f degC, where the board holds the drift",
               model.least_degc, model.most_degc));
-  const Range rate = model.rate_range_degc_per_min.value_or(Range{});
+  const model::Range rate = model.rate_range_degc_per_min.value_or(model::Range{});
   warn(outside.temperature_rate,
        format("have ramps beyond the trained %.2f to %.2f degC/min", rate.least, rate.most));
-  const Range time = model.time_range_s.value_or(Range{});
+  const model::Range time = model.time_range_s.value_or(model::Range{});
   warn(outside.sooner, format("come sooner after power-on than the trained %.0f s: warm-up that "
                               "the model never saw",
                               time.least));

@@ -14,21 +14,21 @@ namespace fogcomp::findings {
 namespace {
 
 // What the reader named in the recordings and on the command line.
-std::vector<std::string> names_from_outside(const DiagnosisData& data,
+std::vector<std::string> names_from_outside(const diagnosis::DiagnosisData& data,
                                             const std::vector<std::string>& files) {
   std::vector<std::string> names = files;
-  for (const Segment& segment : data.segments()) names.push_back(segment.name);
-  for (const EffectTerm& term : data.offered()) names.push_back(term.name);
+  for (const recording::Segment& segment : data.segments()) names.push_back(segment.name);
+  for (const model::EffectTerm& term : data.offered()) names.push_back(term.name);
   return names;
 }
 
-void add_next(Document& document, const DiagnosisWords& said, Verdict verdict,
+void add_next(Document& document, const DiagnosisWords& said, diagnosis::Verdict verdict,
               const std::string& model) {
   if (!said.command.empty()) {
     document.next("add it; it is kept only if it helps out of sample", said.command);
   } else if (!said.next.empty()) {
     document.next(words(said.next), "");
-  } else if (verdict == Verdict::none) {
+  } else if (verdict == diagnosis::Verdict::none) {
     document.next("make the board's header", "fogcomp export " + model + " -o fog_model.h");
   }
 }
@@ -38,7 +38,7 @@ Text probability_text(double probability) {
 }
 
 // What is missing may be several effects together.
-void add_explanations(Document& document, const Diagnosis& diagnosis) {
+void add_explanations(Document& document, const diagnosis::Diagnosis& diagnosis) {
   document.heading("What together explains it", Shown::on_page);
   Table table;
   table.caption = "sets of effects that compete to be all that is missing";
@@ -46,7 +46,7 @@ void add_explanations(Document& document, const Diagnosis& diagnosis) {
   table.keys = {{"the likeliest", "model"}, {"others", "residual"}};
   table.quantity = "probability";
   table.full = 1;
-  for (const Diagnosis::Explanation& one : diagnosis.explanations) {
+  for (const diagnosis::Diagnosis::Explanation& one : diagnosis.explanations) {
     Table::Row row{verbatim(join(one.effects, " and ")),
                    {probability_text(one.probability), one.probability},
                    words(percent(one.explained_fraction))};
@@ -56,14 +56,14 @@ void add_explanations(Document& document, const Diagnosis& diagnosis) {
   document.table(std::move(table), Shown::on_page);
 }
 
-bool is_named(const Diagnosis& diagnosis, const std::string& effect) {
+bool is_named(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
   const std::vector<std::string>& rivals = diagnosis.confusable;
   return effect == diagnosis.effect ||
          std::find(rivals.begin(), rivals.end(), effect) != rivals.end();
 }
 
 // On a terminal the likeliest, and whatever the user offered.
-void add_candidates(Document& document, const Diagnosis& diagnosis) {
+void add_candidates(Document& document, const diagnosis::Diagnosis& diagnosis) {
   constexpr std::size_t kLikeliest = 6;
   Table table;
   table.columns = {"candidate", "largest",   {"among them", "residual"},
@@ -75,7 +75,7 @@ void add_candidates(Document& document, const Diagnosis& diagnosis) {
       "largest: probability that it is the largest of the effects that are missing, in this order; "
       "among them: that it is one of them; explains: of what is above the noise, alone; rms after: "
       "deg/h, with it alone added";
-  for (const CandidateFinding& finding : diagnosis.candidates) {
+  for (const diagnosis::CandidateFinding& finding : diagnosis.candidates) {
     Table::Row row{verbatim(finding.effect),
                    probability_text(finding.lead),
                    {probability_text(finding.probability), finding.probability},
@@ -90,16 +90,17 @@ void add_candidates(Document& document, const Diagnosis& diagnosis) {
   document.table(std::move(table));
 }
 
-void add_untestable(Document& document, const Diagnosis& diagnosis) {
+void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
   std::string list;
-  for (const Untestable& one : diagnosis.untestable) {
+  for (const diagnosis::Untestable& one : diagnosis.untestable) {
     list += (list.empty() ? "" : ", ") + one.effect + " (needs " + one.needs + ")";
   }
   if (list.empty()) return;
   document.sentence(words("not to be seen in these recordings: " + list));
 }
 
-void add_ladder(Document& document, const Ladder& ladder, const std::vector<std::string>& names) {
+void add_ladder(Document& document, const diagnosis::Ladder& ladder,
+                const std::vector<std::string>& names) {
   document.heading("Error ladder");
   Table table;
   table.caption = "everything refitted at each step";
@@ -110,7 +111,7 @@ void add_ladder(Document& document, const Ladder& ladder, const std::vector<std:
   Table::Row first{"the model, refitted", {number(first_dph), first_dph}};
   first.colour = "measured";
   table.rows.push_back(std::move(first));
-  for (const Ladder::Step& step : ladder.steps) {
+  for (const diagnosis::Ladder::Step& step : ladder.steps) {
     table.rows.push_back(
         {words(step_words(step), names), {number(step.rms_after_dph), step.rms_after_dph}});
   }
@@ -119,11 +120,12 @@ void add_ladder(Document& document, const Ladder& ladder, const std::vector<std:
 }
 
 // What the segments are called: several runs may have the same.
-std::vector<Text> segment_names(const DiagnosisData& data, const std::vector<std::string>& runs) {
+std::vector<Text> segment_names(const diagnosis::DiagnosisData& data,
+                                const std::vector<std::string>& runs) {
   const std::vector<std::string> files = short_names(runs);
-  const Rows& rows = data.series().rows();
+  const series::Rows& rows = data.series().rows();
   std::vector<Text> names;
-  for (const Segment& segment : data.segments()) {
+  for (const recording::Segment& segment : data.segments()) {
     const std::size_t run = rows.run_at(segment.rows.first);
     names.push_back((files.size() > 1 ? verbatim(files[run]) + ", " : Text()) +
                     verbatim(segment.name));
@@ -132,7 +134,7 @@ std::vector<Text> segment_names(const DiagnosisData& data, const std::vector<std
 }
 
 void add_shares(Document& document, const Text& caption, const std::vector<Text>& names,
-                const std::vector<NamedShare>& shares) {
+                const std::vector<diagnosis::NamedShare>& shares) {
   Table table;
   table.caption = caption;
   table.columns = {"", {"share", "residual"}};
@@ -143,14 +145,14 @@ void add_shares(Document& document, const Text& caption, const std::vector<Text>
   document.table(std::move(table), Shown::on_page);
 }
 
-void add_where(Document& document, const Diagnosis& diagnosis, const DiagnosisData& data,
-               const std::vector<std::string>& runs) {
-  if (diagnosis.verdict == Verdict::none) return;
+void add_where(Document& document, const diagnosis::Diagnosis& diagnosis,
+               const diagnosis::DiagnosisData& data, const std::vector<std::string>& runs) {
+  if (diagnosis.verdict == diagnosis::Verdict::none) return;
   document.heading("Where it sits", Shown::on_page);
   add_shares(document, "what smooth functions describe, by segment", segment_names(data, runs),
              diagnosis.segments);
   std::vector<Text> variables;
-  for (const NamedShare& share : diagnosis.variables) {
+  for (const diagnosis::NamedShare& share : diagnosis.variables) {
     variables.push_back(variable_label(share.name));
   }
   add_shares(document, "how much of it each variable alone could describe; the best is 100 %",
@@ -159,17 +161,17 @@ void add_where(Document& document, const Diagnosis& diagnosis, const DiagnosisDa
 
 // The rows of one recording, as columns.
 struct Run {
-  RowRange range;
+  recording::RowRange range;
   std::vector<double> time_s;
   std::vector<double> temperature_degc;
   std::vector<double> first_dph;
   std::vector<double> last_dph;
-  std::vector<RowRange> stretches;  // counted from the run's first row
-  std::vector<Segment> segments;
+  std::vector<recording::RowRange> stretches;  // counted from the run's first row
+  std::vector<recording::Segment> segments;
 };
 
 template <class Value>
-std::vector<double> column(const Rows& rows, RowRange range, Value value) {
+std::vector<double> column(const series::Rows& rows, recording::RowRange range, Value value) {
   std::vector<double> values;
   for (std::size_t row = range.first; row < range.end; ++row) {
     values.push_back(value(rows.signals[row]));
@@ -177,12 +179,13 @@ std::vector<double> column(const Rows& rows, RowRange range, Value value) {
   return values;
 }
 
-std::vector<double> part(const Eigen::VectorXd& all, RowRange range) {
+std::vector<double> part(const Eigen::VectorXd& all, recording::RowRange range) {
   return {all.data() + range.first, all.data() + range.end};
 }
 
-Run columns_of(const DiagnosisData& data, RowRange range, const Ladder& ladder) {
-  const Rows& rows = data.series().rows();
+Run columns_of(const diagnosis::DiagnosisData& data, recording::RowRange range,
+               const diagnosis::Ladder& ladder) {
+  const series::Rows& rows = data.series().rows();
   Run run;
   run.range = range;
   for (std::size_t row = range.first; row < range.end; ++row) {
@@ -195,7 +198,7 @@ Run columns_of(const DiagnosisData& data, RowRange range, const Ladder& ladder) 
       column(rows, range, [](const auto& signals) { return signals.temperature; });
   run.first_dph = part(ladder.first.residual_dph, range);
   run.last_dph = part(ladder.last.residual_dph, range);
-  for (const Segment& segment : data.segments()) {
+  for (const recording::Segment& segment : data.segments()) {
     if (segment.rows.first >= range.first && segment.rows.end <= range.end) {
       run.segments.push_back(segment);
     }
@@ -205,9 +208,11 @@ Run columns_of(const DiagnosisData& data, RowRange range, const Ladder& ladder) 
 
 // What the effect that is proposed would take out of the residual, everything refitted; about its
 // mean, as the runs' own biases are refitted too. Empty where none is proposed.
-std::vector<double> would_take_out(const Diagnosis& diagnosis, const DiagnosisData& data,
-                                   RowRange range) {
-  const CandidateFinding* const finding = diagnosis.find(effect_to_add(diagnosis));
+std::vector<double> would_take_out(const diagnosis::Diagnosis& diagnosis,
+                                   const diagnosis::DiagnosisData& data,
+                                   recording::RowRange range) {
+  const diagnosis::CandidateFinding* const finding =
+      diagnosis.find(diagnosis::effect_to_add(diagnosis));
   if (finding == nullptr) return {};
   const Eigen::VectorXd change =
       data.series().drift_dph(finding->completed) - data.series().drift_dph(diagnosis.terms);
@@ -227,24 +232,25 @@ struct Variable {
 };
 
 // Those that the residual depends on most come first.
-std::vector<Variable> variables_of(const Rows& rows, const Run& run, const Diagnosis& diagnosis) {
+std::vector<Variable> variables_of(const series::Rows& rows, const Run& run,
+                                   const diagnosis::Diagnosis& diagnosis) {
   std::vector<Variable> all;
-  if (ever_moves(branches(run.temperature_degc))) {
+  if (ever_moves(compare::branches(run.temperature_degc))) {
     all.push_back({"temperature_degc", "temperature", "temperature, degC", run.temperature_degc});
     all.push_back(
         {"temperature_rate", "temperature rate", "temperature rate, degC/min",
          column(rows, run.range, [](const auto& signals) { return signals.temperature_rate; })});
   }
-  for (const fog::Input input : kOptionalInputs) {
+  for (const fog::Input input : model::kOptionalInputs) {
     std::vector<double> values = column(rows, run.range, [input](const auto& signals) {
-      return optional_input(input, signals.block);
+      return model::optional_input(input, signals.block);
     });
-    if (!varies(values)) continue;
+    if (!compare::varies(values)) continue;
     all.push_back(
         {description_of(input).column, input_name(input), input_label(input), std::move(values)});
   }
   const auto share_of = [&](const std::string& name) {
-    for (const NamedShare& one : diagnosis.variables) {
+    for (const diagnosis::NamedShare& one : diagnosis.variables) {
       if (one.name == name) return one.share;
     }
     return 0.0;
@@ -258,17 +264,17 @@ std::vector<Variable> variables_of(const Rows& rows, const Run& run, const Diagn
   return all;
 }
 
-void add_over_variables(Document& document, const Rows& rows, const Run& run,
-                        const Ladder& ladder) {
-  const std::vector<Branch> branch = branches(run.temperature_degc);
+void add_over_variables(Document& document, const series::Rows& rows, const Run& run,
+                        const diagnosis::Ladder& ladder) {
+  const std::vector<compare::Branch> branch = compare::branches(run.temperature_degc);
   const auto add = [&](const Variable& variable, const char* when, const std::vector<double>& y) {
-    ResidualRows residual;
+    compare::ResidualRows residual;
     residual.residual_dph = y;
     residual.time_s = run.time_s;
     residual.stretches = run.stretches;
     residual.noise = ladder.first.noise;
     constexpr std::size_t kBins = 15;
-    const Dependence dependence = dependence_on(variable.values, residual, kBins);
+    const compare::Dependence dependence = compare::dependence_on(variable.values, residual, kBins);
     Plot plot = branch_plot("Residual over " + variable.title + when + ".", variable.label,
                             "residual, deg/h", variable.values, y, branch);
     plot.caption = dependence.test.structured()
@@ -276,7 +282,7 @@ void add_over_variables(Document& document, const Rows& rows, const Run& run,
                        : "Nothing in it depends on this alone beyond noise.";
     plot.curves.push_back(bin_means(dependence.bins));
     if (variable.name == "temperature_degc") {
-      add_loop(plot, loop_over(variable.values, residual, kBins));
+      add_loop(plot, compare::loop_over(variable.values, residual, kBins));
     }
     document.plot(plot);
   };
@@ -286,8 +292,8 @@ void add_over_variables(Document& document, const Rows& rows, const Run& run,
   }
 }
 
-void add_run(Document& document, const Run& run, const Ladder& ladder, const DiagnosisData& data,
-             const std::string& group) {
+void add_run(Document& document, const Run& run, const diagnosis::Ladder& ladder,
+             const diagnosis::DiagnosisData& data, const std::string& group) {
   const TimeAxis axis{run.time_s, starts_of(run.stretches), group, run.segments};
   std::vector<Trace> residuals;
   if (ladder.steps.empty()) {
@@ -297,7 +303,7 @@ void add_run(Document& document, const Run& run, const Ladder& ladder, const Dia
     residuals.push_back({"after the ladder", "residual", run.last_dph});
   }
   const std::vector<double> taken_out = would_take_out(ladder.first, data, run.range);
-  const std::string effect = effect_to_add(ladder.first);
+  const std::string effect = diagnosis::effect_to_add(ladder.first);
   if (!taken_out.empty()) {
     residuals.push_back({verbatim(effect) + " would take out", "model", taken_out});
   }
@@ -313,12 +319,13 @@ void add_run(Document& document, const Run& run, const Ladder& ladder, const Dia
 
 }  // namespace
 
-Document diagnose_findings(const Ladder& ladder, bool loop_wanted, const DiagnosisData& data,
+Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
+                           const diagnosis::DiagnosisData& data,
                            const std::vector<std::string>& files) {
   const std::string& model = files[0];
   const std::vector<std::string> files_of_runs(files.begin() + 1, files.end());
   const std::string runs = join(files_of_runs, " ");
-  const Diagnosis& diagnosis = ladder.first;
+  const diagnosis::Diagnosis& diagnosis = ladder.first;
   const DiagnosisWords said = words_of(diagnosis, model, runs);
   const std::vector<std::string> names = names_from_outside(data, files);
   Document document("fogcomp diagnose " + model + " " + runs, words(said.verdict, names));
@@ -331,7 +338,7 @@ Document diagnose_findings(const Ladder& ladder, bool loop_wanted, const Diagnos
   add_untestable(document, diagnosis);
   if (loop_wanted) add_ladder(document, ladder, names);
   add_where(document, diagnosis, data, files_of_runs);
-  const std::vector<RowRange> ranges = data.series().rows().runs();
+  const std::vector<recording::RowRange> ranges = data.series().rows().runs();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     document.file_heading(files_of_runs[i]);
     add_run(document, columns_of(data, ranges[i], ladder), ladder, data, format("run %zu", i));

@@ -5,16 +5,16 @@
 namespace fogcomp::findings {
 namespace {
 
-Json term_json(const EffectTerm& term) {
+Json term_json(const model::EffectTerm& term) {
   Json parameters = Json::object();
   set_parameters(parameters, term);
   set_coefficients(parameters, term);
   return parameters;
 }
 
-Json network_json(const std::optional<NetworkLearnt>& network) {
+Json network_json(const std::optional<diagnosis::NetworkLearnt>& network) {
   if (!network) return Json();
-  Json learnt = json_array(network->effects, [&](const NetworkLearnt::Share& share) {
+  Json learnt = json_array(network->effects, [&](const diagnosis::NetworkLearnt::Share& share) {
     return Json::object()
         .set("effect", share.term.name)
         .set("share", share.share)
@@ -26,18 +26,18 @@ Json network_json(const std::optional<NetworkLearnt>& network) {
   return result;
 }
 
-Json fast_json(const Diagnosis& diagnosis) {
+Json fast_json(const diagnosis::Diagnosis& diagnosis) {
   Json result = Json::object();
   switch (diagnosis.fast_kind) {
-    case FastKind::none:
+    case diagnosis::FastKind::none:
       return Json();
-    case FastKind::line:
+    case diagnosis::FastKind::line:
       result.set("kind", "line").set("period_s", diagnosis.fast.line_period_s);
       break;
-    case FastKind::band:
+    case diagnosis::FastKind::band:
       result.set("kind", "band").set("period_s", diagnosis.fast.band_period_s);
       break;
-    case FastKind::two_levels:
+    case diagnosis::FastKind::two_levels:
       result.set("kind", "two_levels").set("height_dph", diagnosis.jumps.height_dph);
       result.set("dwell_s", diagnosis.jumps.dwell_s);
       break;
@@ -45,14 +45,14 @@ Json fast_json(const Diagnosis& diagnosis) {
   return result;
 }
 
-Json shares_json(const std::vector<NamedShare>& shares) {
-  return json_array(shares, [&](const NamedShare& share) {
+Json shares_json(const std::vector<diagnosis::NamedShare>& shares) {
+  return json_array(shares, [&](const diagnosis::NamedShare& share) {
     return Json::object().set("name", share.name).set("share", share.share);
   });
 }
 
-Json candidates_json(const std::vector<CandidateFinding>& candidates) {
-  return json_array(candidates, [&](const CandidateFinding& finding) {
+Json candidates_json(const std::vector<diagnosis::CandidateFinding>& candidates) {
+  return json_array(candidates, [&](const diagnosis::CandidateFinding& finding) {
     return Json::object()
         .set("effect", finding.effect)
         .set("explained_fraction", finding.explained_fraction)
@@ -65,10 +65,10 @@ Json candidates_json(const std::vector<CandidateFinding>& candidates) {
 }
 
 // What is missing, and what else could be.
-void set_verdict(Json& result, const Diagnosis& diagnosis) {
-  result.set("verdict", name_of(diagnosis.verdict));
+void set_verdict(Json& result, const diagnosis::Diagnosis& diagnosis) {
+  result.set("verdict", diagnosis::name_of(diagnosis.verdict));
   result.set("effect", diagnosis.effect.empty() ? Json() : Json(diagnosis.effect));
-  std::vector<std::string> effects = effects_together(diagnosis);
+  std::vector<std::string> effects = diagnosis::effects_together(diagnosis);
   if (effects.empty() && !diagnosis.effect.empty()) effects = {diagnosis.effect};
   result.set("effects", effects);
   result.set("confusable", diagnosis.confusable);
@@ -77,11 +77,11 @@ void set_verdict(Json& result, const Diagnosis& diagnosis) {
   const bool recordable = proposed && !diagnosis.experiment->profile.empty();
   result.set("experiment_profile", recordable ? Json(diagnosis.experiment->profile) : Json());
   result.set("candidates", candidates_json(diagnosis.candidates));
-  Json untestable = json_array(diagnosis.untestable, [&](const Untestable& effect) {
+  Json untestable = json_array(diagnosis.untestable, [&](const diagnosis::Untestable& effect) {
     return Json::object().set("effect", effect.effect).set("needs", effect.needs);
   });
   Json explanations =
-      json_array(diagnosis.explanations, [&](const Diagnosis::Explanation& explanation) {
+      json_array(diagnosis.explanations, [&](const diagnosis::Diagnosis::Explanation& explanation) {
         return Json::object()
             .set("effects", explanation.effects)
             .set("probability", explanation.probability)
@@ -92,9 +92,9 @@ void set_verdict(Json& result, const Diagnosis& diagnosis) {
 }
 
 // How large what is left is, beside the noise.
-void set_residual(Json& result, const Diagnosis& diagnosis) {
+void set_residual(Json& result, const diagnosis::Diagnosis& diagnosis) {
   result.set("residual_rms_dph", diagnosis.residual_rms_dph);
-  const std::optional<BoardError>& given = diagnosis.as_given;
+  const std::optional<compare::BoardError>& given = diagnosis.as_given;
   result.set("as_given", given
                              ? Json::object()
                                    .set("residual_rms_dph", given->rms_dph)
@@ -111,7 +111,7 @@ void set_residual(Json& result, const Diagnosis& diagnosis) {
 }
 
 // The command to type now; null where there is none.
-Json next_json(const Diagnosis& diagnosis, const std::vector<std::string>& files) {
+Json next_json(const diagnosis::Diagnosis& diagnosis, const std::vector<std::string>& files) {
   if (files.empty()) return Json();
   const std::vector<std::string> runs(files.begin() + 1, files.end());
   const std::string command = words_of(diagnosis, files[0], join(runs, " ")).command;
@@ -120,7 +120,7 @@ Json next_json(const Diagnosis& diagnosis, const std::vector<std::string>& files
 
 }  // namespace
 
-Json diagnosis_json(const Diagnosis& diagnosis, const std::vector<std::string>& files) {
+Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const std::vector<std::string>& files) {
   Json result = Json::object();
   set_verdict(result, diagnosis);
   result.set("next", next_json(diagnosis, files));
@@ -140,8 +140,8 @@ Json diagnosis_json(const Diagnosis& diagnosis, const std::vector<std::string>& 
   return result;
 }
 
-Json ladder_json(const Ladder& ladder, const std::vector<std::string>& files) {
-  Json steps = json_array(ladder.steps, [&](const Ladder::Step& step) {
+Json ladder_json(const diagnosis::Ladder& ladder, const std::vector<std::string>& files) {
+  Json steps = json_array(ladder.steps, [&](const diagnosis::Ladder::Step& step) {
     return Json::object()
         .set("effect", step.effect)
         .set("removed", step.removed)

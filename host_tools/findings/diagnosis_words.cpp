@@ -27,12 +27,12 @@ std::string joined(const std::vector<std::string>& names, const char* last) {
 }
 
 // How to name an effect to `add`, with what it takes to grow one that is there already.
-std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
-  const CandidateFinding* finding = diagnosis.find(effect);
+std::string to_add(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
+  const diagnosis::CandidateFinding* finding = diagnosis.find(effect);
   const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
-                                [&](const EffectTerm& term) { return term.name == effect; });
+                                [&](const model::EffectTerm& term) { return term.name == effect; });
   if (own == diagnosis.terms.end() || finding == nullptr) return effect;
-  const CatalogueEntry& entry = find_effect(effect);
+  const model::CatalogueEntry& entry = model::find_effect(effect);
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
     if (finding->term().parameters[i] == own->parameters[i]) continue;
     return format("%s:%s=%.4g", effect.c_str(), entry.parameters[i].name,
@@ -43,19 +43,20 @@ std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
 
 // The command that adds one effect or a set. An expression, which has no quotes in it, stands
 // alone.
-std::string add_command_line(const Diagnosis& diagnosis, const std::vector<std::string>& effects,
-                             const std::string& model, const std::string& runs) {
+std::string add_command_line(const diagnosis::Diagnosis& diagnosis,
+                             const std::vector<std::string>& effects, const std::string& model,
+                             const std::string& runs) {
   std::string line = "fogcomp add " + model;
-  const CandidateFinding* const first = diagnosis.find(effects.front());
+  const diagnosis::CandidateFinding* const first = diagnosis.find(effects.front());
   if (effects.size() == 1 && first != nullptr && first->is_expression()) {
-    const Expression& expression = first->term().expression->expression;
+    const model::Expression& expression = first->term().expression->expression;
     return line + " " + runs + " --effect-expr '" + expression.name + " = " + expression.text + "'";
   }
   for (const std::string& effect : effects) line += " " + to_add(diagnosis, effect);
   return line + " " + runs;
 }
 
-std::string walk_words(const Diagnosis& diagnosis) {
+std::string walk_words(const diagnosis::Diagnosis& diagnosis) {
   return format(
       "a random walk of the bias of %.2g deg/h/sqrt(h) explains as well as any effect: the "
       "programme once more, or a recording at rest with --static, would tell",
@@ -65,100 +66,100 @@ std::string walk_words(const Diagnosis& diagnosis) {
 // What is said, and how certain it is.
 using Headline = std::pair<std::string, std::string>;
 
-Headline missing_words(const Diagnosis& diagnosis) {
-  const std::vector<std::string> together = effects_together(diagnosis);
+Headline missing_words(const diagnosis::Diagnosis& diagnosis) {
+  const std::vector<std::string> together = diagnosis::effects_together(diagnosis);
   if (!together.empty()) {
     return {"several effects together are missing: " + joined(together, "and"), ""};
   }
-  const CandidateFinding* finding = diagnosis.find(diagnosis.effect);
+  const diagnosis::CandidateFinding* finding = diagnosis.find(diagnosis.effect);
   const std::string described = shape_words(finding->term());
   return {format("missing effect: %s (%s)", diagnosis.effect.c_str(),
-                 info_of(finding->term()).title.c_str()),
+                 model::info_of(finding->term()).title.c_str()),
           format("probability %.2f%s", finding->probability,
                  described.empty() ? "" : ("; " + described).c_str())};
 }
 
-Headline unknown_words(const Diagnosis& diagnosis) {
-  if (diagnosis.fast_kind != FastKind::none) {
-    return {
-        std::string("something is missing that no effect of the catalogue explains: ") +
-            (diagnosis.fast_kind == FastKind::two_levels ? "jumps between two levels" : "cycles"),
-        ""};
+Headline unknown_words(const diagnosis::Diagnosis& diagnosis) {
+  if (diagnosis.fast_kind != diagnosis::FastKind::none) {
+    return {std::string("something is missing that no effect of the catalogue explains: ") +
+                (diagnosis.fast_kind == diagnosis::FastKind::two_levels ? "jumps between two levels"
+                                                                        : "cycles"),
+            ""};
   }
   if (diagnosis.walk.may_be_all()) {
     return {"slow changes are left, which no effect explains better than noise",
             "they are what " + walk_words(diagnosis)};
   }
-  const std::string surely = effect_to_add(diagnosis);
+  const std::string surely = diagnosis::effect_to_add(diagnosis);
   if (!surely.empty()) {
     return {surely + " is missing, and something more that no effect of the catalogue explains (" +
                 percent(diagnosis.unexplained_fraction) + " of all)",
             ""};
   }
-  const bool offered =
-      std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
-                  [](const CandidateFinding& finding) { return finding.is_expression(); });
+  const bool offered = std::any_of(
+      diagnosis.candidates.begin(), diagnosis.candidates.end(),
+      [](const diagnosis::CandidateFinding& finding) { return finding.is_expression(); });
   return {"something is missing that no effect of the catalogue" +
               std::string(offered ? " and no expression offered" : "") + " explains (" +
               percent(diagnosis.unexplained_fraction) + " of it is left unexplained)",
           ""};
 }
 
-Headline verdict_words(const Diagnosis& diagnosis) {
+Headline verdict_words(const diagnosis::Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
-    case Verdict::none:
+    case diagnosis::Verdict::none:
       if (diagnosis.walk.may_be_all()) {
         return {"nothing is missing that these recordings can show",
                 "slow changes of less than a fifth of a row's noise are left, which " +
                     walk_words(diagnosis)};
       }
       return {"nothing is missing: what is left is noise, as far as these recordings can show", ""};
-    case Verdict::missing_effect:
+    case diagnosis::Verdict::missing_effect:
       return missing_words(diagnosis);
-    case Verdict::ambiguous:
+    case diagnosis::Verdict::ambiguous:
       return {"an effect is missing; these recordings cannot tell which of",
               joined(diagnosis.confusable, "or")};
-    case Verdict::unknown:
+    case diagnosis::Verdict::unknown:
       break;
   }
   return unknown_words(diagnosis);
 }
 
-std::string size_words(const Diagnosis& diagnosis) {
+std::string size_words(const diagnosis::Diagnosis& diagnosis) {
   std::string text = format("the model leaves %.4g deg/h rms; the noise floor is %.4g",
                             diagnosis.residual_rms_dph, diagnosis.noise_floor_dph);
-  const std::string effect = effect_to_add(diagnosis);
-  if (const CandidateFinding* finding = diagnosis.find(effect)) {
+  const std::string effect = diagnosis::effect_to_add(diagnosis);
+  if (const diagnosis::CandidateFinding* finding = diagnosis.find(effect)) {
     text += format("; with %s %.4g", effect.c_str(), finding->rms_after_dph);
   }
   return text;
 }
 
 // Why `compare` has another figure, where it has: it shows the model as it is.
-std::string as_given_words(const Diagnosis& diagnosis) {
+std::string as_given_words(const diagnosis::Diagnosis& diagnosis) {
   constexpr double kTellsApart = 0.01;
   if (!diagnosis.as_given) return "";
-  const BoardError& given = *diagnosis.as_given;
+  const compare::BoardError& given = *diagnosis.as_given;
   const double apart = std::abs(given.rms_dph - diagnosis.residual_rms_dph);
   if (apart <= kTellsApart * given.rms_dph) return "";
   return "that is refitted to these runs and without the board's delay; of the model as it is, " +
-         delay_words(given);
+         compare::delay_words(given);
 }
 
 // What only together lowers the error.
-std::string together_words(const Diagnosis& diagnosis) {
-  const std::vector<std::string> together = effects_together(diagnosis);
-  const auto set =
-      std::find_if(diagnosis.explanations.begin(), diagnosis.explanations.end(),
-                   [&](const Diagnosis::Explanation& one) { return one.effects == together; });
+std::string together_words(const diagnosis::Diagnosis& diagnosis) {
+  const std::vector<std::string> together = diagnosis::effects_together(diagnosis);
+  const auto set = std::find_if(
+      diagnosis.explanations.begin(), diagnosis.explanations.end(),
+      [&](const diagnosis::Diagnosis::Explanation& one) { return one.effects == together; });
   if (set == diagnosis.explanations.end()) return "";
   return joined(together, "and") + " together explain " + percent(set->explained_fraction) +
          format(" of what is above the noise (probability %.2f); each alone hardly helps",
                 set->probability);
 }
 
-std::string where_words(const Diagnosis& diagnosis) {
-  std::vector<NamedShare> segments = diagnosis.segments;
+std::string where_words(const diagnosis::Diagnosis& diagnosis) {
+  std::vector<diagnosis::NamedShare> segments = diagnosis.segments;
   std::stable_sort(segments.begin(), segments.end(),
                    [](const auto& a, const auto& b) { return a.share > b.share; });
   std::string text;
@@ -174,21 +175,21 @@ std::string where_words(const Diagnosis& diagnosis) {
 }
 
 // What no function of the inputs describes.
-std::string fast_words(const Diagnosis& diagnosis) {
+std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
   switch (diagnosis.fast_kind) {
-    case FastKind::none:
+    case diagnosis::FastKind::none:
       break;
-    case FastKind::line:
+    case diagnosis::FastKind::line:
       if (diagnosis.fast.line_period_s > kSlowCycle_s) {
         return format("it repeats every %.3g h: look for the day, the room, its air conditioning",
                       diagnosis.fast.line_period_s / kSecondsPerHour);
       }
       return format("it repeats every %.3g s: look for a cooler, a compressor, a control loop",
                     diagnosis.fast.line_period_s);
-    case FastKind::band:
+    case diagnosis::FastKind::band:
       return format("there is more than noise around periods of %.3g s, %.0f %% above it",
                     diagnosis.fast.band_period_s, 100 * diagnosis.fast.band_excess);
-    case FastKind::two_levels:
+    case diagnosis::FastKind::two_levels:
       return format(
           "the bias jumps to and fro between two levels %.3g deg/h apart, each held for %.2g s on "
           "average: look at light source, detector and electronics",
@@ -198,31 +199,31 @@ std::string fast_words(const Diagnosis& diagnosis) {
 }
 
 // What the network, which the diagnosis leaves out, had learnt.
-std::string network_words(const Diagnosis& diagnosis) {
+std::string network_words(const diagnosis::Diagnosis& diagnosis) {
   constexpr double kSaysNothing = 0.05;   // difference of shares that says nothing
   constexpr double kNextToNothing = 0.1;  // of the noise floor
   if (!diagnosis.network) return "";
-  const NetworkLearnt& network = *diagnosis.network;
+  const diagnosis::NetworkLearnt& network = *diagnosis.network;
   std::string text = format("the network, left out here, adds %.4g deg/h rms", network.rms_dph);
   if (network.rms_dph < kNextToNothing * diagnosis.noise_floor_dph) {
     return text + ": next to nothing";
   }
   text += ", " + percent(network.beyond_effects) + " of it beyond the model's own effects: ";
-  if (network.effects.empty() || network.effects[0].share < kLearntShare) {
+  if (network.effects.empty() || network.effects[0].share < diagnosis::kLearntShare) {
     text += "nothing of the catalogue explains what it had learnt";
     if (network.effects.empty()) return text;
     return text + " (at most " + percent(network.effects[0].share) + ", " +
            network.effects[0].term.name + ")";
   }
   // Of those that explain it alike, the one that the verdict names.
-  NetworkLearnt::Share best = network.effects[0];
-  for (const NetworkLearnt::Share& share : network.effects) {
+  diagnosis::NetworkLearnt::Share best = network.effects[0];
+  for (const diagnosis::NetworkLearnt::Share& share : network.effects) {
     const bool as_well = share.share > network.effects[0].share - kSaysNothing;
     if (as_well && share.term.name == diagnosis.effect) best = share;
   }
   text += "it had learnt " + best.term.name + " (explains " + percent(best.share);
   std::vector<std::string> alike;
-  for (const NetworkLearnt::Share& share : network.effects) {
+  for (const diagnosis::NetworkLearnt::Share& share : network.effects) {
     const bool as_well =
         share.share > best.share - kSaysNothing && share.term.name != best.term.name;
     if (as_well) alike.push_back(share.term.name);
@@ -231,22 +232,22 @@ std::string network_words(const Diagnosis& diagnosis) {
   return text + "): add the effect and train a smaller network";
 }
 
-void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::string& model,
-              const std::string& runs) {
-  std::vector<std::string> effects = effects_together(diagnosis);
-  const std::string one = effect_to_add(diagnosis);
+void add_next(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
+              const std::string& model, const std::string& runs) {
+  std::vector<std::string> effects = diagnosis::effects_together(diagnosis);
+  const std::string one = diagnosis::effect_to_add(diagnosis);
   if (!one.empty()) effects = {one};
   const bool has_event = std::any_of(effects.begin(), effects.end(), [&](const auto& name) {
-    const CandidateFinding* const finding = diagnosis.find(name);
-    return finding != nullptr && is_event(finding->term());
+    const diagnosis::CandidateFinding* const finding = diagnosis.find(name);
+    return finding != nullptr && model::is_event(finding->term());
   });
   if (has_event) {
     words.next = "fit again with " + joined(effects, "and") +
                  " among the --effects: it finds steps and masks them";
   } else if (!effects.empty()) {
     words.command = add_command_line(diagnosis, effects, model, runs) + " -o NEW.model";
-  } else if (diagnosis.verdict == Verdict::unknown && diagnosis.fast_kind == FastKind::none &&
-             !diagnosis.walk.may_be_all()) {
+  } else if (diagnosis.verdict == diagnosis::Verdict::unknown &&
+             diagnosis.fast_kind == diagnosis::FastKind::none && !diagnosis.walk.may_be_all()) {
     words.next =
         "let a formula of your own compete: --effect-expr 'NAME = T*T*dTdt' "
         "(host_tools/README.md, Expressions)";
@@ -255,12 +256,12 @@ void add_next(DiagnosisWords& words, const Diagnosis& diagnosis, const std::stri
 
 }  // namespace
 
-std::string shape_words(const EffectTerm& term) {
+std::string shape_words(const model::EffectTerm& term) {
   std::string text;
-  const TermInfo info = info_of(term);
+  const model::TermInfo info = model::info_of(term);
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-    const TermInfo::Parameter& parameter = info.parameters[i];
-    if (is_left_at_zero(term, i)) continue;
+    const model::TermInfo::Parameter& parameter = info.parameters[i];
+    if (model::is_left_at_zero(term, i)) continue;
     text += (text.empty() ? "" : ", ") +
             format("%s %.3g", parameter.name.c_str(), term.parameters[i]) +
             (parameter.unit.empty() ? "" : " " + parameter.unit);
@@ -268,7 +269,7 @@ std::string shape_words(const EffectTerm& term) {
   return text;
 }
 
-DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
+DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const std::string& model,
                         const std::string& runs) {
   DiagnosisWords words;
   std::tie(words.verdict, words.certainty) = verdict_words(diagnosis);
@@ -277,7 +278,7 @@ DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
   if (!as_given.empty()) words.findings.push_back(as_given);
   const std::string together = together_words(diagnosis);
   if (!together.empty()) words.findings.push_back(together);
-  if (diagnosis.verdict != Verdict::none) {
+  if (diagnosis.verdict != diagnosis::Verdict::none) {
     const std::string where = where_words(diagnosis);
     if (!where.empty()) words.findings.push_back(where);
     const std::string fast = fast_words(diagnosis);
@@ -288,27 +289,28 @@ DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
     add_next(words, diagnosis, model, runs);
   }
   if (diagnosis.outliers > 0)
-    words.limits.push_back(outlier_words(diagnosis.outliers, diagnosis.row_s));
+    words.limits.push_back(noise::outlier_words(diagnosis.outliers, diagnosis.row_s));
   words.limits.push_back(format("chance that noise alone looks like this: %.2g", diagnosis.chance));
   const std::string network = network_words(diagnosis);
   if (!network.empty()) words.limits.push_back(network);
   for (const std::string& note : diagnosis.notes) words.limits.push_back("note: " + note);
-  if (const CandidateFinding* finding = diagnosis.find(effect_to_add(diagnosis))) {
-    for (const ShapeDoubt& doubt : shape_doubts(finding->term())) {
+  if (const diagnosis::CandidateFinding* finding =
+          diagnosis.find(diagnosis::effect_to_add(diagnosis))) {
+    for (const model::ShapeDoubt& doubt : model::shape_doubts(finding->term())) {
       words.limits.push_back("note: " + doubt.sentence);
     }
   }
   return words;
 }
 
-std::string step_words(const Ladder::Step& step) {
+std::string step_words(const diagnosis::Ladder::Step& step) {
   std::string what = (step.removed ? "- " : "+ ") + step.effect;
   if (step.removed) what += " (no longer needed)";
   if (!step.alternatives.empty()) what += " (or " + joined(step.alternatives, "or") + ")";
   return what;
 }
 
-std::string end_words(const Ladder& ladder) {
+std::string end_words(const diagnosis::Ladder& ladder) {
   if (ladder.steps.empty()) return "nothing to add";
   if (!ladder.left_alone.empty()) {
     return ladder.left_alone +

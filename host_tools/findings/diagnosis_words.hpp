@@ -18,15 +18,15 @@ struct DiagnosisWords {
 };
 
 /// `model` and `runs` as on the command line.
-DiagnosisWords words_of(const Diagnosis& diagnosis, const std::string& model,
+DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const std::string& model,
                         const std::string& runs);
 
 /// A step of the loop: "+ temperature_rate (or shupe)".
-std::string step_words(const Ladder::Step& step);
+std::string step_words(const diagnosis::Ladder::Step& step);
 /// Why the loop came to its end.
-std::string end_words(const Ladder& ladder);
+std::string end_words(const diagnosis::Ladder& ladder);
 
 /// The shape of an effect: "radius 5.2 degC".
-std::string shape_words(const EffectTerm& term);
+std::string shape_words(const model::EffectTerm& term);
 
 }  // namespace fogcomp::findings

@@ -24,8 +24,8 @@ Text found(const FitOutcome& fit) {
 
 // What the fit is made of and what was left out of it.
 void add_rows(Document& document, const FitOutcome& fit) {
-  const Identification& identified = fit.result.identified;
-  const NoiseModel& noise = identified.noise;
+  const fit::Identification& identified = fit.result.identified;
+  const noise::NoiseModel& noise = identified.noise;
   document.sentence(
       words(counted(static_cast<std::size_t>(fit.rows), "row") + format(" of %g s", fit.row_s)));
   if (const std::size_t refused = fit.refused_rows()) {
@@ -33,7 +33,7 @@ void add_rows(Document& document, const FitOutcome& fit) {
         words(counted(refused, "row") + " of the recordings left out by the board's rules"));
   }
   if (identified.outliers > 0) {
-    document.sentence(words(outlier_words(identified.outliers, fit.row_s)));
+    document.sentence(words(noise::outlier_words(identified.outliers, fit.row_s)));
   }
   Text text = "noise of a row " + number(noise.white_dph()) + " white";
   if (!noise.components.empty()) text += ", " + number(noise.wander_dph()) + " slow";
@@ -48,9 +48,9 @@ void add_rows(Document& document, const FitOutcome& fit) {
 }
 
 void add_steps(Document& document, const FitOutcome& fit) {
-  const Identification& identified = fit.result.identified;
+  const fit::Identification& identified = fit.result.identified;
   for (std::size_t i = 0; i < identified.steps.size(); ++i) {
-    const FoundStep& step = identified.steps[i];
+    const fit::FoundStep& step = identified.steps[i];
     document.sentence(words(format("bias step of %s +- %.2g deg/h at %.6g +- %.2g s (",
                                    signed_rounded(step.size_dph).c_str(), step.size_sigma_dph,
                                    step.time_s, step.time_sigma_s)) +
@@ -65,16 +65,16 @@ void add_steps(Document& document, const FitOutcome& fit) {
 }
 
 void add_model(Document& document, const FitOutcome& fit) {
-  const Identification& identified = fit.result.identified;
+  const fit::Identification& identified = fit.result.identified;
   document.heading("Model");
-  document.listing(describe(fit.model));
+  document.listing(model::describe(fit.model));
   for (std::size_t i = 0; i < fit.model.terms.size(); ++i) {
     document.sentence(
         verbatim(fit.model.terms[i].name) +
         words(format(" would show from a peak of %.2g deg/h on", identified.visible_dph[i])));
   }
-  for (const PhysicalLag& lag : fit.physical_lags)
-    document.sentence(words(physical_lag_words(lag)));
+  for (const fit::PhysicalLag& lag : fit.physical_lags)
+    document.sentence(words(fit::physical_lag_words(lag)));
   for (std::size_t run = 0; run < identified.run_offsets_dph.size(); ++run) {
     document.sentence(words(format("recording %zu lies %s deg/h from the first", run + 2,
                                    signed_rounded(identified.run_offsets_dph[run]).c_str())));
@@ -90,7 +90,7 @@ std::string spaced(const std::string& list) {
 }
 
 void add_ladder(Document& document, const FitOutcome& fit) {
-  const std::vector<HistoryEntry>& history = fit.model.history;
+  const std::vector<model::HistoryEntry>& history = fit.model.history;
   Table table;
   table.caption = "what is left of the data of the fit";
   table.columns = {"step", {"rms left", "residual"}};
@@ -100,7 +100,7 @@ void add_ladder(Document& document, const FitOutcome& fit) {
   Table::Row constant{"by a constant alone", {number(before_dph), before_dph}};
   constant.colour = "measured";
   table.rows.push_back(std::move(constant));
-  for (const HistoryEntry& step : history) {
+  for (const model::HistoryEntry& step : history) {
     table.rows.push_back(
         {verbatim(spaced(step.action)), {number(step.rms_after_dph), step.rms_after_dph}});
   }
@@ -118,7 +118,7 @@ void add_ladder(Document& document, const FitOutcome& fit) {
 
 }  // namespace
 
-Document fit_findings(const FitOutcome& fit, const ModelOnRuns& model) {
+Document fit_findings(const FitOutcome& fit, const compare::ModelOnRuns& model) {
   Document document("fogcomp fit" + run_files(model) + " -o " + model.file, found(fit));
   if (std::any_of(model.runs.begin(), model.runs.end(), leaves_drift)) {
     document.next("ask which effect is missing",

@@ -7,6 +7,6 @@
 namespace fogcomp::findings {
 
 /// What `fogcomp fit` found. `model`: FitOutcome::on_its_runs() of it.
-Document fit_findings(const workflow::FitOutcome& fit, const ModelOnRuns& model);
+Document fit_findings(const workflow::FitOutcome& fit, const compare::ModelOnRuns& model);
 
 }  // namespace fogcomp::findings

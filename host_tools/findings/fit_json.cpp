@@ -7,8 +7,8 @@ namespace {
 
 using workflow::FitOutcome;
 
-Json terms_json(const Model& model) {
-  return json_array(model.terms, [&](const EffectTerm& term) {
+Json terms_json(const model::Model& model) {
+  return json_array(model.terms, [&](const model::EffectTerm& term) {
     return Json::object()
         .set("effect", term.name)
         .set("parameters", term.parameters)
@@ -21,7 +21,7 @@ Json terms_json(const Model& model) {
 Json steps_json(const FitOutcome& fit) {
   Json steps = Json::array();
   for (std::size_t i = 0; i < fit.result.identified.steps.size(); ++i) {
-    const FoundStep& step = fit.result.identified.steps[i];
+    const fit::FoundStep& step = fit.result.identified.steps[i];
     steps.push(Json::object()
                    .set("place", fit.step_places[i])
                    .set("time_s", step.time_s)
@@ -35,7 +35,7 @@ Json steps_json(const FitOutcome& fit) {
 }  // namespace
 
 Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
-  const Identification& identified = fit.result.identified;
+  const fit::Identification& identified = fit.result.identified;
   Json notes = identified.warnings;
   if (fit.network_dropped()) notes.push(network_verdict(fit.result));
   Json result = Json::object();
@@ -48,7 +48,7 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
   result.set("noise_slow_dph", identified.noise.wander_dph());
   result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
   result.set("delay_rms_dph", fit.delay_rms_dph);
-  result.set("physical_lags", json_array(fit.physical_lags, [](const PhysicalLag& lag) {
+  result.set("physical_lags", json_array(fit.physical_lags, [](const fit::PhysicalLag& lag) {
                return Json::object()
                    .set("effect", lag.effect)
                    .set("parameter", lag.parameter)
@@ -60,7 +60,7 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
   const std::optional<double> determined = fit.determined_weights();
   result.set("network_effective_parameters", determined ? Json(*determined) : Json());
-  const std::optional<OutOfSample>& judged = fit.result.network_judged;
+  const std::optional<fit::OutOfSample>& judged = fit.result.network_judged;
   result.set("network_gain", judged ? Json(judged->gain) : Json());
   return result;
 }

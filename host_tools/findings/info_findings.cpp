@@ -25,12 +25,13 @@ struct Finding {
   std::string command;
 };
 
-std::optional<double> drift_of(const BiasSummary& bias, const RunSummary& summary) {
+std::optional<double> drift_of(const compare::BiasSummary& bias,
+                               const compare::RunSummary& summary) {
   if (!bias.std_dph || !summary.noise_floor_dph) return std::nullopt;
-  return floor_removed(*bias.std_dph, *summary.noise_floor_dph);
+  return compare::floor_removed(*bias.std_dph, *summary.noise_floor_dph);
 }
 
-Finding find(const Recording& recording, const RunSummary& summary) {
+Finding find(const recording::Recording& recording, const compare::RunSummary& summary) {
   const std::optional<double> drift = drift_of(summary.bias, summary);
   if (!drift) {
     return {"the recording is too short to tell drift from noise",
@@ -39,16 +40,17 @@ Finding find(const Recording& recording, const RunSummary& summary) {
   const Text error = words(format("means of %.4g s scatter by ", summary.average_s)) +
                      number(*summary.bias.std_dph) + " deg/h (std), noise alone would make " +
                      number(*summary.noise_floor_dph);
-  const bool ramps =
-      std::any_of(summary.segments.begin(), summary.segments.end(),
-                  [](const SegmentSummary& segment) { return segment.kind != SegmentKind::soak; });
+  const bool ramps = std::any_of(summary.segments.begin(), summary.segments.end(),
+                                 [](const compare::SegmentSummary& segment) {
+                                   return segment.kind != recording::SegmentKind::soak;
+                                 });
   if (!ramps) {
     return {"the temperature stands still: " + error,
             "this run shows noise and warm-up only; record one in which the temperature moves", ""};
   }
   return {number(*drift) + " deg/h of drift: " + error,
           "fit physical effects to it, then look at what they leave",
-          "fogcomp fit " + recording.file + " -o gyro.model --effects " + kFirstEffects};
+          "fogcomp fit " + recording.file + " -o gyro.model --effects " + model::kFirstEffects};
 }
 
 std::string duration(double seconds) {
@@ -58,7 +60,7 @@ std::string duration(double seconds) {
 }
 
 // What was read, and what was left out of it.
-void add_extent(Document& document, const Recording& recording) {
+void add_extent(Document& document, const recording::Recording& recording) {
   std::string text = counted(recording.rows(), "row");
   if (recording.period_s > 0) {
     const double length_s = recording.time_s.back() - recording.time_s.front();
@@ -73,14 +75,14 @@ void add_extent(Document& document, const Recording& recording) {
     document.sentence(
         words(counted(recording.refused_rows, "row") + " left out by the board's rules"));
   }
-  if (recording.capture) document.sentence(words(describe(*recording.capture)));
-  if (recording.rows() > 1 && !rate_resolution(recording).moves()) {
+  if (recording.capture) document.sentence(words(recording::describe(*recording.capture)));
+  if (recording.rows() > 1 && !recording::rate_resolution(recording).moves()) {
     document.sentence("note: the rate does not move; is the gyro on and connected?");
   }
 }
 
-void add_bias(Document& document, const RunSummary& summary) {
-  const BiasSummary& bias = summary.bias;
+void add_bias(Document& document, const compare::RunSummary& summary) {
+  const compare::BiasSummary& bias = summary.bias;
   Table table;
   table.columns = {"bias (rate less input rate)", "deg/h"};
   table.rows = {
@@ -91,15 +93,15 @@ void add_bias(Document& document, const RunSummary& summary) {
   };
   document.table(std::move(table));
   if (summary.outliers > 0) {
-    document.sentence(words(outlier_words(summary.outliers, summary.average_s)));
+    document.sentence(words(noise::outlier_words(summary.outliers, summary.average_s)));
   }
 }
 
-void add_segments(Document& document, const RunSummary& summary) {
+void add_segments(Document& document, const compare::RunSummary& summary) {
   Table table;
   table.columns = {"segment", "mean, deg/h", "drift, deg/h", "std, deg/h",
                    "degC",    "degC/min",    "from, h",      "length, h"};
-  for (const SegmentSummary& segment : summary.segments) {
+  for (const compare::SegmentSummary& segment : summary.segments) {
     table.rows.push_back(
         {verbatim(segment.name), number(segment.bias.mean_dph),
          dph(drift_of(segment.bias, summary)), dph(segment.bias.std_dph),
@@ -112,18 +114,19 @@ void add_segments(Document& document, const RunSummary& summary) {
   document.table(std::move(table));
 }
 
-std::vector<Segment> summary_segments(const RunSummary& summary) {
-  std::vector<Segment> segments;
-  for (const SegmentSummary& one : summary.segments) {
+std::vector<recording::Segment> summary_segments(const compare::RunSummary& summary) {
+  std::vector<recording::Segment> segments;
+  for (const compare::SegmentSummary& one : summary.segments) {
     segments.push_back({one.name, one.kind, one.start_s, one.start_s + one.duration_s, {}});
   }
   return segments;
 }
 
-void add_over_time(Document& document, const Recording& recording, const RunSummary& summary) {
-  const Recording& blocks = summary.blocks;
+void add_over_time(Document& document, const recording::Recording& recording,
+                   const compare::RunSummary& summary) {
+  const recording::Recording& blocks = summary.blocks;
   if (blocks.rows() < 2) return;
-  const std::vector<double> bias = bias_dph(blocks);
+  const std::vector<double> bias = recording::bias_dph(blocks);
   const TimeAxis axis{blocks.time_s, blocks.stretch_starts, "run", summary_segments(summary)};
   document.heading("Over time");
   Plot means = time_plot(words(format("Bias, means of %.4g s.", summary.average_s)), "bias, deg/h",
@@ -135,7 +138,7 @@ void add_over_time(Document& document, const Recording& recording, const RunSumm
   document.plot(temperature_plot(axis, blocks.temperature_degc));
   if (recording.rows() == blocks.rows()) return;
   const TimeAxis samples{recording.time_s, recording.stretch_starts, "run", axis.segments};
-  const std::vector<double> sample_bias = bias_dph(recording);
+  const std::vector<double> sample_bias = recording::bias_dph(recording);
   Plot every = time_plot("Samples.", "bias, deg/h", samples, {{"sample", "second", sample_bias}});
   every.caption = "Std " + dph(summary.bias.sample_std_dph) + " deg/h.";
   document.plot(every);
@@ -153,26 +156,26 @@ Text to_digits_of(double value, double uncertainty) {
 }
 
 // What the lowest point of the curve still says where no flat part is seen.
-Text instability_bound(const std::vector<AllanPoint>& curve) {
-  const auto lowest =
-      std::min_element(curve.begin(), curve.end(), [](const AllanPoint& a, const AllanPoint& b) {
-        return a.sigma + a.one_sigma < b.sigma + b.one_sigma;
-      });
+Text instability_bound(const std::vector<noise::AllanPoint>& curve) {
+  const auto lowest = std::min_element(curve.begin(), curve.end(),
+                                       [](const noise::AllanPoint& a, const noise::AllanPoint& b) {
+                                         return a.sigma + a.one_sigma < b.sigma + b.one_sigma;
+                                       });
   const double bound = (lowest->sigma + 2 * lowest->one_sigma) / kInstabilityToFloor;
   return "below " + to_digits_of(bound, bound);
 }
 
-void add_coefficients(Document& document, const RunSummary& summary) {
+void add_coefficients(Document& document, const compare::RunSummary& summary) {
   Table table;
   table.caption = "noise coefficients (IEEE Std 952)";
   table.columns = {"coefficient", "value", "+- (95 %)", "unit"};
-  const auto add = [&](const char* name, const std::optional<NoiseCoefficient>& one,
+  const auto add = [&](const char* name, const std::optional<noise::NoiseCoefficient>& one,
                        const Text& otherwise, const char* unit) {
     table.rows.push_back({name, one ? to_digits_of(one->value, one->half_width_95) : otherwise,
                           one ? to_digits_of(one->half_width_95, one->half_width_95) : Text(),
                           unit});
   };
-  const NoiseCoefficients& noise = summary.noise;
+  const noise::NoiseCoefficients& noise = summary.noise;
   add("Q  quantization", noise.quantization_deg, "not shown", "deg");
   add("N  angle random walk", noise.angle_random_walk_dprh, "not shown", "deg/sqrt(h)");
   add("B  bias instability", noise.bias_instability_dph, instability_bound(summary.allan), "deg/h");
@@ -181,7 +184,7 @@ void add_coefficients(Document& document, const RunSummary& summary) {
   document.table(std::move(table));
 }
 
-void add_noise(Document& document, const RunSummary& summary) {
+void add_noise(Document& document, const compare::RunSummary& summary) {
   document.heading("Noise");
   if (summary.allan.empty()) {
     document.sentence(
@@ -192,7 +195,7 @@ void add_noise(Document& document, const RunSummary& summary) {
   Table table;
   table.caption = words("overlapping Allan deviation in " + duration(summary.soak_s) + " of soaks");
   table.columns = {"tau, s", "sigma, deg/h", "+- (1 sigma)"};
-  for (const AllanPoint& point : summary.allan) {
+  for (const noise::AllanPoint& point : summary.allan) {
     table.rows.push_back({verbatim(format("%.6g", point.tau_s)),
                           to_digits_of(point.sigma, point.one_sigma),
                           to_digits_of(point.one_sigma, point.one_sigma)});
@@ -201,14 +204,14 @@ void add_noise(Document& document, const RunSummary& summary) {
   add_coefficients(document, summary);
 }
 
-void add_over_temperature(Document& document, const RunSummary& summary) {
-  const Recording& blocks = summary.blocks;
-  const TemperatureSensitivity& sensitivity = summary.sensitivity;
-  const std::vector<Branch> branch = branches(blocks.temperature_degc);
+void add_over_temperature(Document& document, const compare::RunSummary& summary) {
+  const recording::Recording& blocks = summary.blocks;
+  const compare::TemperatureSensitivity& sensitivity = summary.sensitivity;
+  const std::vector<compare::Branch> branch = compare::branches(blocks.temperature_degc);
   document.heading("Over temperature");
   if (ever_moves(branch)) {
     Plot plot = branch_plot("Bias over temperature.", "temperature, degC", "bias, deg/h",
-                            blocks.temperature_degc, bias_dph(blocks), branch);
+                            blocks.temperature_degc, recording::bias_dph(blocks), branch);
     if (sensitivity.hysteresis_dph) {
       plot.caption = "Heating and cooling lie up to " + number(*sensitivity.hysteresis_dph) +
                      words(format(" deg/h apart, at %.0f degC.", *sensitivity.hysteresis_at_degc));
@@ -233,7 +236,7 @@ void add_over_temperature(Document& document, const RunSummary& summary) {
 
 }  // namespace
 
-Document info_findings(const Recording& recording, const RunSummary& summary) {
+Document info_findings(const recording::Recording& recording, const compare::RunSummary& summary) {
   const Finding finding = find(recording, summary);
   Document document("fogcomp info " + recording.file, finding.found);
   document.next(finding.next, finding.command);

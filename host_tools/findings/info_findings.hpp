@@ -7,6 +7,6 @@
 namespace fogcomp::findings {
 
 /// What `fogcomp info` prints, with plots. `recording` is what `summary` was made of.
-Document info_findings(const Recording& recording, const RunSummary& summary);
+Document info_findings(const recording::Recording& recording, const compare::RunSummary& summary);
 
 }  // namespace fogcomp::findings

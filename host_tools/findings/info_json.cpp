@@ -3,21 +3,21 @@
 namespace fogcomp::findings {
 namespace {
 
-Json value_or_null(const std::optional<NoiseCoefficient>& coefficient) {
+Json value_or_null(const std::optional<noise::NoiseCoefficient>& coefficient) {
   return coefficient ? Json(coefficient->value) : Json();
 }
 
-Json half_width_or_null(const std::optional<NoiseCoefficient>& coefficient) {
+Json half_width_or_null(const std::optional<noise::NoiseCoefficient>& coefficient) {
   return coefficient ? Json(coefficient->half_width_95) : Json();
 }
 
-const char* kind_name(SegmentKind kind) {
-  if (kind == SegmentKind::soak) return "soak";
-  return kind == SegmentKind::ramp_up ? "ramp_up" : "ramp_down";
+const char* kind_name(recording::SegmentKind kind) {
+  if (kind == recording::SegmentKind::soak) return "soak";
+  return kind == recording::SegmentKind::ramp_up ? "ramp_up" : "ramp_down";
 }
 
-Json segments_json(const std::vector<SegmentSummary>& segments) {
-  return json_array(segments, [&](const SegmentSummary& segment) {
+Json segments_json(const std::vector<compare::SegmentSummary>& segments) {
+  return json_array(segments, [&](const compare::SegmentSummary& segment) {
     return Json::object()
         .set("name", segment.name)
         .set("kind", kind_name(segment.kind))
@@ -33,11 +33,11 @@ Json segments_json(const std::vector<SegmentSummary>& segments) {
   });
 }
 
-Json allan_json(const std::vector<AllanPoint>& points) {
+Json allan_json(const std::vector<noise::AllanPoint>& points) {
   std::vector<double> tau_s;
   std::vector<double> sigma_dph;
   std::vector<double> one_sigma_dph;
-  for (const AllanPoint& point : points) {
+  for (const noise::AllanPoint& point : points) {
     tau_s.push_back(point.tau_s);
     sigma_dph.push_back(point.sigma);
     one_sigma_dph.push_back(point.one_sigma);
@@ -48,8 +48,8 @@ Json allan_json(const std::vector<AllanPoint>& points) {
       .set("one_sigma_dph", one_sigma_dph);
 }
 
-void set_coefficients(Json& object, const NoiseCoefficients& noise,
-                      Json (*as_json)(const std::optional<NoiseCoefficient>&)) {
+void set_coefficients(Json& object, const noise::NoiseCoefficients& noise,
+                      Json (*as_json)(const std::optional<noise::NoiseCoefficient>&)) {
   object.set("angle_random_walk_dprh", as_json(noise.angle_random_walk_dprh))
       .set("bias_instability_dph", as_json(noise.bias_instability_dph))
       .set("rate_random_walk_dphrh", as_json(noise.rate_random_walk_dphrh))
@@ -57,7 +57,7 @@ void set_coefficients(Json& object, const NoiseCoefficients& noise,
       .set("quantization_deg", as_json(noise.quantization_deg));
 }
 
-Json capture_json(const CaptureCounts& counts) {
+Json capture_json(const recording::CaptureCounts& counts) {
   return Json::object()
       .set("discarded_bytes", counts.discarded_bytes)
       .set("missing_samples", counts.missing_samples)
@@ -68,7 +68,7 @@ Json capture_json(const CaptureCounts& counts) {
 
 }  // namespace
 
-Json info_json(const Recording& recording, const RunSummary& summary) {
+Json info_json(const recording::Recording& recording, const compare::RunSummary& summary) {
   Json object = Json::object();
   object.set("file", recording.file)
       .set("rows", recording.rows())
@@ -88,7 +88,7 @@ Json info_json(const Recording& recording, const RunSummary& summary) {
   Json half_widths = Json::object();
   set_coefficients(half_widths, summary.noise, half_width_or_null);
   if (recording.capture) object.set("capture", capture_json(*recording.capture));
-  const TemperatureSensitivity& sensitivity = summary.sensitivity;
+  const compare::TemperatureSensitivity& sensitivity = summary.sensitivity;
   object.set("half_width_95", std::move(half_widths))
       .set("bias_temperature_sensitivity_dph_per_degc", sensitivity.bias_dph_per_degc)
       .set("temperature_rate_sensitivity_heating_dph_per_degc_per_min",

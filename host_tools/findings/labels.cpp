@@ -52,7 +52,7 @@ Text with_unit(const std::string& name, const std::string& unit) {
 }
 
 // "warm_up.tau": a shape parameter or a coefficient of an effect.
-Text part_label(const CatalogueEntry& effect, const std::string& part) {
+Text part_label(const model::CatalogueEntry& effect, const std::string& part) {
   const Text title = verbatim(std::string(effect.description.name)) + ": ";
   for (const fog::ParameterDescription& one : effect.parameters) {
     if (part == one.name) return title + with_unit(part, one.unit);
@@ -87,7 +87,7 @@ Text figure_label(const std::string& figure) {
   const Text label = label_among(kFigures, figure);
   if (!label.empty()) return label;
   const std::size_t point = figure.find('.');
-  for (const CatalogueEntry& effect : catalogue()) {
+  for (const model::CatalogueEntry& effect : model::catalogue()) {
     if (point == std::string::npos || figure.substr(0, point) != effect.description.name) continue;
     return part_label(effect, figure.substr(point + 1));
   }

@@ -4,10 +4,10 @@
 
 namespace fogcomp::findings {
 
-std::string network_verdict(const FitResult& fit) {
+std::string network_verdict(const fit::FitResult& fit) {
   if (!fit.network_judged) return "";
-  const OutOfSample& judged = *fit.network_judged;
-  const std::string figures = out_of_sample_words(judged);
+  const fit::OutOfSample& judged = *fit.network_judged;
+  const std::string figures = fit::out_of_sample_words(judged);
   return judged.helps() ? "network: helps out of sample: " + figures
                         : "network: nothing left that it can learn: " + figures + ": none kept";
 }

@@ -15,34 +15,36 @@ std::vector<double> as_vector(const Eigen::VectorXd& values) {
   return {values.data(), values.data() + values.size()};
 }
 
-Text cell(MeanStd value) {
+Text cell(research::MeanStd value) {
   return number(value.mean_dph) + " +- " + number(value.std_dph);
 }
 
-void add_table_1(Document& document, const Study& study) {
+void add_table_1(Document& document, const research::Study& study) {
   const Eigen::VectorXd& raw = study.run.series.rows().drift_dph;
   Table table;
   table.caption = "mean +- std, deg/h; sym8, 5 levels, heursure, soft";
   table.columns = {"segment", "raw, printed", "raw, ours", "denoised, printed", "denoised, ours"};
-  for (const PrintedSegment& printed : kPrinted) {
-    table.rows.push_back({verbatim(printed.name), cell({printed.raw_mean, printed.raw_std}),
-                          cell(mean_and_std(study.of_segment(printed.name, raw))),
-                          cell({printed.denoised_mean, printed.denoised_std}),
-                          cell(mean_and_std(study.of_segment(printed.name, study.denoised_dph)))});
+  for (const research::PrintedSegment& printed : research::kPrinted) {
+    table.rows.push_back(
+        {verbatim(printed.name), cell({printed.raw_mean, printed.raw_std}),
+         cell(research::mean_and_std(study.of_segment(printed.name, raw))),
+         cell({printed.denoised_mean, printed.denoised_std}),
+         cell(research::mean_and_std(study.of_segment(printed.name, study.denoised_dph)))});
   }
   document.heading("Table 1: denoising");
   document.table(std::move(table));
 }
 
-void add_table_2(Document& document, const Study& study) {
+void add_table_2(Document& document, const research::Study& study) {
   const Eigen::VectorXd& raw = study.run.series.rows().drift_dph;
-  const auto left = [&](const PrintedSegment& printed, const char* model) {
-    return cell(mean_and_std(study.of_segment(printed.name, raw - study.model(model).own_dph)));
+  const auto left = [&](const research::PrintedSegment& printed, const char* model) {
+    return cell(
+        research::mean_and_std(study.of_segment(printed.name, raw - study.model(model).own_dph)));
   };
   Table table;
   table.caption = "mean +- std, deg/h";
   table.columns = {"segment", "BP, printed", "BP, ours", "PSO-BP, printed", "PSO-BP, ours"};
-  for (const PrintedSegment& printed : kPrinted) {
+  for (const research::PrintedSegment& printed : research::kPrinted) {
     table.rows.push_back({verbatim(printed.name), cell({printed.bp_mean, printed.bp_std}),
                           left(printed, "bp"), cell({printed.pso_bp_mean, printed.pso_bp_std}),
                           left(printed, "pso-bp")});
@@ -51,18 +53,18 @@ void add_table_2(Document& document, const Study& study) {
   document.table(std::move(table));
 }
 
-void add_denoisers(Document& document, const Study& study) {
+void add_denoisers(Document& document, const research::Study& study) {
   Table table;
   table.caption = "denoised run against the noise-free truth; flicker noise stays with any";
   table.columns = {"denoiser", "rms, deg/h"};
-  for (const DenoiserResult& denoiser : study.denoisers) {
+  for (const research::DenoiserResult& denoiser : study.denoisers) {
     table.rows.push_back({verbatim(denoiser.name), number(denoiser.truth_rms_dph)});
   }
   document.table(std::move(table));
 }
 
-void add_table_3(Document& document, const Study& study) {
-  const PrintedSegment& all = kPrinted.back();
+void add_table_3(Document& document, const research::Study& study) {
+  const research::PrintedSegment& all = research::kPrinted.back();
   Table table;
   table.caption =
       "std of the whole run in deg/h, how much of it is gone, and the drift without noise";
@@ -80,30 +82,32 @@ void add_table_3(Document& document, const Study& study) {
                           {number(ours), ours},
                           gone(printed, all.raw_std),
                           gone(ours, study.raw.std_dph),
-                          number(floor_removed(printed, kPrintedFloorDph)),
-                          number(floor_removed(ours, floor_dph))});
+                          number(compare::floor_removed(printed, research::kPrintedFloorDph)),
+                          number(compare::floor_removed(ours, floor_dph))});
   };
   add("raw", all.raw_std, study.raw.std_dph);
   add("BP", all.bp_std, study.model("bp").own.residual.std_dph);
   add("PSO-BP", all.pso_bp_std, study.model("pso-bp").own.residual.std_dph);
-  add("noise floor", kPrintedFloorDph, floor_dph);
+  add("noise floor", research::kPrintedFloorDph, floor_dph);
   document.heading("Table 3: the whole run");
   document.table(std::move(table));
 }
 
 // Rows of one segment follow each other; "20~-40" is a ramp.
-std::vector<Segment> study_segments(const Study& study, const std::vector<double>& degc) {
+std::vector<recording::Segment> study_segments(const research::Study& study,
+                                               const std::vector<double>& degc) {
   const std::vector<std::string>& names = study.run.segments;
-  const Rows& rows = study.run.series.rows();
-  std::vector<Segment> segments;
+  const series::Rows& rows = study.run.series.rows();
+  std::vector<recording::Segment> segments;
   std::size_t first = 0;
   for (std::size_t row = 1; row <= names.size(); ++row) {
     if (row < names.size() && names[row] == names[first]) continue;
     const bool is_ramp = names[first].find('~') != std::string::npos;
-    const SegmentKind ramp =
-        degc[row - 1] > degc[first] ? SegmentKind::ramp_up : SegmentKind::ramp_down;
+    const recording::SegmentKind ramp = degc[row - 1] > degc[first]
+                                            ? recording::SegmentKind::ramp_up
+                                            : recording::SegmentKind::ramp_down;
     segments.push_back({names[first],
-                        is_ramp ? ramp : SegmentKind::soak,
+                        is_ramp ? ramp : recording::SegmentKind::soak,
                         rows.time_s[first] - rows.row_s / 2,
                         rows.time_s[row - 1] + rows.row_s / 2,
                         {first, row}});
@@ -115,11 +119,11 @@ std::vector<Segment> study_segments(const Study& study, const std::vector<double
 Text std_text(const Text& what, const std::vector<double>& values) {
   const Eigen::Map<const Eigen::VectorXd> all(values.data(),
                                               static_cast<Eigen::Index>(values.size()));
-  return what + number(mean_and_std(all).std_dph) + " deg/h";
+  return what + number(research::mean_and_std(all).std_dph) + " deg/h";
 }
 
-void add_figures(Document& document, const Study& study) {
-  const Rows& rows = study.run.series.rows();
+void add_figures(Document& document, const research::Study& study) {
+  const series::Rows& rows = study.run.series.rows();
   const std::vector<double> raw = as_vector(rows.drift_dph);
   const std::vector<double> soft = as_vector(study.denoised_dph);
   const std::vector<double> hard = as_vector(study.hard_dph);
@@ -160,7 +164,7 @@ void add_figures(Document& document, const Study& study) {
       {{"raw", "measured", raw}, {"after PSO-BP", "second", after_pso_bp}});
 }
 
-void add_medians(Document& document, const std::vector<Study>& studies) {
+void add_medians(Document& document, const std::vector<research::Study>& studies) {
   Table table;
   table.caption = words("medians of " + counted(studies.size(), "gyro") + ", deg/h");
   table.columns = {"model", "std", "drift", "error"};
@@ -169,20 +173,20 @@ void add_medians(Document& document, const std::vector<Study>& studies) {
       "model "
       "was fitted to and on programmes that it never saw; noise alone: what a fit would leave that "
       "knew the course of every effect and had but their sizes to find";
-  for (const std::string& profile : kHeldOutProfiles) {
+  for (const std::string& profile : research::kHeldOutProfiles) {
     table.columns.emplace_back(verbatim(profile) + ": drift");
     table.columns.emplace_back("error");
   }
-  for (const ModelMedians& model : medians_of(studies)) {
+  for (const research::ModelMedians& model : research::medians_of(studies)) {
     Table::Row row{verbatim(model.name), dph(model.std_dph), dph(model.drift_dph),
                    dph(model.truth_rms_dph)};
-    for (std::size_t i = 0; i < kHeldOutProfiles.size(); ++i) {
+    for (std::size_t i = 0; i < research::kHeldOutProfiles.size(); ++i) {
       row.cells.emplace_back(dph(model.held_out_drift_dph[i]));
       row.cells.emplace_back(dph(model.held_out_truth_rms_dph[i]));
     }
     table.rows.push_back(std::move(row));
   }
-  const FloorMedians floors = floors_of(studies);
+  const research::FloorMedians floors = research::floors_of(studies);
   Table::Row noise{"noise alone", "", "", dph(floors.own_dph)};
   for (const double floor_dph : floors.held_out_dph) {
     noise.cells.emplace_back("");
@@ -193,21 +197,21 @@ void add_medians(Document& document, const std::vector<Study>& studies) {
   document.table(std::move(table));
 }
 
-Text found(const std::vector<Study>& studies) {
-  for (const ModelMedians& model : medians_of(studies)) {
+Text found(const std::vector<research::Study>& studies) {
+  for (const research::ModelMedians& model : research::medians_of(studies)) {
     if (model.name != "pso-bp") continue;
     return words(format(
         "PSO-BP takes %.2f %% off the std of the whole run (printed: %.2f %%), %.1f %% of what the "
         "noise floor allows",
-        100 * model.cut, 100 * kPrintedPsoBpCut, 100 * model.cut_of_bound));
+        100 * model.cut, 100 * research::kPrintedPsoBpCut, 100 * model.cut_of_bound));
   }
   return {};
 }
 
 }  // namespace
 
-Document paper_findings(const std::vector<Study>& studies) {
-  const Study& first = studies.front();
+Document paper_findings(const std::vector<research::Study>& studies) {
+  const research::Study& first = studies.front();
   Document document("fogcomp paper", found(studies));
   document.next(
       "such a network of time and temperature is an image of its one run (last table); fit "

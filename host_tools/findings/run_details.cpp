@@ -15,18 +15,18 @@ Text star(bool beyond_noise) {
 }
 
 // The verdict in the same words for every variable.
-Text structure_text(const ResidualAnalysis& analysis, const ClassTest& test) {
+Text structure_text(const compare::ResidualAnalysis& analysis, const compare::ClassTest& test) {
   if (!test.structured()) return "no more than noise";
   const std::optional<double> share = analysis.share_of_excess(test);
   return "structured" + (share ? words(", " + percent(*share) + " of the excess") : Text());
 }
 
-Table dependence_table(const ResidualAnalysis& analysis, const Dependence& dependence,
-                       const Text& variable) {
+Table dependence_table(const compare::ResidualAnalysis& analysis,
+                       const compare::Dependence& dependence, const Text& variable) {
   Table table;
   table.caption = "residual over " + variable + ": " + structure_text(analysis, dependence.test);
   table.columns = {"at", "rows", "mean", "+-", ""};
-  for (const ResidualBin& bin : dependence.bins) {
+  for (const compare::ResidualBin& bin : dependence.bins) {
     table.rows.push_back({verbatim(format("%.5g", bin.at)), verbatim(std::to_string(bin.rows)),
                           number(bin.mean_dph), number(bin.sigma_dph),
                           star(std::abs(bin.mean_dph) > 3 * bin.sigma_dph)});
@@ -34,12 +34,12 @@ Table dependence_table(const ResidualAnalysis& analysis, const Dependence& depen
   return table;
 }
 
-Table loop_table(const ResidualAnalysis& analysis) {
+Table loop_table(const compare::ResidualAnalysis& analysis) {
   Table table;
   table.caption = "residual over history (branch of the last movement): " +
                   structure_text(analysis, analysis.history.test);
   table.columns = {"degC", "heating", "cooling", "width", "+-", ""};
-  for (const LoopBin& bin : analysis.history.bins) {
+  for (const compare::LoopBin& bin : analysis.history.bins) {
     table.rows.push_back({verbatim(format("%.5g", bin.at_degc)), number(bin.heating_dph),
                           number(bin.cooling_dph), number(bin.width_dph()), number(bin.sigma_dph),
                           star(std::abs(bin.width_dph()) > 3 * bin.sigma_dph)});
@@ -47,12 +47,12 @@ Table loop_table(const ResidualAnalysis& analysis) {
   return table;
 }
 
-Table autocorrelation_table(const ResidualAnalysis& analysis) {
+Table autocorrelation_table(const compare::ResidualAnalysis& analysis) {
   Table table;
   table.caption = words(format("autocorrelation of the residual; white noise stays within +-%.3f",
                                analysis.white_band));
   table.columns = {"lag, s", "correlation", ""};
-  for (const LagCorrelation& lag : analysis.autocorrelation) {
+  for (const compare::LagCorrelation& lag : analysis.autocorrelation) {
     table.rows.push_back({verbatim(format("%.6g", lag.lag_s)),
                           verbatim(format("%.3f", lag.correlation)),
                           star(std::abs(lag.correlation) > analysis.white_band)});
@@ -60,12 +60,12 @@ Table autocorrelation_table(const ResidualAnalysis& analysis) {
   return table;
 }
 
-Table allan_table(const ResidualAnalysis& analysis) {
+Table allan_table(const compare::ResidualAnalysis& analysis) {
   Table table;
   table.caption = "Allan deviation in soaks, deg/h";
   table.columns = {"tau, s", "before", "after", "+-"};
   for (std::size_t i = 0; i < analysis.raw_allan.size(); ++i) {
-    const AllanPoint& after = analysis.residual_allan[i];
+    const noise::AllanPoint& after = analysis.residual_allan[i];
     table.rows.push_back({verbatim(format("%.6g", after.tau_s)),
                           number(analysis.raw_allan[i].sigma), number(after.sigma),
                           number(after.one_sigma)});
@@ -75,8 +75,8 @@ Table allan_table(const ResidualAnalysis& analysis) {
 
 }  // namespace
 
-void add_details(Document& document, const ModelOnRun& judged) {
-  const ResidualAnalysis& analysis = judged.analysis;
+void add_details(Document& document, const compare::ModelOnRun& judged) {
+  const compare::ResidualAnalysis& analysis = judged.analysis;
   std::vector<Table> tables{
       dependence_table(analysis, analysis.temperature, "temperature, degC"),
       dependence_table(analysis, analysis.rate, "temperature rate, degC/min"),

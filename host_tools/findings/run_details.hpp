@@ -7,6 +7,6 @@ namespace fogcomp::findings {
 
 /// What a page draws of a run, as figures for a terminal: dependences, loop, Allan deviation,
 /// autocorrelation.
-void add_details(Document& document, const ModelOnRun& judged);
+void add_details(Document& document, const compare::ModelOnRun& judged);
 
 }  // namespace fogcomp::findings

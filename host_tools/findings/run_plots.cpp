@@ -17,13 +17,13 @@ std::vector<const std::vector<double>*> columns_of(const std::vector<Trace>& tra
   return columns;
 }
 
-const char* shade_of(SegmentKind kind) {
+const char* shade_of(recording::SegmentKind kind) {
   switch (kind) {
-    case SegmentKind::ramp_up:
+    case recording::SegmentKind::ramp_up:
       return "heating";
-    case SegmentKind::ramp_down:
+    case recording::SegmentKind::ramp_down:
       return "cooling";
-    case SegmentKind::soak:
+    case recording::SegmentKind::soak:
       break;
   }
   return "";
@@ -37,7 +37,7 @@ Plot plot_over_time(const Text& title, const Text& y_label, const TimeAxis& axis
   plot.y_label = y_label;
   plot.group = axis.group;
   for (const double time : time_s) plot.x.push_back(time / kSecondsPerHour);
-  for (const Segment& segment : axis.segments) {
+  for (const recording::Segment& segment : axis.segments) {
     plot.bands.push_back({verbatim(segment.name), segment.start_s / kSecondsPerHour,
                           segment.end_s / kSecondsPerHour, shade_of(segment.kind)});
   }
@@ -46,13 +46,13 @@ Plot plot_over_time(const Text& title, const Text& y_label, const TimeAxis& axis
 
 }  // namespace
 
-std::vector<std::size_t> starts_of(const std::vector<RowRange>& stretches) {
+std::vector<std::size_t> starts_of(const std::vector<recording::RowRange>& stretches) {
   std::vector<std::size_t> starts;
-  for (const RowRange& stretch : stretches) starts.push_back(stretch.first);
+  for (const recording::RowRange& stretch : stretches) starts.push_back(stretch.first);
   return starts;
 }
 
-TimeAxis time_axis(const Comparison& comparison, const std::string& group) {
+TimeAxis time_axis(const compare::Comparison& comparison, const std::string& group) {
   return {comparison.rows.time_s,
           starts_of(comparison.rows.stretches()),
           group,
@@ -80,9 +80,10 @@ Plot temperature_plot(const TimeAxis& axis, const std::vector<double>& temperatu
   Plot plot = time_plot("Temperature.", "temperature, degC", axis,
                         {{"temperature", "part5", temperature_degc}});
   const auto [min, max] = std::minmax_element(temperature_degc.begin(), temperature_degc.end());
-  const auto soaks =
-      std::count_if(axis.segments.begin(), axis.segments.end(),
-                    [](const Segment& segment) { return segment.kind == SegmentKind::soak; });
+  const auto soaks = std::count_if(axis.segments.begin(), axis.segments.end(),
+                                   [](const recording::Segment& segment) {
+                                     return segment.kind == recording::SegmentKind::soak;
+                                   });
   const auto ramps = static_cast<std::ptrdiff_t>(axis.segments.size()) - soaks;
   plot.caption =
       words(format("%.1f to %.1f degC; soaks: %td, ramps: %td.", *min, *max, soaks, ramps));
@@ -112,31 +113,32 @@ Plot stacked_plot(const Text& title, const Text& y_label, const TimeAxis& axis,
 
 Plot branch_plot(const Text& title, const Text& x_label, const Text& y_label,
                  const std::vector<double>& x, const std::vector<double>& y,
-                 const std::vector<Branch>& branch) {
+                 const std::vector<compare::Branch>& branch) {
   const std::size_t per_point = rows_per_point(x.size());
   Plot plot;
   plot.title = title;
   plot.x_label = x_label;
   plot.y_label = y_label;
-  const auto add = [&](const Text& label, const char* colour, Branch wanted) {
+  const auto add = [&](const Text& label, const char* colour, compare::Branch wanted) {
     Cloud cloud = thinned(x, y, branch, wanted, per_point);
     if (cloud.x.empty()) return;
     plot.curves.push_back({label, colour, std::move(cloud.y), std::move(cloud.x), {}, Look::cloud});
   };
-  add("heating", "heating", Branch::heating);
-  add("cooling", "cooling", Branch::cooling);
+  add("heating", "heating", compare::Branch::heating);
+  add("cooling", "cooling", compare::Branch::cooling);
   add(plot.curves.empty() ? "temperature at rest" : "before the first movement", "measured",
-      Branch::none);
+      compare::Branch::none);
   return plot;
 }
 
-bool ever_moves(const std::vector<Branch>& branch) {
-  return std::any_of(branch.begin(), branch.end(), [](Branch one) { return one != Branch::none; });
+bool ever_moves(const std::vector<compare::Branch>& branch) {
+  return std::any_of(branch.begin(), branch.end(),
+                     [](compare::Branch one) { return one != compare::Branch::none; });
 }
 
-Curve bin_means(const std::vector<ResidualBin>& bins) {
+Curve bin_means(const std::vector<compare::ResidualBin>& bins) {
   Curve means{"mean", "mark", {}};
-  for (const ResidualBin& bin : bins) {
+  for (const compare::ResidualBin& bin : bins) {
     means.x.push_back(bin.at);
     means.y.push_back(bin.mean_dph);
     means.sigma.push_back(bin.sigma_dph);
@@ -144,12 +146,12 @@ Curve bin_means(const std::vector<ResidualBin>& bins) {
   return means;
 }
 
-void add_loop(Plot& over_temperature, const Loop& loop) {
-  const LoopBin* const widest = loop.widest();
+void add_loop(Plot& over_temperature, const compare::Loop& loop) {
+  const compare::LoopBin* const widest = loop.widest();
   if (widest == nullptr) return;
   Curve heating{"heating, mean", "heating", {}};
   Curve cooling{"cooling, mean", "cooling", {}};
-  for (const LoopBin& bin : loop.bins) {
+  for (const compare::LoopBin& bin : loop.bins) {
     heating.x.push_back(bin.at_degc);
     heating.y.push_back(bin.heating_dph);
     cooling.x.push_back(bin.at_degc);

@@ -24,11 +24,11 @@ struct TimeAxis {
   const std::vector<double>& time_s;
   std::vector<std::size_t> stretch_starts;
   std::string group;
-  std::vector<Segment> segments;
+  std::vector<recording::Segment> segments;
 };
 /// Of a comparison, which must outlive it.
-TimeAxis time_axis(const Comparison& comparison, const std::string& group);
-std::vector<std::size_t> starts_of(const std::vector<RowRange>& stretches);
+TimeAxis time_axis(const compare::Comparison& comparison, const std::string& group);
+std::vector<std::size_t> starts_of(const std::vector<recording::RowRange>& stretches);
 
 /// Traces over hours since power-on, the segments shaded; long ones as minimum and maximum of each
 /// column.
@@ -45,17 +45,17 @@ Plot stacked_plot(const Text& title, const Text& y_label, const TimeAxis& axis,
 /// One quantity over another as points, heating and cooling in two colours.
 Plot branch_plot(const Text& title, const Text& x_label, const Text& y_label,
                  const std::vector<double>& x, const std::vector<double>& y,
-                 const std::vector<Branch>& branch);
+                 const std::vector<compare::Branch>& branch);
 
 /// Whether the temperature ever moved: else a plot over it has nothing to show.
-bool ever_moves(const std::vector<Branch>& branch);
+bool ever_moves(const std::vector<compare::Branch>& branch);
 
 /// The means of the residual's bins with their standard errors, to lie on a branch_plot().
-Curve bin_means(const std::vector<ResidualBin>& bins);
+Curve bin_means(const std::vector<compare::ResidualBin>& bins);
 
 /// Means of heating and cooling branch on a plot over temperature, and in its caption how far they
 /// lie apart where that is more than noise.
-void add_loop(Plot& over_temperature, const Loop& loop);
+void add_loop(Plot& over_temperature, const compare::Loop& loop);
 
 /// The colour of the i-th of several like things.
 std::string part_colour(std::size_t i);

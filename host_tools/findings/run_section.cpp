@@ -15,9 +15,9 @@
 namespace fogcomp::findings {
 namespace {
 
-using Models = std::vector<const ModelOnRuns*>;
+using Models = std::vector<const compare::ModelOnRuns*>;
 
-const Comparison& on_run(const ModelOnRuns& model, std::size_t run) {
+const compare::Comparison& on_run(const compare::ModelOnRuns& model, std::size_t run) {
   return model.runs[run].comparison;
 }
 
@@ -25,7 +25,7 @@ const Comparison& on_run(const ModelOnRuns& model, std::size_t run) {
 std::vector<Text> labels(const Models& models, const Text& alone) {
   if (models.size() == 1) return {alone};
   std::vector<std::string> files;
-  for (const ModelOnRuns* model : models) files.push_back(model->file);
+  for (const compare::ModelOnRuns* model : models) files.push_back(model->file);
   std::vector<Text> labels;
   for (const std::string& name : short_names(files)) labels.push_back(verbatim(name));
   return labels;
@@ -41,10 +41,10 @@ Look look_of(std::size_t model) {
 }
 
 // Inputs on which the residual depends, which structure_words() does not ask.
-Text input_words(const ModelOnRun& run) {
+Text input_words(const compare::ModelOnRun& run) {
   Text text;
   for (std::size_t i = 0; i < run.analysis.inputs.size(); ++i) {
-    const ClassTest& test = run.analysis.inputs[i].test;
+    const compare::ClassTest& test = run.analysis.inputs[i].test;
     if (!test.structured()) continue;
     const std::optional<double> share = run.analysis.share_of_excess(test);
     text += "; it depends on the " + input_name(run.comparison.inputs[i].input) +
@@ -57,7 +57,7 @@ void add_words(Document& document, const Models& models, std::size_t run, Shown 
   const std::vector<Text> names = labels(models, "");
   for (std::size_t i = 0; i < models.size(); ++i) {
     const Text name = names[i] + (models.size() > 1 ? ": " : "");
-    const ModelOnRun& judged = models[i]->runs[run];
+    const compare::ModelOnRun& judged = models[i]->runs[run];
     document.sentence(name + words(error_words(judged.comparison)), shown);
     document.sentence(name + words(structure_words(judged)) + input_words(judged), shown);
     for (const std::string& remark : remarks(judged))
@@ -68,7 +68,7 @@ void add_words(Document& document, const Models& models, std::size_t run, Shown 
   }
 }
 
-void add_segments(Document& document, const Comparison& comparison, Shown shown) {
+void add_segments(Document& document, const compare::Comparison& comparison, Shown shown) {
   Table table;
   table.columns = {"segment", "rms left", "drift left", "constant", "mean",
                    "std",     "raw mean", "raw std",    "rows"};
@@ -76,23 +76,23 @@ void add_segments(Document& document, const Comparison& comparison, Shown shown)
       "deg/h, means of %.4g s; rms left, mean, std: of the residual; drift left: sqrt(rms^2 - "
       "floor^2); constant: rms that the model's mean over the run alone would leave; raw: before",
       comparison.rows.row_s));
-  const auto add = [&](const Comparison::SegmentError& segment) {
+  const auto add = [&](const compare::Comparison::SegmentError& segment) {
     if (segment.rows.size() == 0) return;
     table.rows.push_back({verbatim(segment.name), number(segment.rms_dph),
-                          dph(floor_removed(segment.rms_dph, comparison.noise_floor_dph)),
-                          number(constant_rms_dph(comparison, segment)), number(segment.mean_dph),
-                          number(segment.std_dph), number(segment.raw_mean_dph),
-                          number(segment.raw_std_dph),
+                          dph(compare::floor_removed(segment.rms_dph, comparison.noise_floor_dph)),
+                          number(compare::constant_rms_dph(comparison, segment)),
+                          number(segment.mean_dph), number(segment.std_dph),
+                          number(segment.raw_mean_dph), number(segment.raw_std_dph),
                           verbatim(std::to_string(segment.rows.size()))});
   };
-  for (const Comparison::SegmentError& segment : comparison.segments) add(segment);
+  for (const compare::Comparison::SegmentError& segment : comparison.segments) add(segment);
   add(comparison.whole);
   document.table(std::move(table), shown);
 }
 
 // The same quantity segment by segment: left by a constant alone, then by each model.
 void add_before_and_after(Document& document, const Models& models, std::size_t run, Shown shown) {
-  const Comparison& best = on_run(*models[0], run);
+  const compare::Comparison& best = on_run(*models[0], run);
   Table table;
   table.caption = "what is left of each segment";
   table.columns = {"segment", {"by a constant alone", "measured"}};
@@ -103,15 +103,16 @@ void add_before_and_after(Document& document, const Models& models, std::size_t 
     table.columns.push_back({"by " + names[i], residual_colour(i)});
   }
   const auto add = [&](std::size_t segment, bool whole) {
-    const auto of = [&](const ModelOnRuns& model) -> const Comparison::SegmentError& {
-      const Comparison& comparison = on_run(model, run);
+    const auto of =
+        [&](const compare::ModelOnRuns& model) -> const compare::Comparison::SegmentError& {
+      const compare::Comparison& comparison = on_run(model, run);
       return whole ? comparison.whole : comparison.segments[segment];
     };
-    const Comparison::SegmentError& own = of(*models[0]);
+    const compare::Comparison::SegmentError& own = of(*models[0]);
     if (own.rows.size() == 0) return;
-    const double before_dph = constant_rms_dph(best, own);
+    const double before_dph = compare::constant_rms_dph(best, own);
     Table::Row row{verbatim(own.name), {number(before_dph), before_dph}};
-    for (const ModelOnRuns* model : models) {
+    for (const compare::ModelOnRuns* model : models) {
       const double rms_dph = of(*model).rms_dph;
       row.cells.emplace_back(number(rms_dph), rms_dph);
     }
@@ -123,7 +124,7 @@ void add_before_and_after(Document& document, const Models& models, std::size_t 
 }
 
 // Where what is left is largest.
-Text worst_segment(const Comparison& comparison) {
+Text worst_segment(const compare::Comparison& comparison) {
   const auto worst =
       std::max_element(comparison.segments.begin(), comparison.segments.end(),
                        [](const auto& a, const auto& b) { return a.rms_dph < b.rms_dph; });
@@ -132,12 +133,12 @@ Text worst_segment(const Comparison& comparison) {
 }
 
 void add_over_time(Document& document, const Models& models, std::size_t run) {
-  const Comparison& best = on_run(*models[0], run);
+  const compare::Comparison& best = on_run(*models[0], run);
   const std::vector<double> degc = best.rows.temperatures_degc();
   const std::vector<double> measured = best.measured_dph();
   std::vector<std::vector<double>> drifts;
   std::vector<std::vector<double>> residuals;
-  for (const ModelOnRuns* model : models) {
+  for (const compare::ModelOnRuns* model : models) {
     const Eigen::VectorXd& drift = on_run(*model, run).modelled_dph;
     drifts.emplace_back(drift.begin(), drift.end());
     residuals.push_back(on_run(*model, run).residuals_dph());
@@ -162,8 +163,8 @@ void add_over_time(Document& document, const Models& models, std::size_t run) {
   document.plot(residual);
 }
 
-void add_parts(Document& document, const ModelOnRuns& model, std::size_t run) {
-  const Comparison& comparison = on_run(model, run);
+void add_parts(Document& document, const compare::ModelOnRuns& model, std::size_t run) {
+  const compare::Comparison& comparison = on_run(model, run);
   std::vector<Trace> parts;
   for (std::size_t i = 0; i < comparison.effects.size(); ++i) {
     constexpr double kConstant = 1e-9;  // deg/h: such a part has no share in any change
@@ -181,7 +182,7 @@ void add_parts(Document& document, const ModelOnRuns& model, std::size_t run) {
   table.notes =
       "share: what comes back when a part alone is left out; parts that go together share, so the "
       "shares need not add up to 100 %";
-  for (const EffectShare& effect : comparison.effects) {
+  for (const compare::EffectShare& effect : comparison.effects) {
     table.rows.push_back({verbatim(effect.name), words(format("%.1f %%", 100 * effect.share)),
                           number(effect.std_dph), number(effect.mean_dph)});
   }
@@ -195,7 +196,7 @@ struct Dependent {
 };
 
 // What a test says of one quantity.
-Text dependence_text(const ResidualAnalysis& analysis, const ClassTest& test) {
+Text dependence_text(const compare::ResidualAnalysis& analysis, const compare::ClassTest& test) {
   if (!test.structured()) return "Nothing in it depends on this alone beyond noise.";
   const std::optional<double> share = analysis.share_of_excess(test);
   if (!share) return "It depends on this, though all of it lies at the noise floor.";
@@ -203,16 +204,16 @@ Text dependence_text(const ResidualAnalysis& analysis, const ClassTest& test) {
 }
 
 // What is left over everything that it could depend on; what it depends on most comes first.
-void add_dependences(Document& document, const ModelOnRuns& model, std::size_t run) {
-  const Comparison& comparison = on_run(model, run);
-  const ResidualAnalysis& analysis = model.runs[run].analysis;
+void add_dependences(Document& document, const compare::ModelOnRuns& model, std::size_t run) {
+  const compare::Comparison& comparison = on_run(model, run);
+  const compare::ResidualAnalysis& analysis = model.runs[run].analysis;
   const std::vector<double> residual = comparison.residuals_dph();
   const std::vector<double> degc = comparison.rows.temperatures_degc();
   const std::vector<double> rate = comparison.rows.temperature_rates_degc_per_min();
-  const std::vector<Branch> branch = branches(degc);
+  const std::vector<compare::Branch> branch = compare::branches(degc);
   std::vector<Dependent> all;
   const auto add = [&](const Text& title, const Text& label, const std::vector<double>& x,
-                       const ClassTest& test) {
+                       const compare::ClassTest& test) {
     Plot plot = branch_plot(title, label, "residual, deg/h", x, residual, branch);
     plot.caption = dependence_text(analysis, test);
     all.push_back({std::move(plot), test.structured() ? test.variance_dph2 : 0});
@@ -228,7 +229,7 @@ void add_dependences(Document& document, const ModelOnRuns& model, std::size_t r
     all.back().plot.curves.push_back(bin_means(analysis.rate.bins));
   }
   for (std::size_t i = 0; i < comparison.inputs.size(); ++i) {
-    const Comparison::VaryingInput& input = comparison.inputs[i];
+    const compare::Comparison::VaryingInput& input = comparison.inputs[i];
     add("Residual over " + input_name(input.input) + ".", input_label(input.input), input.values,
         analysis.inputs[i].test);
     all.back().plot.curves.push_back(bin_means(analysis.inputs[i].bins));
@@ -240,14 +241,14 @@ void add_dependences(Document& document, const ModelOnRuns& model, std::size_t r
 }
 
 void add_allan(Document& document, const Models& models, std::size_t run) {
-  const ResidualAnalysis& best = models[0]->runs[run].analysis;
+  const compare::ResidualAnalysis& best = models[0]->runs[run].analysis;
   if (best.raw_allan.empty()) return;
   const std::vector<Text> names = labels(models, "after");
   std::vector<AllanCurve> curves{{"before", "measured", best.raw_allan}};
   for (std::size_t i = models.size(); i-- > 0;) {
     curves.push_back({names[i], residual_colour(i), models[i]->runs[run].analysis.residual_allan});
   }
-  document.plot(allan_plot(curves, fit_noise_coefficients(best.residual_allan)));
+  document.plot(allan_plot(curves, noise::fit_noise_coefficients(best.residual_allan)));
 }
 
 void add_autocorrelation(Document& document, const Models& models, std::size_t run) {
@@ -258,12 +259,12 @@ void add_autocorrelation(Document& document, const Models& models, std::size_t r
   plot.x_label = "lag, s";
   plot.y_label = "correlation";
   for (std::size_t i = models.size(); i-- > 0;) {
-    const Comparison& comparison = on_run(*models[i], run);
+    const compare::Comparison& comparison = on_run(*models[i], run);
     const std::vector<double> residual = comparison.bridged(comparison.residuals_dph());
     Curve curve{names[i], residual_colour(i), {}, {}, {}, look_of(i)};
     for (std::size_t lag = 1; lag <= std::min(kLags, residual.size() / 4); ++lag) {
       curve.x.push_back(static_cast<double>(lag) * comparison.rows.row_s);
-      curve.y.push_back(autocorrelation(residual, comparison.rows.stretches(), lag));
+      curve.y.push_back(noise::autocorrelation(residual, comparison.rows.stretches(), lag));
     }
     if (curve.x.size() < 2) return;
     plot.curves.push_back(std::move(curve));
@@ -280,18 +281,18 @@ void add_autocorrelation(Document& document, const Models& models, std::size_t r
 
 }  // namespace
 
-std::string run_files(const ModelOnRuns& model) {
+std::string run_files(const compare::ModelOnRuns& model) {
   std::string files;
-  for (const ModelOnRun& run : model.runs) files += " " + run.comparison.file;
+  for (const compare::ModelOnRun& run : model.runs) files += " " + run.comparison.file;
   return files;
 }
 
-bool leaves_drift(const ModelOnRun& run) {
+bool leaves_drift(const compare::ModelOnRun& run) {
   return run.analysis.excess_dph2.has_value();
 }
 
 void add_run(Document& document, const Models& models, std::size_t run, Shown shown) {
-  const Comparison& best = on_run(*models[0], run);
+  const compare::Comparison& best = on_run(*models[0], run);
   const bool several = models.size() > 1;
   document.file_heading(best.file);
   add_words(document, models, run, shown);
@@ -306,7 +307,7 @@ void add_run(Document& document, const Models& models, std::size_t run, Shown sh
   add_over_time(document, models, run);
   add_dependences(document, *models[0], run);
   add_parts(document, *models[0], run);
-  for (const ModelOnRuns* model : models) {
+  for (const compare::ModelOnRuns* model : models) {
     if (several) document.heading(verbatim(model->file), Shown::in_details);
     add_details(document, model->runs[run]);
   }

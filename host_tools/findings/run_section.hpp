@@ -12,13 +12,13 @@ namespace fogcomp::findings {
 /// best first; what only one model can have (segments, dependences, parts) is of that one. `run`:
 /// which of the runs; plots of different runs are not linked. `shown`: where its words and
 /// its main table are.
-void add_run(Document& document, const std::vector<const ModelOnRuns*>& models, std::size_t run,
-             Shown shown);
+void add_run(Document& document, const std::vector<const compare::ModelOnRuns*>& models,
+             std::size_t run, Shown shown);
 
 /// The runs' files as on a command line, each with a space before it.
-std::string run_files(const ModelOnRuns& model);
+std::string run_files(const compare::ModelOnRuns& model);
 
 /// Whether what a model leaves of a run lies above the noise floor beyond doubt.
-bool leaves_drift(const ModelOnRun& run);
+bool leaves_drift(const compare::ModelOnRun& run);
 
 }  // namespace fogcomp::findings

@@ -4,17 +4,17 @@
 
 namespace fogcomp::findings {
 
-void set_parameters(Json& object, const EffectTerm& term) {
-  const TermInfo info = info_of(term);
+void set_parameters(Json& object, const model::EffectTerm& term) {
+  const model::TermInfo info = model::info_of(term);
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
     object.set(info.parameters[i].name, term.parameters[i]);
   }
 }
 
-void set_coefficients(Json& object, const EffectTerm& term) {
-  const TermInfo info = info_of(term);
+void set_coefficients(Json& object, const model::EffectTerm& term) {
+  const model::TermInfo info = model::info_of(term);
   for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-    object.set(info.coefficients[i].symbol, natural_coefficient(term, i));
+    object.set(info.coefficients[i].symbol, model::natural_coefficient(term, i));
   }
 }
 

@@ -15,7 +15,7 @@ using Columns = std::vector<const std::vector<double>*>;
 
 // Rows [first, end) as two points: minimum and maximum of each curve, as they come.
 void append_extremes(Curves& curves, const std::vector<double>& x, const Columns& y,
-                     RowRange rows) {
+                     recording::RowRange rows) {
   const bool single = rows.size() == 1;
   curves.x.push_back(x[rows.first]);
   if (!single) curves.x.push_back(x[rows.end - 1]);
@@ -29,7 +29,8 @@ void append_extremes(Curves& curves, const std::vector<double>& x, const Columns
 }
 
 // Rows [first, end) as one point: the mean of each curve.
-void append_means(Curves& curves, const std::vector<double>& x, const Columns& y, RowRange rows) {
+void append_means(Curves& curves, const std::vector<double>& x, const Columns& y,
+                  recording::RowRange rows) {
   const auto mean = [&](const std::vector<double>& values) {
     double sum = 0;
     for (std::size_t row = rows.first; row < rows.end; ++row) sum += values[row];
@@ -74,7 +75,7 @@ Curves cut(const std::vector<double>& x, const Columns& y,
             x[end] - x[end - 1] <= column_width)) {
       ++end;
     }
-    append(curves, x, y, RowRange{first, end});
+    append(curves, x, y, recording::RowRange{first, end});
     first = end;
   }
   return curves;
@@ -93,7 +94,8 @@ Curves column_means(const std::vector<double>& x, const Columns& y,
 }
 
 Cloud thinned(const std::vector<double>& x, const std::vector<double>& y,
-              const std::vector<Branch>& branch, Branch wanted, std::size_t rows_per_point) {
+              const std::vector<compare::Branch>& branch, compare::Branch wanted,
+              std::size_t rows_per_point) {
   Cloud cloud;
   double sum_x = 0;
   double sum_y = 0;

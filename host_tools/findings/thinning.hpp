@@ -39,7 +39,8 @@ struct Cloud {
 /// The rows of one branch as at most about kCloudPoints points, each the mean of `rows_per_point`
 /// neighbouring rows.
 Cloud thinned(const std::vector<double>& x, const std::vector<double>& y,
-              const std::vector<Branch>& branch, Branch wanted, std::size_t rows_per_point);
+              const std::vector<compare::Branch>& branch, compare::Branch wanted,
+              std::size_t rows_per_point);
 
 /// That brings `rows` down to kCloudPoints points, at least 1.
 std::size_t rows_per_point(std::size_t rows);

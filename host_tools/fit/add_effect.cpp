@@ -13,14 +13,14 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 // Whether the holdouts' squares rose from one model to the other by more than chance does once in
 // 100 times.
 class RiseTest {
  public:
-  void add(const Comparison& before, const Comparison& after) {
+  void add(const compare::Comparison& before, const compare::Comparison& after) {
     const std::size_t first = rise_.size();
     const std::vector<double> residual_before = before.residuals_dph();
     const std::vector<double> residual_after = after.residuals_dph();
@@ -45,21 +45,21 @@ class RiseTest {
       squares += one * one;
     }
     const double variance = squares - sum * sum / std::max(1.0, rows);
-    return sum > rules::kOneIn100 * std::sqrt(variance * correlated_values(rise_, runs_));
+    return sum > rules::kOneIn100 * std::sqrt(variance * noise::correlated_values(rise_, runs_));
   }
-  HistoryEntry::Holdout rms_dph() const {
+  model::HistoryEntry::Holdout rms_dph() const {
     return {std::sqrt(before_ / weight_), std::sqrt(after_ / weight_)};
   }
 
  private:
   std::vector<double> rise_;
-  std::vector<RowRange> runs_;
+  std::vector<recording::RowRange> runs_;
   double before_ = 0;
   double after_ = 0;
   double weight_ = 0;
 };
 
-FitSettings fit_settings(const Model& model, const AddSettings& settings) {
+FitSettings fit_settings(const model::Model& model, const AddSettings& settings) {
   FitSettings fit;
   if (model.network.present()) fit.network_inputs = model.network.inputs;
   fit.identify.run_offsets = settings.run_offsets;
@@ -69,20 +69,20 @@ FitSettings fit_settings(const Model& model, const AddSettings& settings) {
 }
 
 // Steps that are searched for anew stand behind all other terms after a fit.
-std::size_t place_of(const std::string& name, const std::vector<EffectTerm>& terms) {
+std::size_t place_of(const std::string& name, const std::vector<model::EffectTerm>& terms) {
   const auto found = std::find_if(terms.begin(), terms.end(),
-                                  [&](const EffectTerm& term) { return term.name == name; });
+                                  [&](const model::EffectTerm& term) { return term.name == name; });
   return static_cast<std::size_t>(found - terms.begin());
 }
 
 // What is needed to judge one model against another out of sample.
 struct Judge {
-  const SignalSeries& series;
-  const std::vector<RunInBlocks>& holdouts;
+  const series::SignalSeries& series;
+  const std::vector<compare::RunInBlocks>& holdouts;
   JudgedWith with;
 
   // `after`: its terms `changed` are what it has more than `before`.
-  OutOfSample operator()(const Model& before, const Model& after,
+  OutOfSample operator()(const model::Model& before, const model::Model& after,
                          const std::vector<std::size_t>& changed) const {
     if (holdouts.empty()) {
       return cross_validate(series, before.terms, after.terms, changed, with);
@@ -92,13 +92,13 @@ struct Judge {
 };
 
 // The effects of `given` with some of a change made, refitted; without a network.
-Model with_some(const Model& given, const EffectChange& change,
-                const std::vector<std::size_t>& chosen, const SignalSeries& series,
-                const AddSettings& settings) {
-  Model model = given;
-  model.network = RealNetwork();
+model::Model with_some(const model::Model& given, const EffectChange& change,
+                       const std::vector<std::size_t>& chosen, const series::SignalSeries& series,
+                       const AddSettings& settings) {
+  model::Model model = given;
+  model.network = model::RealNetwork();
   for (const std::size_t i : chosen) {
-    const EffectTerm& term = change.terms[i];
+    const model::EffectTerm& term = change.terms[i];
     if (i < given.terms.size()) {
       model.terms[i] = term;
     } else {
@@ -113,27 +113,28 @@ Model with_some(const Model& given, const EffectChange& change,
 
 // Of `after`, what has a name.
 std::vector<std::size_t> places_of(const EffectChange& change,
-                                   const std::vector<std::size_t>& chosen, const Model& model) {
+                                   const std::vector<std::size_t>& chosen,
+                                   const model::Model& model) {
   std::vector<std::size_t> places;
   for (const std::size_t i : chosen) places.push_back(place_of(change.terms[i].name, model.terms));
   return places;
 }
 
 // Each effect of a set by itself, and beside the others.
-std::vector<Addition::Part> judge_parts(const Model& given, const EffectChange& change,
+std::vector<Addition::Part> judge_parts(const model::Model& given, const EffectChange& change,
                                         const Judge& judge, const AddSettings& settings) {
   std::vector<Addition::Part> parts;
   const auto fitted = [&](const std::vector<std::size_t>& chosen) {
     return with_some(given, change, chosen, judge.series, settings);
   };
-  const Model none = fitted({});
-  const Model all = fitted(change.changed);
+  const model::Model none = fitted({});
+  const model::Model all = fitted(change.changed);
   for (const std::size_t i : change.changed) {
     Addition::Part part{change.terms[i].name, {}, {}};
     std::vector<std::size_t> others = change.changed;
     others.erase(std::find(others.begin(), others.end(), i));
     try {
-      const Model alone = fitted({i});
+      const model::Model alone = fitted({i});
       part.alone = judge(none, alone, places_of(change, {i}, alone));
     } catch (const InputError&) {  // the data determine it only with the others
     }
@@ -147,11 +148,11 @@ std::vector<Addition::Part> judge_parts(const Model& given, const EffectChange& 
 }
 
 // What the change explains may be a random walk.
-double chance_of_walk_instead(const Model& before, const Addition& after,
-                              const SignalSeries& series, bool run_offsets) {
-  const Rows& rows = series.rows();
+double chance_of_walk_instead(const model::Model& before, const Addition& after,
+                              const series::SignalSeries& series, bool run_offsets) {
+  const series::Rows& rows = series.rows();
   std::vector<Eigen::MatrixXd> columns;
-  for (const EffectTerm& term : before.terms) columns.push_back(series.regressors(term));
+  for (const model::EffectTerm& term : before.terms) columns.push_back(series.regressors(term));
   columns.push_back(run_offset_columns(rows, run_offsets));
   std::vector<Eigen::MatrixXd> added;
   for (const std::size_t i : after.changed)
@@ -162,19 +163,19 @@ double chance_of_walk_instead(const Model& before, const Addition& after,
 }
 
 // Why what is new in a term is not believed although it helps; "" where nothing speaks against it.
-std::string doubt_of(const EffectTerm& term, const Model& before) {
-  const EffectTerm* own = before.find(term.name);
-  for (const ShapeDoubt& doubt : shape_doubts(term)) {
+std::string doubt_of(const model::EffectTerm& term, const model::Model& before) {
+  const model::EffectTerm* own = before.find(term.name);
+  for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) {
     if (own == nullptr || !own->identified[doubt.parameter]) return doubt.sentence;
   }
   // With a free shape the coefficient may be unknown where the course is known well: for t << t0
   // the logarithm of aging is a line, whose slope is the ratio of the two.
-  const bool judged = own == nullptr && shape_parameters({term}).empty();
-  return judged ? coefficient_doubt(term) : "";
+  const bool judged = own == nullptr && model::shape_parameters({term}).empty();
+  return judged ? model::coefficient_doubt(term) : "";
 }
 
 // The model as it was, refitted, is half of the work.
-void refit_both(Model& before, Addition& after, const SignalSeries& series,
+void refit_both(model::Model& before, Addition& after, const series::SignalSeries& series,
                 const AddSettings& settings) {
   FitSettings fitting = fit_settings(before, settings);
   double half = 0;
@@ -188,24 +189,25 @@ void refit_both(Model& before, Addition& after, const SignalSeries& series,
 }
 
 // Of all runs, the holdouts last; returns how the latter's errors moved.
-RiseTest compare_on_runs(const Model& before, const std::vector<RunInBlocks>& training,
-                         const std::vector<RunInBlocks>& holdouts, Addition& after) {
+RiseTest compare_on_runs(const model::Model& before,
+                         const std::vector<compare::RunInBlocks>& training,
+                         const std::vector<compare::RunInBlocks>& holdouts, Addition& after) {
   RiseTest on_holdouts;
-  const auto compare = [&](const RunInBlocks& run, bool holdout) {
-    Comparison without = compare_with(before, run);
-    Comparison with = compare_with(after.model, run);
+  const auto compare = [&](const compare::RunInBlocks& run, bool holdout) {
+    compare::Comparison without = compare::compare_with(before, run);
+    compare::Comparison with = compare::compare_with(after.model, run);
     if (holdout) on_holdouts.add(without, with);
     after.runs.push_back({run.file, holdout, without.whole.rms_dph, with.whole.rms_dph,
                           run.noise_floor_dph, with.outside.temperature, std::move(without),
                           std::move(with)});
   };
-  for (const RunInBlocks& run : training) compare(run, false);
-  for (const RunInBlocks& run : holdouts) compare(run, true);
+  for (const compare::RunInBlocks& run : training) compare(run, false);
+  for (const compare::RunInBlocks& run : holdouts) compare(run, true);
   return on_holdouts;
 }
 
 // Accepted or not, and why. `risen`: on the holdouts, where the whole model became worse there.
-void decide(const Model& model, const std::optional<HistoryEntry::Holdout>& risen,
+void decide(const model::Model& model, const std::optional<model::HistoryEntry::Holdout>& risen,
             Addition& result) {
   const OutOfSample& judged = result.out_of_sample;
   result.accepted = false;
@@ -246,15 +248,16 @@ std::vector<std::string> Addition::names() const {
   return names;
 }
 
-Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
-                    const std::vector<RunInBlocks>& holdouts, const AddSettings& settings) {
+Addition add_effect(const model::Model& model, const EffectChange& change,
+                    const TrainingRuns& training, const std::vector<compare::RunInBlocks>& holdouts,
+                    const AddSettings& settings) {
   Addition result;
-  Model before = model;
+  model::Model before = model;
   before.noise_dph_rthz = training.noise_dph_rthz;
   result.model = before;
   result.model.terms = change.terms;
-  SignalSeries series(result.model);
-  for (const RunInBlocks& run : training.runs) series.add(run.blocks);
+  series::SignalSeries series(result.model);
+  for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
   refit_both(before, result, series, settings);
   result.changed = places_of(change, change.changed, result.model);
 
@@ -269,8 +272,8 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
     result.chance_of_walk = chance_of_walk_instead(before, result, series, settings.run_offsets);
   }
   const RiseTest on_holdouts = compare_on_runs(before, training.runs, holdouts, result);
-  HistoryEntry step{"add " + change.what, training.data_hash, before.residual_rms_dph,
-                    result.model.residual_rms_dph, training.noise_floor_dph};
+  model::HistoryEntry step{"add " + change.what, training.data_hash, before.residual_rms_dph,
+                           result.model.residual_rms_dph, training.noise_floor_dph};
   if (!holdouts.empty()) step.holdout = on_holdouts.rms_dph();
   const bool rose = !holdouts.empty() && on_holdouts.rose();
   decide(model, rose ? step.holdout : std::nullopt, result);
@@ -279,4 +282,4 @@ Addition add_effect(const Model& model, const EffectChange& change, const Traini
   return result;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -12,7 +12,7 @@
 #include "fit/out_of_sample.hpp"
 #include "fit/training_runs.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 struct AddSettings {
   bool run_offsets = false;  ///< as IdentifySettings has it; holdouts too
@@ -32,8 +32,8 @@ struct Addition {
     /// Part of the rows outside the new model's trained temperatures, 0..1: there a holdout judges
     /// how the board holds the drift, not the effect.
     double outside_temperature = 0;
-    Comparison before;  ///< row by row
-    Comparison after;
+    compare::Comparison before;  ///< row by row
+    compare::Comparison after;
   };
   /// One of several effects that were added together.
   struct Part {
@@ -41,7 +41,7 @@ struct Addition {
     std::optional<OutOfSample> alone;   ///< without the others; nothing: not determined so
     std::optional<OutOfSample> beside;  ///< when the others are there already
   };
-  Model model;                       ///< as refitted, with its history
+  model::Model model;                ///< as refitted, with its history
   std::vector<std::size_t> changed;  ///< the terms that were added or changed
   std::vector<Part> parts;           ///< of a set, as `changed`; empty for one effect
   FitResult fit;                     ///< of the new model
@@ -69,7 +69,8 @@ struct Addition {
 /// anywhere within its range, a coefficient larger than its uncertainty; and of several, if each
 /// helps beside the others. Throws InputError for a
 /// run that lacks what the effect needs, and for data that cannot determine it.
-Addition add_effect(const Model& model, const EffectChange& change, const TrainingRuns& training,
-                    const std::vector<RunInBlocks>& holdouts, const AddSettings& settings);
+Addition add_effect(const model::Model& model, const EffectChange& change,
+                    const TrainingRuns& training, const std::vector<compare::RunInBlocks>& holdouts,
+                    const AddSettings& settings);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 using Eigen::ArrayXd;
@@ -201,4 +201,4 @@ void Batch::errors(const Perceptron& shape, const VectorXd& weights, VectorXd& e
   if (jacobian != nullptr) *jacobian = whiten_(*jacobian);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -5,7 +5,7 @@
 
 #include "fit/perceptron.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// Makes rows x any of the rows that their noise makes dependent rows of independent noise with
 /// variance 1: linear, and the same for the first rows alone.
@@ -45,4 +45,4 @@ class Batch {
   Whiten whiten_;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

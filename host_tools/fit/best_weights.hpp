@@ -4,7 +4,7 @@
 
 #include "fit/trainer.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// Remembers the best weights of a training: by the held-out rows where there are some, else by the
 /// training rows.
@@ -42,4 +42,4 @@ class BestWeights {
   Eigen::VectorXd weights_;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -11,7 +11,7 @@
 #include "noise/whitening.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 constexpr Eigen::Index kMaxModes = 96;  // of each recording; what is faster counts as white
@@ -51,7 +51,7 @@ void set_cosines(Eigen::Ref<Eigen::MatrixXd> cosines) {
 // is mode 0: a walk from 0 has pi^2/3 of the first mode there. Of flicker what is slower than the
 // recording is its bias; what else moves the mean is about a third.
 Amounts powers_of_mode(Eigen::Index k, double first_angle, double relative,
-                       const NoiseModel& noise) {
+                       const noise::NoiseModel& noise) {
   const auto mode = static_cast<double>(k);
   const auto beyond = [&](double corner) {
     return 1 / (1 + std::pow(mode / (relative * corner), 2));
@@ -65,23 +65,23 @@ Amounts powers_of_mode(Eigen::Index k, double first_angle, double relative,
   return powers;
 }
 
-SlowModes slow_modes(const Rows& rows, const NoiseModel& noise) {
-  const std::vector<RowRange> runs = rows.runs();
+SlowModes slow_modes(const series::Rows& rows, const noise::NoiseModel& noise) {
+  const std::vector<recording::RowRange> runs = rows.runs();
   const Eigen::Index most =
       std::clamp(kMaxAllModes / static_cast<Eigen::Index>(runs.size()), kMinModes, kMaxModes);
-  const auto modes_of = [&](const RowRange& run) {
+  const auto modes_of = [&](const recording::RowRange& run) {
     return std::min(most, std::max<Eigen::Index>(1, static_cast<Eigen::Index>(run.size()) / 4));
   };
   std::size_t longest = 0;
   Eigen::Index count = 0;
-  for (const RowRange& run : runs) {
+  for (const recording::RowRange& run : runs) {
     longest = std::max(longest, run.size());
     count += modes_of(run);
   }
   SlowModes modes{Eigen::MatrixXd::Zero(rows.size(), count), Eigen::MatrixXd(count, kKinds),
                   kPi / static_cast<double>(longest)};
   Eigen::Index first = 0;
-  for (const RowRange& run : runs) {
+  for (const recording::RowRange& run : runs) {
     const auto size = static_cast<Eigen::Index>(run.size());
     set_cosines(
         modes.cosines.block(static_cast<Eigen::Index>(run.first), first, size, modes_of(run)));
@@ -105,10 +105,10 @@ struct Shown {
   Eigen::MatrixXd slow;  // modes x kinds
 };
 
-Shown shown_by(const Rows& rows, const NoiseWeightedFit& fit, const SlowModes& modes,
+Shown shown_by(const series::Rows& rows, const NoiseWeightedFit& fit, const SlowModes& modes,
                const Eigen::MatrixXd& of_modes, double mean_variance) {
   const Eigen::ArrayXd counted = (fit.row_weights.array() > 0).cast<double>();
-  const Eigen::VectorXd residual = bridged(rows, fit.residual_dph, counted.matrix());
+  const Eigen::VectorXd residual = noise::bridged(rows, fit.residual_dph, counted.matrix());
   // What the fit leaves of one in each mode, along every mode.
   const Eigen::MatrixXd left =
       Eigen::MatrixXd::Identity(modes.cosines.cols(), modes.cosines.cols()) -
@@ -144,7 +144,7 @@ void judge_by_residual(const Shown& shown, Level& level) {
 
 // Densities of the kinds that are noise, over white, in the spectrum of the quiet parts. A straight
 // line was taken from each of them: what is left of a walk has 6/5 of its density there.
-Eigen::MatrixXd quiet_densities(const NoiseModel& noise, double first_angle) {
+Eigen::MatrixXd quiet_densities(const noise::NoiseModel& noise, double first_angle) {
   const Eigen::ArrayXd& angle = noise.quiet_spectrum.angle;
   Eigen::MatrixXd densities = Eigen::MatrixXd::Zero(angle.size(), kKinds);
   densities.col(kQuiet) = angle.unaryExpr([&](double one) { return noise.slow_density(one); });
@@ -155,7 +155,8 @@ Eigen::MatrixXd quiet_densities(const NoiseModel& noise, double first_angle) {
 
 // Beforehand every fourth gyro has flicker beside what its quiet parts show, every fourth a random
 // walk, and every fourth model lacks something.
-std::vector<Level> levels_of(const Shown& shown, const NoiseModel& noise, double first_angle) {
+std::vector<Level> levels_of(const Shown& shown, const noise::NoiseModel& noise,
+                             double first_angle) {
   std::vector<double> ratios{0};
   for (int i = 0; i < kRatios; ++i) ratios.push_back(kMinRatio * std::pow(kRatioStep, i));
   const double any = -std::log(3.0 * kRatios);
@@ -231,10 +232,10 @@ LikelyLevels likely(std::vector<Level> levels) {
 
 }  // namespace
 
-Eigen::MatrixXd coefficient_covariance(const Rows& rows, const NoiseWeightedFit& fit) {
+Eigen::MatrixXd coefficient_covariance(const series::Rows& rows, const NoiseWeightedFit& fit) {
   if (fit.covariance.size() == 0) return {};
   // Coefficients are estimator' * rows.
-  const Whitening whitening(fit.noise, rows, fit.row_weights);
+  const noise::Whitening whitening(fit.noise, rows, fit.row_weights);
   const Eigen::MatrixXd estimator = whitening.apply_transposed(fit.whitened * fit.covariance);
   const SlowModes modes = slow_modes(rows, fit.noise);
   const Eigen::MatrixXd of_modes = estimator.transpose() * modes.cosines;
@@ -270,4 +271,4 @@ Eigen::MatrixXd coefficient_covariance(const Rows& rows, const NoiseWeightedFit&
   return scale.asDiagonal() * covariance * scale.asDiagonal();
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -4,7 +4,7 @@
 
 #include "fit/noise_weighted_fit.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// Covariance of a fit's coefficients and shape parameters, in the units of fit.covariance: what
 /// the noise of all rows does to them, and not only the noise that the rows were weighted with.
@@ -16,6 +16,6 @@ namespace fogcomp {
 /// effect leaves that the model lacks (what the fit itself takes out of it is reckoned with); what
 /// is noise must be likely in the quiet parts' spectrum too. Over all levels of these, weighted by
 /// how likely they are, +-1.96 standard deviations hold 95 %. Empty where fit.covariance is.
-Eigen::MatrixXd coefficient_covariance(const Rows& rows, const NoiseWeightedFit& fit);
+Eigen::MatrixXd coefficient_covariance(const series::Rows& rows, const NoiseWeightedFit& fit);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -6,7 +6,7 @@
 /// decision (a test of tests/unit/fit unless a folder is named). Numbers that only lay out a
 /// search, bound its cost or are a trainer's published constants (TRAINING.md) stand where they are
 /// used.
-namespace fogcomp::rules {
+namespace fogcomp::fit::rules {
 
 // ---- What a fit says of its effects -----------------------------------------------------------
 /// Correlation of two effects' coefficients worth a sentence: what either says of its own is known
@@ -97,4 +97,4 @@ constexpr double kCornerFast = 32;
 constexpr double kSignalWidening = 0.25;
 constexpr double kTimeWidening = 16;
 
-}  // namespace fogcomp::rules
+}  // namespace fogcomp::fit::rules

@@ -8,12 +8,12 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
-EffectTerm parse_one(const std::string& effect) {
+model::EffectTerm parse_one(const std::string& effect) {
   if (effect.empty()) throw InputError("effect", "is not named; fogcomp effects lists them");
-  const std::vector<EffectTerm> terms = parse_effects(effect);
+  const std::vector<model::EffectTerm> terms = model::parse_effects(effect);
   if (terms.size() != 1) {
     throw InputError("effect '" + effect + "'", "is more than one; add them one after the other");
   }
@@ -21,8 +21,8 @@ EffectTerm parse_one(const std::string& effect) {
 }
 
 // The parameters that were given, not identified, written as for `fit --effects`.
-std::string given_parameters(const EffectTerm& term) {
-  const CatalogueEntry& entry = find_effect(term.name);
+std::string given_parameters(const model::EffectTerm& term) {
+  const model::CatalogueEntry& entry = model::find_effect(term.name);
   std::string text;
   for (std::size_t i = 0; i < term.parameters.size(); ++i) {
     if (term.identified[i]) continue;
@@ -32,14 +32,14 @@ std::string given_parameters(const EffectTerm& term) {
   return text;
 }
 
-EffectTerm with_settings(const EffectTerm& old, const std::string& effect) {
+model::EffectTerm with_settings(const model::EffectTerm& old, const std::string& effect) {
   const std::size_t colon = effect.find(':');
   std::string given = given_parameters(old);
   if (colon != std::string::npos) {
     given += (given.empty() ? ":" : ",") + effect.substr(colon + 1);
   }
-  EffectTerm term = parse_one(old.name + given);
-  for (const ShapeParameter& shape : shape_parameters({term})) {
+  model::EffectTerm term = parse_one(old.name + given);
+  for (const model::ShapeParameter& shape : model::shape_parameters({term})) {
     const double value = old.parameters[shape.index];
     if (shape.least <= value && value <= shape.most) term.parameters[shape.index] = value;
   }
@@ -48,29 +48,30 @@ EffectTerm with_settings(const EffectTerm& old, const std::string& effect) {
 
 }  // namespace
 
-EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect) {
+EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const std::string& effect) {
   EffectChange change{terms, {}, effect};
-  const EffectTerm added = parse_one(effect);
-  if (is_event(added)) {
+  const model::EffectTerm added = parse_one(effect);
+  if (model::is_event(added)) {
     throw InputError("effect '" + effect + "'",
                      "is an event of one recording, which nothing out of sample can confirm; "
                      "fit --effects ...," +
                          added.name + " finds steps and masks them");
   }
-  const auto old = std::find_if(terms.begin(), terms.end(),
-                                [&](const EffectTerm& term) { return term.name == added.name; });
+  const auto old = std::find_if(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
+    return term.name == added.name;
+  });
   const auto place = static_cast<std::size_t>(old - terms.begin());
   change.changed = {place};
   if (old == terms.end()) {
     change.terms.push_back(added);
     return change;
   }
-  const std::vector<EffectTerm> grown = grown_terms(*old);
+  const std::vector<model::EffectTerm> grown = model::grown_terms(*old);
   if (effect.find(':') == std::string::npos && !grown.empty()) {
     change.terms[place] = grown.front();
     return change;
   }
-  const EffectTerm changed = with_settings(*old, effect);
+  const model::EffectTerm changed = with_settings(*old, effect);
   const bool has_bounds = effect.find('[') != std::string::npos;
   if (!has_bounds && changed.parameters == old->parameters &&
       changed.identified == old->identified) {
@@ -83,7 +84,7 @@ EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::stri
   return change;
 }
 
-EffectChange change_effects(const std::vector<EffectTerm>& terms,
+EffectChange change_effects(const std::vector<model::EffectTerm>& terms,
                             const std::vector<std::string>& effects) {
   EffectChange all{terms, {}, ""};
   for (const std::string& effect : effects) {
@@ -99,11 +100,11 @@ EffectChange change_effects(const std::vector<EffectTerm>& terms,
   return all;
 }
 
-EffectChange change_expression(const std::vector<EffectTerm>& terms,
+EffectChange change_expression(const std::vector<model::EffectTerm>& terms,
                                const std::string& definition) {
   EffectChange change{terms, {terms.size()}, definition};
-  add_expression(change.terms, definition);
+  model::add_expression(change.terms, definition);
   return change;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -5,11 +5,11 @@
 
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// A set of effects after some were added or changed.
 struct EffectChange {
-  std::vector<EffectTerm> terms;
+  std::vector<model::EffectTerm> terms;
   std::vector<std::size_t> changed;  ///< which of them; at least one
   std::string what;                  ///< as it was asked for; the model's history keeps it
 };
@@ -19,14 +19,15 @@ struct EffectChange {
 /// the order; with none named it grows by what it can (the next order, a second radius). Throws
 /// InputError for anything else than one effect, for an unknown one, and where nothing would
 /// change.
-EffectChange change_effect(const std::vector<EffectTerm>& terms, const std::string& effect);
+EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const std::string& effect);
 
 /// Several effects, one after the other; at least one, none twice.
-EffectChange change_effects(const std::vector<EffectTerm>& terms,
+EffectChange change_effects(const std::vector<model::EffectTerm>& terms,
                             const std::vector<std::string>& effects);
 
 /// `definition`: `NAME = EXPRESSION`, a new term at the end. Throws InputError as add_expression()
 /// does.
-EffectChange change_expression(const std::vector<EffectTerm>& terms, const std::string& definition);
+EffectChange change_expression(const std::vector<model::EffectTerm>& terms,
+                               const std::string& definition);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -6,7 +6,7 @@
 #include "support/decompositions.hpp"
 #include "support/least_squares.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 // Of unit columns: two that agree to 1e-8 count as one.
@@ -14,8 +14,8 @@ constexpr double kSystemRidge = 1e-8;
 
 }  // namespace
 
-ColumnRange ExplainedSpace::add(const Eigen::MatrixXd& columns) {
-  const ColumnRange range{width_, columns.cols()};
+series::ColumnRange ExplainedSpace::add(const Eigen::MatrixXd& columns) {
+  const series::ColumnRange range{width_, columns.cols()};
   pending_.push_back(columns);
   width_ += columns.cols();
   return range;
@@ -29,7 +29,7 @@ void ExplainedSpace::finish() {
 }
 
 // Woodbury: with noise of covariance I + R V R', a'b becomes a'b - a'R (R'R + 1/V)^-1 R'b.
-ExplainedSpace::WithNoise ExplainedSpace::with_noise(const ColumnRange& random,
+ExplainedSpace::WithNoise ExplainedSpace::with_noise(const series::ColumnRange& random,
                                                      const Eigen::VectorXd& variances) const {
   Eigen::MatrixXd inner = gram_.block(random.first, random.first, random.count, random.count);
   inner.diagonal() += variances.cwiseInverse();
@@ -45,15 +45,15 @@ ExplainedSpace::WithNoise ExplainedSpace::with_noise(const ColumnRange& random,
   return with;
 }
 
-ExplainedSpace::System ExplainedSpace::system(const std::vector<ColumnRange>& parts,
+ExplainedSpace::System ExplainedSpace::system(const std::vector<series::ColumnRange>& parts,
                                               const Eigen::VectorXd& along) const {
   Eigen::Index size = 0;
-  for (const ColumnRange& part : parts) size += part.count;
+  for (const series::ColumnRange& part : parts) size += part.count;
   System system{Eigen::MatrixXd(size, size), Eigen::VectorXd(size)};
   Eigen::Index row = 0;
-  for (const ColumnRange& a : parts) {
+  for (const series::ColumnRange& a : parts) {
     Eigen::Index column = 0;
-    for (const ColumnRange& b : parts) {
+    for (const series::ColumnRange& b : parts) {
       system.matrix.block(row, column, a.count, b.count) =
           gram_.block(a.first, b.first, a.count, b.count);
       column += b.count;
@@ -65,7 +65,7 @@ ExplainedSpace::System ExplainedSpace::system(const std::vector<ColumnRange>& pa
   return system;
 }
 
-double ExplainedSpace::gain(const std::vector<ColumnRange>& parts,
+double ExplainedSpace::gain(const std::vector<series::ColumnRange>& parts,
                             const Eigen::VectorXd& along) const {
   if (parts.size() == 1 && parts[0].count == 1) {
     const Eigen::Index column = parts[0].first;
@@ -75,14 +75,14 @@ double ExplainedSpace::gain(const std::vector<ColumnRange>& parts,
   return all.right.dot(solve_definite(all.matrix, all.right));
 }
 
-Eigen::VectorXd ExplainedSpace::coefficients(const std::vector<ColumnRange>& parts) const {
+Eigen::VectorXd ExplainedSpace::coefficients(const std::vector<series::ColumnRange>& parts) const {
   const System all = system(parts, along_);
   return solve_definite(all.matrix, all.right);
 }
 
-double column_count(const std::vector<ColumnRange>& ranges) {
+double column_count(const std::vector<series::ColumnRange>& ranges) {
   double columns = 0;
-  for (const ColumnRange& range : ranges) columns += static_cast<double>(range.count);
+  for (const series::ColumnRange& range : ranges) columns += static_cast<double>(range.count);
   return columns;
 }
 
@@ -91,4 +91,4 @@ double log_evidence(double gain, double columns) {
   return (gain - columns) / 2 - columns / 2 * std::log(gain / columns);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -5,7 +5,7 @@
 
 #include "series/term_columns.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// Columns and a residual as inner products, so that "how much would these columns explain
 /// together?" costs a small linear system, whatever the number of rows. Everything in it is
@@ -14,7 +14,7 @@ class ExplainedSpace {
  public:
   explicit ExplainedSpace(Eigen::VectorXd residual) : residual_(std::move(residual)) {}
 
-  ColumnRange add(const Eigen::MatrixXd& columns);
+  series::ColumnRange add(const Eigen::MatrixXd& columns);
   /// After the last add().
   void finish();
 
@@ -26,20 +26,20 @@ class ExplainedSpace {
   /// and a variance of its own, above 0: the other columns and the residual as such noise weights
   /// them. `log_likelihood` of the residual is that with this noise less that without.
   struct WithNoise;
-  WithNoise with_noise(const ColumnRange& random, const Eigen::VectorXd& variances) const;
+  WithNoise with_noise(const series::ColumnRange& random, const Eigen::VectorXd& variances) const;
 
   /// Fall of the residual's sum of squares that these columns bring together.
-  double gain(const std::vector<ColumnRange>& parts) const { return gain(parts, along_); }
-  double gain(const std::vector<ColumnRange>& parts, const Eigen::VectorXd& along) const;
+  double gain(const std::vector<series::ColumnRange>& parts) const { return gain(parts, along_); }
+  double gain(const std::vector<series::ColumnRange>& parts, const Eigen::VectorXd& along) const;
   /// Their coefficients, in the order of the parts, for columns of unit length.
-  Eigen::VectorXd coefficients(const std::vector<ColumnRange>& parts) const;
+  Eigen::VectorXd coefficients(const std::vector<series::ColumnRange>& parts) const;
 
  private:
   struct System {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd right;
   };
-  System system(const std::vector<ColumnRange>& parts, const Eigen::VectorXd& along) const;
+  System system(const std::vector<series::ColumnRange>& parts, const Eigen::VectorXd& along) const;
 
   Eigen::VectorXd residual_;
   std::vector<Eigen::MatrixXd> pending_;
@@ -53,11 +53,11 @@ struct ExplainedSpace::WithNoise {
   double log_likelihood = 0;
 };
 
-double column_count(const std::vector<ColumnRange>& ranges);
+double column_count(const std::vector<series::ColumnRange>& ranges);
 
 /// Logarithm of the evidence for `columns` regressors that explain `gain` (a fall of chi^2) against
 /// none: unit-variance noise, coefficients with a normal prior in the shape of the regressors'
 /// own covariance, of the size that suits the data best (empirical Bayes). 0 where gain <= columns.
 double log_evidence(double gain, double columns);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -7,12 +7,12 @@
 #include "fit/decision_rules.hpp"
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 constexpr double kHour = 3600;  // in s: a whole number of blocks
 
-SignalRange widened(fog::Input input, const SignalRange& seen) {
+model::SignalRange widened(fog::Input input, const model::SignalRange& seen) {
   switch (input) {
     case fog::Input::temperature_rate:
       return {-fog::kMostRateDegcPerMin, fog::kMostRateDegcPerMin};
@@ -26,7 +26,7 @@ SignalRange widened(fog::Input input, const SignalRange& seen) {
   return {seen.least - more, seen.most + more};
 }
 
-void check(const EffectTerm& term, const Eigen::VectorXd& column) {
+void check(const model::EffectTerm& term, const Eigen::VectorXd& column) {
   if (!column.allFinite()) {
     throw InputError("expression '" + term.name + "'",
                      "is not finite over these recordings; does it divide by 0, or take a power of "
@@ -40,12 +40,14 @@ void check(const EffectTerm& term, const Eigen::VectorXd& column) {
 
 }  // namespace
 
-void set_expression_ranges(std::vector<EffectTerm>& terms, const SignalSeries& series) {
-  const bool any = std::any_of(terms.begin(), terms.end(),
-                               [](const EffectTerm& term) { return term.expression.has_value(); });
+void set_expression_ranges(std::vector<model::EffectTerm>& terms,
+                           const series::SignalSeries& series) {
+  const bool any = std::any_of(terms.begin(), terms.end(), [](const model::EffectTerm& term) {
+    return term.expression.has_value();
+  });
   if (!any) return;
-  const SignalRanges seen = series.signal_ranges();
-  for (EffectTerm& term : terms) {
+  const model::SignalRanges seen = series.signal_ranges();
+  for (model::EffectTerm& term : terms) {
     if (!term.expression) continue;
     for (std::size_t i = 0; i < seen.size(); ++i) {
       term.expression->ranges[i] = widened(static_cast<fog::Input>(i), seen[i]);
@@ -55,7 +57,7 @@ void set_expression_ranges(std::vector<EffectTerm>& terms, const SignalSeries& s
   }
 }
 
-void set_expression_scale(EffectTerm& term, const SignalSeries& series) {
+void set_expression_scale(model::EffectTerm& term, const series::SignalSeries& series) {
   if (!term.expression) return;
   const Eigen::VectorXd column = series.regressors(term);
   check(term, column);
@@ -66,4 +68,4 @@ void set_expression_scale(EffectTerm& term, const SignalSeries& series) {
   for (double& sigma : term.sigma_dph) sigma = std::ldexp(sigma, risen);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -7,7 +7,7 @@
 #include "denoise/denoise_parts.hpp"
 #include "noise/outlier_rows.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 // n - 1 in the denominator, as everywhere.
@@ -17,16 +17,17 @@ double weighted_std(const Eigen::VectorXd& values, const Eigen::VectorXd& weight
 }
 
 // What the network is trained on, without its noise, as the reference paper does it.
-void denoise_rows(const Rows& rows, const DenoiseMethod& method, Eigen::VectorXd& values) {
+void denoise_rows(const series::Rows& rows, const denoise::DenoiseMethod& method,
+                  Eigen::VectorXd& values) {
   std::vector<fog::Span<double>> parts;
-  for (const RowRange& stretch : rows.stretches()) {
+  for (const recording::RowRange& stretch : rows.stretches()) {
     parts.push_back({values.data() + stretch.first, stretch.size()});
   }
-  denoise_parts(parts, method, "--denoise-rows");
+  denoise::denoise_parts(parts, method, "--denoise-rows");
 }
 
-RealNetwork as_model(const TrainedNetwork& trained, std::vector<RealInput> inputs) {
-  RealNetwork network;
+model::RealNetwork as_model(const TrainedNetwork& trained, std::vector<model::RealInput> inputs) {
+  model::RealNetwork network;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     inputs[i].centre = trained.inputs[i].centre;
     inputs[i].half_range = trained.inputs[i].half_range;
@@ -41,13 +42,14 @@ RealNetwork as_model(const TrainedNetwork& trained, std::vector<RealInput> input
 
 }  // namespace
 
-FitResult fit_model(Model& model, const SignalSeries& series, const FitSettings& settings) {
-  const Rows& rows = series.rows();
+FitResult fit_model(model::Model& model, const series::SignalSeries& series,
+                    const FitSettings& settings) {
+  const series::Rows& rows = series.rows();
   FitResult result;
-  model.network = RealNetwork();
+  model.network = model::RealNetwork();
   result.identified = identify(model, series, settings.identify);
   result.raw_std_dph =
-      weighted_std(rows.drift_dph, counted_weights(rows, result.identified.row_weights));
+      weighted_std(rows.drift_dph, noise::counted_weights(rows, result.identified.row_weights));
   result.effects_rms_dph = model.residual_rms_dph;
   if (settings.network.hidden == 0) return result;
 
@@ -64,4 +66,4 @@ FitResult fit_model(Model& model, const SignalSeries& series, const FitSettings&
   return result;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -8,16 +8,16 @@
 #include "fit/identify.hpp"
 #include "fit/residual_network.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 struct FitSettings {
   IdentifySettings identify;
   NetworkSettings network;     ///< hidden 0: no network
   bool force_network = false;  ///< it stays, whether or not it helps out of sample
-  std::vector<RealInput> network_inputs{{fog::NetworkInput::temperature},
-                                        {fog::NetworkInput::temperature_rate}};
+  std::vector<model::RealInput> network_inputs{{fog::NetworkInput::temperature},
+                                               {fog::NetworkInput::temperature_rate}};
   /// What the network is trained on is denoised first; nothing: the rows stay as they are.
-  std::optional<DenoiseMethod> row_denoising;
+  std::optional<denoise::DenoiseMethod> row_denoising;
 };
 
 struct FitResult {
@@ -33,6 +33,7 @@ struct FitResult {
 /// network on what they leave, which is kept if it helps out of sample (residual_network.hpp). The
 /// model's network, trained range and residual are replaced; its
 /// history is the caller's. Throws InputError as identify() does.
-FitResult fit_model(Model& model, const SignalSeries& series, const FitSettings& settings);
+FitResult fit_model(model::Model& model, const series::SignalSeries& series,
+                    const FitSettings& settings);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

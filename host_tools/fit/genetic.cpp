@@ -6,7 +6,7 @@
 #include "fit/gradient_descent.hpp"
 #include "fit/uniform.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 using Eigen::Index;
@@ -76,4 +76,4 @@ TrainerResult train_genetic(const TrainingProblem& problem, const TrainerSetting
   return descend(problem, settings, population.front().genes);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

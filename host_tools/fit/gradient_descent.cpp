@@ -2,7 +2,7 @@
 
 #include "fit/best_weights.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 constexpr double kRateUp = 1.05;         // lr_inc
@@ -56,4 +56,4 @@ TrainerResult train_gradient_descent(const TrainingProblem& problem,
   return descend(problem, settings, problem.shape.first_weights(settings.seed));
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -2,11 +2,11 @@
 
 #include "fit/trainer.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// Gradient descent with momentum and adaptive learning rate from `first` on: the rules and
 /// constants of MATLAB's traingdx (fit/TRAINING.md).
 TrainerResult descend(const TrainingProblem& problem, const TrainerSettings& settings,
                       const Eigen::VectorXd& first);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -19,11 +19,12 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 // Largest correlation between any coefficient of one effect and any of the other.
-double correlation(const Eigen::MatrixXd& covariance, const ColumnRange& a, const ColumnRange& b) {
+double correlation(const Eigen::MatrixXd& covariance, const series::ColumnRange& a,
+                   const series::ColumnRange& b) {
   double largest = 0;
   for (Eigen::Index i = a.first; i < a.first + a.count; ++i) {
     for (Eigen::Index j = b.first; j < b.first + b.count; ++j) {
@@ -34,8 +35,8 @@ double correlation(const Eigen::MatrixXd& covariance, const ColumnRange& a, cons
   return largest;
 }
 
-std::vector<std::string> confusions(const std::vector<EffectTerm>& terms,
-                                    const std::vector<ColumnRange>& columns,
+std::vector<std::string> confusions(const std::vector<model::EffectTerm>& terms,
+                                    const std::vector<series::ColumnRange>& columns,
                                     const Eigen::MatrixXd& covariance) {
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -52,8 +53,8 @@ std::vector<std::string> confusions(const std::vector<EffectTerm>& terms,
 }
 
 template <class Value>
-Range range_of(std::size_t count, Value value_at) {
-  Range range{value_at(0), value_at(0)};
+model::Range range_of(std::size_t count, Value value_at) {
+  model::Range range{value_at(0), value_at(0)};
   for (std::size_t i = 1; i < count; ++i) {
     range.least = std::min(range.least, value_at(i));
     range.most = std::max(range.most, value_at(i));
@@ -61,9 +62,10 @@ Range range_of(std::size_t count, Value value_at) {
   return range;
 }
 
-void set_ranges(Model& model, const Rows& rows) {
+void set_ranges(model::Model& model, const series::Rows& rows) {
   const std::size_t count = rows.signals.size();
-  const Range degc = range_of(count, [&](std::size_t i) { return rows.signals[i].temperature; });
+  const model::Range degc =
+      range_of(count, [&](std::size_t i) { return rows.signals[i].temperature; });
   model.least_degc = degc.least - rules::kRangeMarginDegc;
   model.most_degc = degc.most + rules::kRangeMarginDegc;
   model.rate_range_degc_per_min =
@@ -72,15 +74,15 @@ void set_ranges(Model& model, const Rows& rows) {
   model.input_ranges = rows.input_ranges;
 }
 
-bool is_sought(const EffectTerm& term) {
-  return is_event(term) && term.identified[0];
+bool is_sought(const model::EffectTerm& term) {
+  return model::is_event(term) && term.identified[0];
 }
 
 // A step without its time leaves the list: it has no regressors before it is found.
-std::optional<EffectTerm> take_out_step(std::vector<EffectTerm>& terms) {
+std::optional<model::EffectTerm> take_out_step(std::vector<model::EffectTerm>& terms) {
   const auto sought = std::find_if(terms.begin(), terms.end(), is_sought);
   if (sought == terms.end()) return std::nullopt;
-  EffectTerm step = std::move(*sought);
+  model::EffectTerm step = std::move(*sought);
   terms.erase(sought);
   if (terms.empty()) {
     throw InputError("--effects", "names no effect beside " + step.name + "; add bias");
@@ -88,9 +90,9 @@ std::optional<EffectTerm> take_out_step(std::vector<EffectTerm>& terms) {
   return step;
 }
 
-FitWithSteps fit_all(const SignalSeries& series, const std::vector<EffectTerm>& terms,
-                     bool with_steps, const Eigen::MatrixXd& offsets,
-                     const IdentifySettings& settings) {
+FitWithSteps fit_all(const series::SignalSeries& series,
+                     const std::vector<model::EffectTerm>& terms, bool with_steps,
+                     const Eigen::MatrixXd& offsets, const IdentifySettings& settings) {
   if (with_steps) return fit_with_steps(series, terms, offsets, settings.progress);
   FitWithSteps found;
   found.fit = fit_determined(series, terms, offsets, Eigen::VectorXd::Ones(series.rows().size()),
@@ -111,11 +113,11 @@ Identification noise_and_residual(const FitWithSteps& found) {
 
 // Takes a term's coefficients and their uncertainties from a fit. Returns how large the effect
 // would have to be, at its largest, to be seen for sure, deg/h.
-double set_coefficients(EffectTerm& term, const ColumnRange& columns, const NoiseWeightedFit& fit,
-                        const Eigen::MatrixXd& covariance) {
+double set_coefficients(model::EffectTerm& term, const series::ColumnRange& columns,
+                        const NoiseWeightedFit& fit, const Eigen::MatrixXd& covariance) {
   const auto [first, count] = columns;
   const auto values = fit.coefficients.segment(first, count);
-  if (values.cwiseAbs().maxCoeff() > kMaxModelDph) {
+  if (values.cwiseAbs().maxCoeff() > model::kMaxModelDph) {
     throw InputError(term.name, format("its coefficient would be %.2g deg/h: the effect is next to "
                                        "nothing on these recordings; leave it out",
                                        values.cwiseAbs().maxCoeff()));
@@ -128,19 +130,20 @@ double set_coefficients(EffectTerm& term, const ColumnRange& columns, const Nois
   return rules::kVisible * std::sqrt((part * own).cwiseProduct(part).rowwise().sum().maxCoeff());
 }
 
-void set_shape_sigmas(std::vector<EffectTerm>& terms, const NoiseWeightedFit& fit,
+void set_shape_sigmas(std::vector<model::EffectTerm>& terms, const NoiseWeightedFit& fit,
                       const Eigen::VectorXd& sigma) {
   for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
-    const ShapeParameter& shape = fit.shapes[i];
-    EffectTerm& term = terms[shape.term];
+    const model::ShapeParameter& shape = fit.shapes[i];
+    model::EffectTerm& term = terms[shape.term];
     term.parameter_sigma[shape.index] = sigma[fit.linear() + static_cast<Eigen::Index>(i)] *
                                         shape.slope(term.parameters[shape.index]);
   }
 }
 
 // A step as a term of the model and as an event of its recording.
-void add_step(Model& model, Identification& result, const Rows& rows, const ChangePoint& change,
-              EffectTerm step, double size_dph, double sigma_dph) {
+void add_step(model::Model& model, Identification& result, const series::Rows& rows,
+              const noise::ChangePoint& change, model::EffectTerm step, double size_dph,
+              double sigma_dph) {
   result.steps.push_back({rows.run_at(static_cast<std::size_t>(change.row)), change.time_s,
                           change.time_sigma_s, size_dph, sigma_dph});
   step.coefficients_dph = {size_dph};
@@ -159,15 +162,16 @@ void add_step(Model& model, Identification& result, const Rows& rows, const Chan
 
 // Where the soak that is known worst is less certain than the drift is large, no compensation would
 // do better.
-void judge_uncertainty(Model& model, const NoiseWeightedFit& fit, const Eigen::MatrixXd& covariance,
-                       const Rows& rows, std::vector<std::string>& warnings) {
+void judge_uncertainty(model::Model& model, const NoiseWeightedFit& fit,
+                       const Eigen::MatrixXd& covariance, const series::Rows& rows,
+                       std::vector<std::string>& warnings) {
   SoakUncertainty worst = soak_uncertainty(model, fit, covariance, rows);
-  worst.sigma_dph = std::min(worst.sigma_dph, kMaxModelDph);  // more would say nothing more
+  worst.sigma_dph = std::min(worst.sigma_dph, model::kMaxModelDph);  // more would say nothing more
   const double drift_dph =
       std::sqrt(rows.drift_dph.cwiseAbs2().dot(rows.weights) / rows.weights.sum());
   model.uncertain.reset();
   if (worst.sigma_dph <= drift_dph) return;
-  model.uncertain = Model::Uncertain{worst.sigma_dph, drift_dph};
+  model.uncertain = model::Model::Uncertain{worst.sigma_dph, drift_dph};
   warnings.push_back(
       format("in a soak at %.4g degC the drift is known to +- %.2g deg/h, worse than "
              "the %.2g deg/h that are to be compensated: record more temperatures "
@@ -176,29 +180,30 @@ void judge_uncertainty(Model& model, const NoiseWeightedFit& fit, const Eigen::M
 }
 
 // Doubts about the whole, and what it leaves.
-void judge_model(Model& model, const NoiseWeightedFit& fit, const SignalSeries& series,
-                 Identification& result) {
-  const Rows& rows = series.rows();
-  for (const EffectTerm& term : model.terms) {
-    for (const ShapeDoubt& doubt : shape_doubts(term)) result.warnings.push_back(doubt.sentence);
+void judge_model(model::Model& model, const NoiseWeightedFit& fit,
+                 const series::SignalSeries& series, Identification& result) {
+  const series::Rows& rows = series.rows();
+  for (const model::EffectTerm& term : model.terms) {
+    for (const model::ShapeDoubt& doubt : model::shape_doubts(term))
+      result.warnings.push_back(doubt.sentence);
   }
   const Eigen::MatrixXd of_noise = std::pow(std::max(1.0, result.misfit), 2) * fit.covariance;
   judge_uncertainty(model, fit, of_noise, rows, result.warnings);
-  for (EffectTerm& term : model.terms) set_expression_scale(term, series);
-  const Eigen::VectorXd counted = counted_weights(rows, fit.row_weights);
+  for (model::EffectTerm& term : model.terms) set_expression_scale(term, series);
+  const Eigen::VectorXd counted = noise::counted_weights(rows, fit.row_weights);
   model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());
 }
 
 }  // namespace
 
-bool searches_steps(const std::vector<EffectTerm>& terms) {
+bool searches_steps(const std::vector<model::EffectTerm>& terms) {
   return std::any_of(terms.begin(), terms.end(), is_sought);
 }
 
-Identification identify(Model& model, const SignalSeries& series,
+Identification identify(model::Model& model, const series::SignalSeries& series,
                         const IdentifySettings& settings) {
-  const Rows& rows = series.rows();
-  const std::optional<EffectTerm> step = take_out_step(model.terms);
+  const series::Rows& rows = series.rows();
+  const std::optional<model::EffectTerm> step = take_out_step(model.terms);
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
   const FitWithSteps found = fit_all(series, model.terms, step.has_value(), offsets, settings);
@@ -208,7 +213,7 @@ Identification identify(Model& model, const SignalSeries& series,
   Identification result = noise_and_residual(found);
   const Eigen::MatrixXd covariance = coefficient_covariance(rows, fit);
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
-  const std::vector<ColumnRange> columns = columns_of(model.terms, rows.row_s);
+  const std::vector<series::ColumnRange> columns = series::columns_of(model.terms, rows.row_s);
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     result.visible_dph.push_back(set_coefficients(model.terms[i], columns[i], fit, covariance));
   }
@@ -228,4 +233,4 @@ Identification identify(Model& model, const SignalSeries& series,
   return result;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

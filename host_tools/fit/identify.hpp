@@ -9,7 +9,7 @@
 #include "noise/noise_model.hpp"
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// A bias step that a fit found. It belongs to one recording.
 struct FoundStep {
@@ -23,7 +23,7 @@ struct FoundStep {
 /// What a fit found out beside the coefficients, which are in the model.
 struct Identification {
   Eigen::VectorXd residual_dph;  ///< per row, measured - input - effects
-  NoiseModel noise;              ///< what the rows were weighted with
+  noise::NoiseModel noise;       ///< what the rows were weighted with
   double misfit = 0;             ///< rms of the whitened residual: 1 where only that noise is left
   std::size_t outliers = 0;      ///< rows left out (outlier_rows.hpp)
   Eigen::VectorXd row_weights;   ///< Rows::weights, 0 for outliers and masked rows
@@ -36,7 +36,7 @@ struct Identification {
 };
 
 /// Whether identify() is to look for bias steps: an event without a time is among the terms.
-bool searches_steps(const std::vector<EffectTerm>& terms);
+bool searches_steps(const std::vector<model::EffectTerm>& terms);
 
 struct IdentifySettings {
   /// Every recording has a bias of its own (turn-on repeatability); the model keeps the first
@@ -57,7 +57,7 @@ struct IdentifySettings {
 /// An event without a time is searched for (step_search.hpp): any number of such terms replace it
 /// in model.terms, each fitted to the recording in which it lies. Throws InputError for
 /// too few rows, and for effects that the recordings cannot tell apart at all.
-Identification identify(Model& model, const SignalSeries& series,
+Identification identify(model::Model& model, const series::SignalSeries& series,
                         const IdentifySettings& settings = {});
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -10,7 +10,7 @@
 #include "fit/trainer.hpp"
 #include "support/decompositions.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 using Eigen::MatrixXd;
@@ -159,4 +159,4 @@ TrainerResult train_levenberg_marquardt(const TrainingProblem& problem,
   return best.result;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -5,7 +5,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 constexpr const char* kWhere = "--inputs";
@@ -13,17 +13,17 @@ constexpr double kLeastTau_s = 1;
 constexpr double kMostTau_s = 1e5;
 
 fog::NetworkInput input_named(const std::string& name) {
-  const std::vector<std::string> names = network_input_names();
+  const std::vector<std::string> names = model::network_input_names();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end())
-    return kEveryNetworkInput[static_cast<std::size_t>(found - names.begin())];
+    return model::kEveryNetworkInput[static_cast<std::size_t>(found - names.begin())];
   throw InputError(kWhere, "'" + name + "' is no input of a network" + did_you_mean(name, names) +
                                "; there are " + join(names, ", "));
 }
 
-RealInput parse_input(const std::string& text) {
+model::RealInput parse_input(const std::string& text) {
   const std::size_t colon = text.find(':');
-  RealInput input;
+  model::RealInput input;
   input.signal = input_named(text.substr(0, colon));
   const bool lagged = input.signal == fog::NetworkInput::lagged_temperature;
   const std::string setting = colon == std::string::npos ? "" : text.substr(colon + 1);
@@ -43,13 +43,14 @@ RealInput parse_input(const std::string& text) {
 
 }  // namespace
 
-std::vector<RealInput> parse_network_inputs(const std::string& list) {
-  std::vector<RealInput> inputs;
+std::vector<model::RealInput> parse_network_inputs(const std::string& list) {
+  std::vector<model::RealInput> inputs;
   for (const std::string& text : split(list, ',')) {
-    const RealInput input = parse_input(text);
-    const bool twice = std::any_of(inputs.begin(), inputs.end(), [&](const RealInput& other) {
-      return other.signal == input.signal && other.tau_s == input.tau_s;
-    });
+    const model::RealInput input = parse_input(text);
+    const bool twice =
+        std::any_of(inputs.begin(), inputs.end(), [&](const model::RealInput& other) {
+          return other.signal == input.signal && other.tau_s == input.tau_s;
+        });
     if (twice) throw InputError(kWhere, "'" + text + "' is listed twice");
     inputs.push_back(input);
   }
@@ -60,4 +61,4 @@ std::vector<RealInput> parse_network_inputs(const std::string& list) {
   return inputs;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

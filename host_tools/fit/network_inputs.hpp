@@ -5,11 +5,11 @@
 
 #include "model/network.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// `temperature,temperature_rate,lagged_temperature:tau=300` -> inputs without normalisation. Up to
 /// four; a lagged temperature may stand there with several time constants. Throws InputError naming
 /// what is unknown or missing.
-std::vector<RealInput> parse_network_inputs(const std::string& list);
+std::vector<model::RealInput> parse_network_inputs(const std::string& list);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

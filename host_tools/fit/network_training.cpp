@@ -7,7 +7,7 @@
 #include "support/input_error.hpp"
 #include "support/least_squares.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 using Eigen::Index;
@@ -51,10 +51,10 @@ void set_target_scale(TrainedNetwork& network, const VectorXd& target, TargetSca
 }  // namespace
 
 VectorXd TrainedNetwork::drift_dph(const MatrixXd& rows) const {
-  const auto run = [](const RealLayer& layer, const MatrixXd& in) -> MatrixXd {
+  const auto run = [](const model::RealLayer& layer, const MatrixXd& in) -> MatrixXd {
     MatrixXd sums = in * layer.weights.transpose();
     sums.rowwise() += layer.biases.transpose();
-    return sums.unaryExpr([&](double x) { return activate(layer.activation, x); });
+    return sums.unaryExpr([&](double x) { return model::activate(layer.activation, x); });
   };
   const VectorXd y = run(output, run(hidden, normalised(rows, inputs))).col(0);
   return (amplitude_dph * y).array() + centre_dph;
@@ -115,4 +115,4 @@ TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& set
   return network;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -6,7 +6,7 @@
 
 #include "fit/trainer.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// What a network is to learn, row by row, in its own units. Where the inputs come from is the
 /// caller's business.
@@ -39,8 +39,8 @@ struct TrainedNetwork {
     double half_range = 1;  ///< > 0
   };
   std::vector<Input> inputs;
-  RealLayer hidden;
-  RealLayer output;
+  model::RealLayer hidden;
+  model::RealLayer output;
   double centre_dph = 0;  ///< drift = centre + amplitude * output
   double amplitude_dph = 0;
   double rms_before_dph = 0;  ///< of the target, over all rows
@@ -56,4 +56,4 @@ struct TrainedNetwork {
 /// same run, whose noise and history they share). Throws InputError where no row counts.
 TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& settings);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

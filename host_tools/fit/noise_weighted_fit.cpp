@@ -11,25 +11,27 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 constexpr int kRounds = 3;  // of noise and solution
 
-Eigen::MatrixXd all_columns(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+Eigen::MatrixXd all_columns(const series::SignalSeries& series,
+                            const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance) {
   std::vector<Eigen::MatrixXd> parts;
-  for (const EffectTerm& term : terms) parts.push_back(series.regressors(term));
+  for (const model::EffectTerm& term : terms) parts.push_back(series.regressors(term));
   parts.push_back(nuisance);
   return side_by_side(parts, series.rows().size());
 }
 
 // Relative to the rows that the noise model is of, the quiet ones. Without any, what differs from
 // part to part may be drift as well as noise.
-Eigen::VectorXd relative_scale(const std::vector<RowRange>& quiet, const Eigen::VectorXd& scale) {
+Eigen::VectorXd relative_scale(const std::vector<recording::RowRange>& quiet,
+                               const Eigen::VectorXd& scale) {
   double square = 0;
   double count = 0;
-  for (const Eigen::VectorXd& stretch : parts_of(scale, quiet)) {
+  for (const Eigen::VectorXd& stretch : noise::parts_of(scale, quiet)) {
     square += stretch.squaredNorm();
     count += static_cast<double>(stretch.size());
   }
@@ -38,11 +40,12 @@ Eigen::VectorXd relative_scale(const std::vector<RowRange>& quiet, const Eigen::
 }
 
 // By what the fit leaves so far, unless the noise is known.
-void set_noise(const Rows& rows, const std::vector<RowRange>& quiet,
-               const std::optional<NoiseModel>& known, NoiseWeightedFit& fit) {
-  fit.noise = known ? *known : noise_of(rows, bridged(rows, fit.residual_dph, fit.robust));
+void set_noise(const series::Rows& rows, const std::vector<recording::RowRange>& quiet,
+               const std::optional<noise::NoiseModel>& known, NoiseWeightedFit& fit) {
+  fit.noise =
+      known ? *known : noise::noise_of(rows, noise::bridged(rows, fit.residual_dph, fit.robust));
   fit.noise.white_variance = std::max(std::pow(rows.rounding_dph, 2), fit.noise.white_variance);
-  fit.noise_scale = relative_scale(quiet, noise_scale(rows, fit.residual_dph, fit.robust));
+  fit.noise_scale = relative_scale(quiet, noise::noise_scale(rows, fit.residual_dph, fit.robust));
   fit.row_weights =
       rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
 }
@@ -54,26 +57,27 @@ double NoiseWeightedFit::misfit() const {
   return std::sqrt(whitened_residual.squaredNorm() / std::max(1.0, freedom));
 }
 
-NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+NoiseWeightedFit fit_rows(const series::SignalSeries& series,
+                          const std::vector<model::EffectTerm>& terms,
                           const Eigen::MatrixXd& nuisance, const RowSettings& settings) {
-  const Rows& rows = series.rows();
+  const series::Rows& rows = series.rows();
   const Eigen::VectorXd kept =
       settings.kept.size() > 0 ? settings.kept : Eigen::VectorXd::Ones(rows.size());
-  const Eigen::VectorXd counted = counted_rows(rows);
-  const std::vector<RowRange> quiet = quiet_ranges(rows);
+  const Eigen::VectorXd counted = noise::counted_rows(rows);
+  const std::vector<recording::RowRange> quiet = noise::quiet_ranges(rows);
   NoiseWeightedFit fit;
   fit.robust = kept.cwiseProduct(counted);
   fit.outliers = static_cast<std::size_t>((counted.array() <= 0 && kept.array() > 0).count());
   fit.row_weights = rows.weights.cwiseProduct(fit.robust);
   fit.terms = terms;
-  fit.shapes = shape_parameters(terms);
+  fit.shapes = model::shape_parameters(terms);
   fit.columns = all_columns(series, terms, nuisance);
   const LinearFit first =
       solve_linear(fit.robust.asDiagonal() * fit.columns, fit.robust.cwiseProduct(rows.drift_dph));
   fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
   for (int round = 0; round < kRounds; ++round) {
     set_noise(rows, quiet, settings.noise, fit);
-    const Whitening whitening(fit.noise, rows, fit.row_weights);
+    const noise::Whitening whitening(fit.noise, rows, fit.row_weights);
     WhitenedProblem problem(series, whitening, fit.terms, nuisance);
     search_shapes(problem, fit.shapes, [&](double done) {
       if (settings.progress) settings.progress((round + done) / kRounds);
@@ -91,10 +95,11 @@ NoiseWeightedFit fit_rows(const SignalSeries& series, const std::vector<EffectTe
   return fit;
 }
 
-NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+NoiseWeightedFit fit_determined(const series::SignalSeries& series,
+                                const std::vector<model::EffectTerm>& terms,
                                 const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
                                 const std::function<void(double)>& progress) {
-  const Rows& rows = series.rows();
+  const series::Rows& rows = series.rows();
   NoiseWeightedFit fit = fit_rows(series, terms, nuisance, {kept, std::nullopt, progress});
   const Eigen::Index unknowns = fit.linear() + static_cast<Eigen::Index>(fit.shapes.size());
   if (rows.size() <= unknowns) {
@@ -108,15 +113,15 @@ NoiseWeightedFit fit_determined(const SignalSeries& series, const std::vector<Ef
   return fit;
 }
 
-Eigen::VectorXd step_column(const Rows& rows, std::size_t row) {
-  const RowRange run = rows.runs()[rows.run_at(row)];
+Eigen::VectorXd step_column(const series::Rows& rows, std::size_t row) {
+  const recording::RowRange run = rows.runs()[rows.run_at(row)];
   Eigen::VectorXd column = Eigen::VectorXd::Zero(rows.size());
   column.segment(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(run.end - row))
       .setOnes();
   return column;
 }
 
-Eigen::MatrixXd run_offset_columns(const Rows& rows, bool wanted) {
+Eigen::MatrixXd run_offset_columns(const series::Rows& rows, bool wanted) {
   const std::size_t runs = wanted ? rows.run_starts.size() : 1;
   Eigen::MatrixXd columns(rows.size(), static_cast<Eigen::Index>(runs) - 1);
   for (std::size_t run = 1; run < runs; ++run) {
@@ -125,4 +130,4 @@ Eigen::MatrixXd run_offset_columns(const Rows& rows, bool wanted) {
   return columns;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -16,23 +16,24 @@
 #include "support/text.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
-auto segment(Eigen::VectorXd& values, const RowRange& range) {
+auto segment(Eigen::VectorXd& values, const recording::RowRange& range) {
   return values.segment(static_cast<Eigen::Index>(range.first),
                         static_cast<Eigen::Index>(range.size()));
 }
 
 // The residuals of both, a row each, as no fit has seen them. `weights`: 0 for rows that do not
 // count.
-OutOfSample judge(const Rows& rows, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-                  const NoiseModel& noise, const Eigen::VectorXd& weights) {
+OutOfSample judge(const series::Rows& rows, const Eigen::VectorXd& before,
+                  const Eigen::VectorXd& after, const noise::NoiseModel& noise,
+                  const Eigen::VectorXd& weights) {
   OutOfSample result;
-  const Eigen::VectorXd counted = counted_weights(rows, weights);
+  const Eigen::VectorXd counted = noise::counted_weights(rows, weights);
   result.rms_before_dph = weighted_rms(before, counted);
   result.rms_after_dph = weighted_rms(after, counted);
-  const Whitening whitening(noise, rows, weights);
+  const noise::Whitening whitening(noise, rows, weights);
   Eigen::VectorXd white_before = whitening.apply(before);
   Eigen::VectorXd white_after = whitening.apply(after);
   const double typical = sigma_by_median({white_before.begin(), white_before.end()});
@@ -41,29 +42,31 @@ OutOfSample judge(const Rows& rows, const Eigen::VectorXd& before, const Eigen::
   white_after = white_after.cwiseMax(-most).cwiseMin(most);
   const double variance =
       std::max(1.0, white_after.squaredNorm() / static_cast<double>(rows.size()));
-  const double together = correlated_values({white_after.begin(), white_after.end()}, rows.runs());
+  const double together =
+      noise::correlated_values({white_after.begin(), white_after.end()}, rows.runs());
   result.gain = (white_before.squaredNorm() - white_after.squaredNorm()) / (variance * together);
   return result;
 }
 
 // The longest that the noise remembers in any part that counts.
-double noise_memory_s(const NoiseModel& noise) {
+double noise_memory_s(const noise::NoiseModel& noise) {
   double total = noise.white_variance;
-  for (const NoiseModel::Component& component : noise.components) total += component.variance;
+  for (const noise::NoiseModel::Component& component : noise.components)
+    total += component.variance;
   double longest = noise.row_s;
-  for (const NoiseModel::Component& component : noise.components) {
+  for (const noise::NoiseModel::Component& component : noise.components) {
     if (component.variance >= rules::kMinRemembered * total)
       longest = std::max(longest, component.tau_s);
   }
   return longest;
 }
 
-using Part = std::vector<RowRange>;  // left out together
+using Part = std::vector<recording::RowRange>;  // left out together
 
 // How many stretches of a run tell something of their own. `residual`: as fitted.
-double stretches_of(const Rows& rows, const std::vector<double>& residual,
-                    const NoiseModel& noise) {
-  const double residual_s = rows.row_s * correlated_values(residual, rows.runs());
+double stretches_of(const series::Rows& rows, const std::vector<double>& residual,
+                    const noise::NoiseModel& noise) {
+  const double residual_s = rows.row_s * noise::correlated_values(residual, rows.runs());
   const double memory_s = std::max(noise_memory_s(noise), residual_s);
   const double length_s = static_cast<double>(rows.size()) * rows.row_s;
   return std::clamp(std::floor(length_s / (rules::kMemories * memory_s)), rules::kMinStretches,
@@ -72,7 +75,7 @@ double stretches_of(const Rows& rows, const std::vector<double>& residual,
 
 // Stretches of time in turns: every part has some of each phase of the run, so that what is left
 // out lies between what is known and not beyond it.
-std::vector<Part> parts_of(const Rows& rows, double count) {
+std::vector<Part> parts_of(const series::Rows& rows, double count) {
   constexpr std::size_t kParts = 5;
   const auto size = static_cast<std::size_t>(rows.size());
   const std::size_t stretches = std::min(static_cast<std::size_t>(count), size);
@@ -83,7 +86,7 @@ std::vector<Part> parts_of(const Rows& rows, double count) {
   return parts;
 }
 
-std::string how_of(const std::vector<Part>& parts, const Rows& rows) {
+std::string how_of(const std::vector<Part>& parts, const series::Rows& rows) {
   return format("on stretches of %.2g h, a fifth of them left out in turn",
                 static_cast<double>(parts[0][0].size()) * rows.row_s / kSecondsPerHour);
 }
@@ -95,22 +98,22 @@ struct Fold {
   Eigen::VectorXd sigma_dph;  // of the coefficients, where they do
 };
 
-Fold leave_out(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+Fold leave_out(const series::SignalSeries& series, const std::vector<model::EffectTerm>& terms,
                const Part& left_out, const JudgedWith& with) {
-  const Rows& rows = series.rows();
+  const series::Rows& rows = series.rows();
   Eigen::VectorXd weights = with.row_weights;
-  for (const RowRange& range : left_out) segment(weights, range).setZero();
-  const Whitening whitening(with.noise, rows, weights);
+  for (const recording::RowRange& range : left_out) segment(weights, range).setZero();
+  const noise::Whitening whitening(with.noise, rows, weights);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, with.run_offsets);
   WhitenedProblem problem(series, whitening, terms, offsets);
-  search_shapes(problem, shape_parameters(terms));
+  search_shapes(problem, model::shape_parameters(terms));
   const LinearFit fit = problem.solve();
   Fold fold;
   fold.determined = fit.rank == fit.coefficients.size();
   if (fold.determined) fold.sigma_dph = fit.covariance.diagonal().cwiseSqrt();
   fold.residual_dph = rows.drift_dph;
   Eigen::Index column = 0;
-  for (const EffectTerm& term : problem.terms()) {
+  for (const model::EffectTerm& term : problem.terms()) {
     const Eigen::MatrixXd regressors = series.regressors(term);
     fold.residual_dph -= regressors * fit.coefficients.segment(column, regressors.cols());
     column += regressors.cols();
@@ -133,8 +136,8 @@ bool tells_all(const Fold& fold, const Fold& all) {
 }
 
 // Every shape stays but those of one term.
-std::vector<EffectTerm> shapes_kept(std::vector<EffectTerm> terms,
-                                    const std::vector<std::size_t>& free) {
+std::vector<model::EffectTerm> shapes_kept(std::vector<model::EffectTerm> terms,
+                                           const std::vector<std::size_t>& free) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
     if (std::find(free.begin(), free.end(), i) == free.end())
       std::fill(terms[i].identified.begin(), terms[i].identified.end(), false);
@@ -148,15 +151,16 @@ struct Residuals {
   std::vector<Fold> added;  // of the set `after`, one for each part left out
 };
 
-Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTerm>& before,
-                         const std::vector<EffectTerm>& after, const std::vector<Part>& parts,
-                         const JudgedWith& with) {
+Residuals leave_each_out(const series::SignalSeries& series,
+                         const std::vector<model::EffectTerm>& before,
+                         const std::vector<model::EffectTerm>& after,
+                         const std::vector<Part>& parts, const JudgedWith& with) {
   Residuals residuals{
       Eigen::VectorXd(series.rows().size()), Eigen::VectorXd(series.rows().size()), {}};
   for (const Part& part : parts) {
     Fold without = leave_out(series, before, part, with);
     Fold added = leave_out(series, after, part, with);
-    for (const RowRange& range : part) {
+    for (const recording::RowRange& range : part) {
       segment(residuals.before, range) = segment(without.residual_dph, range);
       segment(residuals.after, range) = segment(added.residual_dph, range);
     }
@@ -166,8 +170,8 @@ Residuals leave_each_out(const SignalSeries& series, const std::vector<EffectTer
 }
 
 // Whether every fold tells the coefficients of some terms.
-bool tell_terms(const std::vector<Fold>& folds, const SignalSeries& series,
-                const std::vector<EffectTerm>& terms, const std::vector<std::size_t>& asked,
+bool tell_terms(const std::vector<Fold>& folds, const series::SignalSeries& series,
+                const std::vector<model::EffectTerm>& terms, const std::vector<std::size_t>& asked,
                 const JudgedWith& with) {
   const Fold all = leave_out(series, terms, {}, with);
   Eigen::Index first = 0;
@@ -182,12 +186,13 @@ bool tell_terms(const std::vector<Fold>& folds, const SignalSeries& series,
   return true;
 }
 
-Eigen::VectorXd residual_of_effects(Model model, const std::vector<RunInBlocks>& runs,
+Eigen::VectorXd residual_of_effects(model::Model model,
+                                    const std::vector<compare::RunInBlocks>& runs,
                                     bool run_offsets) {
-  model.network = RealNetwork();
+  model.network = model::RealNetwork();
   std::vector<double> residual;
-  for (const RunInBlocks& run : runs) {
-    const Comparison comparison = compare_with(model, run);
+  for (const compare::RunInBlocks& run : runs) {
+    const compare::Comparison comparison = compare::compare_with(model, run);
     const double offset = run_offsets ? comparison.whole.mean_dph : 0;
     for (const double value : comparison.residuals_dph()) residual.push_back(value - offset);
   }
@@ -196,10 +201,10 @@ Eigen::VectorXd residual_of_effects(Model model, const std::vector<RunInBlocks>&
 }
 
 // As fitted, in the rows of the fit.
-std::vector<double> fitted_residual(const SignalSeries& series,
-                                    const std::vector<EffectTerm>& terms) {
+std::vector<double> fitted_residual(const series::SignalSeries& series,
+                                    const std::vector<model::EffectTerm>& terms) {
   Eigen::VectorXd residual = series.rows().drift_dph;
-  for (const EffectTerm& term : terms) {
+  for (const model::EffectTerm& term : terms) {
     const Eigen::Map<const Eigen::VectorXd> coefficients(
         term.coefficients_dph.data(), static_cast<Eigen::Index>(term.coefficients_dph.size()));
     residual -= series.regressors(term) * coefficients;
@@ -220,17 +225,18 @@ bool OutOfSample::helps() const {
   return gain >= rules::kMinGain && rms_after_dph <= rms_before_dph;
 }
 
-OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectTerm>& before,
-                           const std::vector<EffectTerm>& after,
+OutOfSample cross_validate(const series::SignalSeries& series,
+                           const std::vector<model::EffectTerm>& before,
+                           const std::vector<model::EffectTerm>& after,
                            const std::vector<std::size_t>& changed, const JudgedWith& with) {
-  const Rows& rows = series.rows();
-  const std::vector<EffectTerm> fixed_before = shapes_kept(before, {});
-  const std::vector<EffectTerm> fixed_after = shapes_kept(after, changed);
-  const std::vector<RowRange> runs = rows.runs();
+  const series::Rows& rows = series.rows();
+  const std::vector<model::EffectTerm> fixed_before = shapes_kept(before, {});
+  const std::vector<model::EffectTerm> fixed_after = shapes_kept(after, changed);
+  const std::vector<recording::RowRange> runs = rows.runs();
   // A run's own offset cannot be known without the run.
   if (runs.size() >= rules::kEnoughRuns && !with.run_offsets) {
     std::vector<Part> parts;
-    for (const RowRange& run : runs) parts.push_back({run});
+    for (const recording::RowRange& run : runs) parts.push_back({run});
     const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
     if (tell_terms(left.added, series, fixed_after, changed, with)) {
       OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
@@ -247,15 +253,15 @@ OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectT
   return result;
 }
 
-OutOfSample cross_validate_learner(const Rows& rows, const Eigen::VectorXd& residual_dph,
+OutOfSample cross_validate_learner(const series::Rows& rows, const Eigen::VectorXd& residual_dph,
                                    const JudgedWith& with, const Learner& learner) {
   const std::vector<Part> parts = parts_of(rows, rules::kMaxStretches);
   Eigen::VectorXd after = residual_dph;
   for (const Part& part : parts) {
     Eigen::VectorXd weights = with.row_weights;
-    for (const RowRange& range : part) segment(weights, range).setZero();
+    for (const recording::RowRange& range : part) segment(weights, range).setZero();
     Eigen::VectorXd learnt = learner(weights);
-    for (const RowRange& range : part) segment(after, range) -= segment(learnt, range);
+    for (const recording::RowRange& range : part) segment(after, range) -= segment(learnt, range);
   }
   OutOfSample result = judge(rows, residual_dph, after, with.noise, with.row_weights);
   result.how = how_of(parts, rows);
@@ -263,15 +269,15 @@ OutOfSample cross_validate_learner(const Rows& rows, const Eigen::VectorXd& resi
   return result;
 }
 
-std::vector<HalfTest> judge_halves(const SignalSeries& series,
-                                   const std::vector<EffectTerm>& before,
-                                   const std::vector<EffectTerm>& after,
+std::vector<HalfTest> judge_halves(const series::SignalSeries& series,
+                                   const std::vector<model::EffectTerm>& before,
+                                   const std::vector<model::EffectTerm>& after,
                                    const std::vector<std::size_t>& changed,
                                    const JudgedWith& with) {
-  const Rows& rows = series.rows();
+  const series::Rows& rows = series.rows();
   Part first;
   Part second;
-  for (const RowRange& run : rows.runs()) {
+  for (const recording::RowRange& run : rows.runs()) {
     const std::size_t middle = run.first + run.size() / 2;
     first.push_back({run.first, middle});
     second.push_back({middle, run.end});
@@ -285,8 +291,9 @@ std::vector<HalfTest> judge_halves(const SignalSeries& series,
     HalfTest test;
     test.identified_on = on_first ? "first" : "second";
     test.determined = without.determined && tells_all(added, all);
-    Eigen::VectorXd weights = counted_weights(rows, with.row_weights);
-    for (const RowRange& range : on_first ? first : second) segment(weights, range).setZero();
+    Eigen::VectorXd weights = noise::counted_weights(rows, with.row_weights);
+    for (const recording::RowRange& range : on_first ? first : second)
+      segment(weights, range).setZero();
     test.rms_before_dph = weighted_rms(without.residual_dph, weights);
     test.rms_after_dph = weighted_rms(added.residual_dph, weights);
     tests.push_back(test);
@@ -294,15 +301,15 @@ std::vector<HalfTest> judge_halves(const SignalSeries& series,
   return tests;
 }
 
-OutOfSample judge_on_holdouts(const Model& before, const Model& after,
-                              const std::vector<RunInBlocks>& holdouts, const NoiseModel& noise,
-                              bool run_offsets) {
-  SignalSeries series(after);
-  for (const RunInBlocks& run : holdouts) series.add(run.blocks);
-  const Rows& rows = series.rows();
+OutOfSample judge_on_holdouts(const model::Model& before, const model::Model& after,
+                              const std::vector<compare::RunInBlocks>& holdouts,
+                              const noise::NoiseModel& noise, bool run_offsets) {
+  series::SignalSeries series(after);
+  for (const compare::RunInBlocks& run : holdouts) series.add(run.blocks);
+  const series::Rows& rows = series.rows();
   OutOfSample result = judge(rows, residual_of_effects(before, holdouts, run_offsets),
                              residual_of_effects(after, holdouts, run_offsets), noise,
-                             rows.weights.cwiseProduct(counted_rows(rows)));
+                             rows.weights.cwiseProduct(noise::counted_rows(rows)));
   result.how =
       holdouts.size() == 1 ? "on the holdout" : "on " + counted(holdouts.size(), "holdout");
   return result;
@@ -317,4 +324,4 @@ std::string half_words(const HalfTest& half) {
                 half.rms_after_dph < half.rms_before_dph ? "" : ", does not hold there");
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -11,7 +11,7 @@
 #include "model/model.hpp"
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// Two models on data that neither was fitted to.
 struct OutOfSample {
@@ -46,7 +46,7 @@ std::string half_words(const HalfTest& half);
 
 /// What both sets are cross-validated with: the noise and row weights of one fit.
 struct JudgedWith {
-  const NoiseModel& noise;
+  const noise::NoiseModel& noise;
   const Eigen::VectorXd& row_weights;
   bool run_offsets = false;
 };
@@ -56,8 +56,9 @@ struct JudgedWith {
 /// noise or residual go together (but 10 to 50 in all), every fifth of them at once. `before`,
 /// `after`: identified on all of `series`; shapes stay as they are but for those of after[i], i in
 /// `changed`, which are searched anew without the data left out, as are all coefficients.
-OutOfSample cross_validate(const SignalSeries& series, const std::vector<EffectTerm>& before,
-                           const std::vector<EffectTerm>& after,
+OutOfSample cross_validate(const series::SignalSeries& series,
+                           const std::vector<model::EffectTerm>& before,
+                           const std::vector<model::EffectTerm>& after,
                            const std::vector<std::size_t>& changed, const JudgedWith& with);
 
 /// Learns from the rows that have a weight, and says what it makes of all of them, deg/h.
@@ -67,19 +68,19 @@ using Learner = std::function<Eigen::VectorXd(const Eigen::VectorXd& row_weights
 /// at once, and what it makes of them is taken off `residual_dph`. The stretches are short,
 /// whatever the noise remembers: a learner without a formula knows nothing of a ramp that it has
 /// not seen, and the whitened squares hold no noise that the rows before a stretch could tell.
-OutOfSample cross_validate_learner(const Rows& rows, const Eigen::VectorXd& residual_dph,
+OutOfSample cross_validate_learner(const series::Rows& rows, const Eigen::VectorXd& residual_dph,
                                    const JudgedWith& with, const Learner& learner);
 
 /// First and second half, as cross_validate() would leave them out.
-std::vector<HalfTest> judge_halves(const SignalSeries& series,
-                                   const std::vector<EffectTerm>& before,
-                                   const std::vector<EffectTerm>& after,
+std::vector<HalfTest> judge_halves(const series::SignalSeries& series,
+                                   const std::vector<model::EffectTerm>& before,
+                                   const std::vector<model::EffectTerm>& after,
                                    const std::vector<std::size_t>& changed, const JudgedWith& with);
 
 /// `holdouts`: runs that took no part in either fit; at least one. The effects alone, as the board
 /// has them: clamped to the trained range. With run_offsets every run has its mean removed.
-OutOfSample judge_on_holdouts(const Model& before, const Model& after,
-                              const std::vector<RunInBlocks>& holdouts, const NoiseModel& noise,
-                              bool run_offsets);
+OutOfSample judge_on_holdouts(const model::Model& before, const model::Model& after,
+                              const std::vector<compare::RunInBlocks>& holdouts,
+                              const noise::NoiseModel& noise, bool run_offsets);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -6,7 +6,7 @@
 #include "fit/gradient_descent.hpp"
 #include "fit/uniform.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 using Eigen::Index;
@@ -78,4 +78,4 @@ TrainerResult train_particle_swarm(const TrainingProblem& problem,
   return descend(problem, settings, leader_of(swarm).best_place);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

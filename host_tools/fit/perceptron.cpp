@@ -4,22 +4,22 @@
 
 #include "fit/uniform.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
-RealLayer Perceptron::hidden_layer(const VectorXd& weights) const {
+model::RealLayer Perceptron::hidden_layer(const VectorXd& weights) const {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  RealLayer layer;
+  model::RealLayer layer;
   layer.activation = hidden_activation;
   layer.weights = Eigen::Map<const RowMajor>(weights.data(), hidden, inputs);
   layer.biases = weights.segment(hidden_bias(), hidden);
   return layer;
 }
 
-RealLayer Perceptron::output_layer(const VectorXd& weights) const {
-  RealLayer layer;
+model::RealLayer Perceptron::output_layer(const VectorXd& weights) const {
+  model::RealLayer layer;
   layer.activation = output_activation;
   layer.weights = weights.segment(output_weight(), hidden).transpose();
   layer.biases = weights.segment(output_bias(), 1);
@@ -48,4 +48,4 @@ VectorXd Perceptron::first_weights(std::uint64_t seed) const {
   return weights;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -5,7 +5,7 @@
 
 #include "model/network.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 constexpr int kMostTrainedHidden = 32;
 
@@ -23,8 +23,8 @@ struct Perceptron {
   Eigen::Index output_weight() const { return hidden * (inputs + 1); }
   Eigen::Index output_bias() const { return hidden * (inputs + 2); }
 
-  RealLayer hidden_layer(const Eigen::VectorXd& weights) const;
-  RealLayer output_layer(const Eigen::VectorXd& weights) const;
+  model::RealLayer hidden_layer(const Eigen::VectorXd& weights) const;
+  model::RealLayer output_layer(const Eigen::VectorXd& weights) const;
 
   /// First weights for inputs within +-1, by the rule of Nguyen and Widrow (IJCNN 1990), as
   /// MATLAB's initnw: the hidden neurons' curved parts lie spread over the inputs' range, each a
@@ -32,4 +32,4 @@ struct Perceptron {
   Eigen::VectorXd first_weights(std::uint64_t seed) const;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -9,17 +9,17 @@
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 // Leaves those shapes free that are time constants of the temperature rate; false where none is.
-bool free_lags(std::vector<EffectTerm>& terms) {
+bool free_lags(std::vector<model::EffectTerm>& terms) {
   bool any = false;
-  for (EffectTerm& term : terms) {
-    const TermInfo info = info_of(term);
+  for (model::EffectTerm& term : terms) {
+    const model::TermInfo info = model::info_of(term);
     for (std::size_t i = 0; i < term.identified.size(); ++i) {
       const bool free =
-          term.identified[i] && is_lag_of_rate(info.parameters[i].unit, info.coefficients);
+          term.identified[i] && model::is_lag_of_rate(info.parameters[i].unit, info.coefficients);
       term.identified[i] = free;
       any = any || free;
     }
@@ -29,26 +29,27 @@ bool free_lags(std::vector<EffectTerm>& terms) {
 
 }  // namespace
 
-std::vector<PhysicalLag> physical_lags(const Model& model, const std::vector<RunInBlocks>& runs,
+std::vector<PhysicalLag> physical_lags(const model::Model& model,
+                                       const std::vector<compare::RunInBlocks>& runs,
                                        bool run_offsets) {
   std::vector<PhysicalLag> lags;
-  std::vector<EffectTerm> terms = model.terms;
+  std::vector<model::EffectTerm> terms = model.terms;
   if (!free_lags(terms)) return lags;
-  Model sharper = model;
+  model::Model sharper = model;
   sharper.derivative_tau_s /= rules::kSharperDerivative;
-  SignalSeries series(sharper, Phase::zero);
-  for (const RunInBlocks& run : runs) series.add(run.blocks);
+  series::SignalSeries series(sharper, series::Phase::zero);
+  for (const compare::RunInBlocks& run : runs) series.add(run.blocks);
   const NoiseWeightedFit fit =
       fit_rows(series, terms, run_offset_columns(series.rows(), run_offsets));
   if (!is_determined(fit)) return lags;
   const double widening = std::max(1.0, fit.misfit());
   for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
-    const ShapeParameter& shape = fit.shapes[i];
-    const EffectTerm& term = fit.terms[shape.term];
+    const model::ShapeParameter& shape = fit.shapes[i];
+    const model::EffectTerm& term = fit.terms[shape.term];
     const double value_s = term.parameters[shape.index];
     const Eigen::Index at = fit.linear() + static_cast<Eigen::Index>(i);
     const double sigma = widening * std::sqrt(fit.covariance(at, at));
-    lags.push_back({term.name, info_of(term).parameters[shape.index].name, value_s,
+    lags.push_back({term.name, model::info_of(term).parameters[shape.index].name, value_s,
                     sigma * std::abs(shape.slope(value_s))});
   }
   return lags;
@@ -60,4 +61,4 @@ std::string physical_lag_words(const PhysicalLag& lag) {
       lag.effect.c_str(), lag.parameter.c_str(), lag.value_s, lag.sigma_s);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -6,7 +6,7 @@
 #include "compare/run_in_blocks.hpp"
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// A time constant of the gyro itself.
 struct PhysicalLag {
@@ -21,10 +21,11 @@ struct PhysicalLag {
 /// up for that: a coil's lag of 300 s becomes some 190 s. Here they are identified again, from
 /// where the fit found them, on signals without that delay. None where the data do not determine
 /// them so.
-std::vector<PhysicalLag> physical_lags(const Model& model, const std::vector<RunInBlocks>& runs,
+std::vector<PhysicalLag> physical_lags(const model::Model& model,
+                                       const std::vector<compare::RunInBlocks>& runs,
                                        bool run_offsets);
 
 /// "shupe   tau without the lags of the board's derivative, the gyro's own: 301 +- 4 s".
 std::string physical_lag_words(const PhysicalLag& lag);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -2,9 +2,9 @@
 
 #include "noise/whitening.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
-ResidualNetwork train_on_residual(const Rows& rows, const Eigen::MatrixXd& inputs,
+ResidualNetwork train_on_residual(const series::Rows& rows, const Eigen::MatrixXd& inputs,
                                   const Eigen::VectorXd& target_dph,
                                   const Identification& identified, const NetworkSettings& settings,
                                   bool judge) {
@@ -18,7 +18,7 @@ ResidualNetwork train_on_residual(const Rows& rows, const Eigen::MatrixXd& input
     };
   }
   const auto train = [&](const Eigen::VectorXd& weights) {
-    const Whitening whitening(identified.noise, rows, weights);
+    const noise::Whitening whitening(identified.noise, rows, weights);
     const Whiten whiten = [&](const Eigen::MatrixXd& values) { return whitening.apply(values); };
     TrainedNetwork trained =
         train_network({inputs, target_dph, weights, rows.run_starts, whiten}, training);
@@ -40,4 +40,4 @@ ResidualNetwork train_on_residual(const Rows& rows, const Eigen::MatrixXd& input
   return network;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

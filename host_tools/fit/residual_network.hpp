@@ -8,7 +8,7 @@
 #include "fit/out_of_sample.hpp"
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// A network on what effects leave, and whether it was worth it.
 struct ResidualNetwork {
@@ -26,9 +26,9 @@ struct ResidualNetwork {
 /// network is trained five times more, each time without a fifth of the rows' stretches
 /// (out_of_sample.hpp), and judged where it was not trained. Effects and the inputs' ranges stay
 /// those of all rows.
-ResidualNetwork train_on_residual(const Rows& rows, const Eigen::MatrixXd& inputs,
+ResidualNetwork train_on_residual(const series::Rows& rows, const Eigen::MatrixXd& inputs,
                                   const Eigen::VectorXd& target_dph,
                                   const Identification& identified, const NetworkSettings& settings,
                                   bool judge);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -7,7 +7,7 @@
 #include "model/catalogue.hpp"
 #include "support/least_squares.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 constexpr int kGridPoints = 24;
@@ -27,16 +27,17 @@ double finite_or_worst(double cost) {
   return std::isfinite(cost) ? cost : std::numeric_limits<double>::infinity();
 }
 
-int grid_points(const ShapeParameter& parameter) {
+int grid_points(const model::ShapeParameter& parameter) {
   return parameter.scale == fog::Scale::frequency ? kPeriodGridPoints : kGridPoints;
 }
 
 // Where one parameter may belong, the most promising place first: the deepest dips of the cost over
 // its grid, but for the dip in which it is.
 std::vector<double> starts_of(const WhitenedProblem& problem,
-                              const std::vector<ShapeParameter>& parameters, std::size_t which) {
-  const ShapeParameter& parameter = parameters[which];
-  std::vector<ShapeParameter> others = parameters;
+                              const std::vector<model::ShapeParameter>& parameters,
+                              std::size_t which) {
+  const model::ShapeParameter& parameter = parameters[which];
+  std::vector<model::ShapeParameter> others = parameters;
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(which));
   const int points = grid_points(parameter);
   std::vector<double> values;
@@ -59,13 +60,14 @@ std::vector<double> starts_of(const WhitenedProblem& problem,
 }
 
 // One step from where the cost is given; returns the new one, the same where none lowers it.
-double gauss_newton_step(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters,
-                         double cost) {
+double gauss_newton_step(WhitenedProblem& problem,
+                         const std::vector<model::ShapeParameter>& parameters, double cost) {
   const Eigen::MatrixXd jacobian = problem.jacobian(parameters);
   const LinearFit fit = solve_linear(jacobian, problem.measured());
   if (!fit.coefficients.allFinite()) return cost;
   std::vector<double> start;
-  for (const ShapeParameter& parameter : parameters) start.push_back(problem.value(parameter));
+  for (const model::ShapeParameter& parameter : parameters)
+    start.push_back(problem.value(parameter));
   const Eigen::Index first = jacobian.cols() - static_cast<Eigen::Index>(parameters.size());
   for (double length = 1; length > 1e-3; length /= 2) {
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -80,7 +82,7 @@ double gauss_newton_step(WhitenedProblem& problem, const std::vector<ShapeParame
   return cost;
 }
 
-double descend(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters,
+double descend(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
                double worth_a_step) {
   double cost = problem.cost();
   for (int step = 0; step < kGaussNewtonSteps; ++step) {
@@ -92,7 +94,7 @@ double descend(WhitenedProblem& problem, const std::vector<ShapeParameter>& para
 }
 
 // Tries one parameter over its whole range; from each promising place all go downhill together.
-void search_range(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters,
+void search_range(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
                   std::size_t which) {
   const WhitenedProblem before = problem;
   double least_cost = descend(problem, parameters, kRoughly);
@@ -111,13 +113,14 @@ void search_range(WhitenedProblem& problem, const std::vector<ShapeParameter>& p
 // The two parts of an effect that may have a second one (radii, periods) are the same in either
 // order; the smaller is the first. Only where both were searched in the same range, so that no
 // bound is left.
-bool is_second_part(const EffectTerm& term, std::size_t parameter) {
-  return !term.expression && is_optional_part(find_effect(term.name).parameters[parameter]);
+bool is_second_part(const model::EffectTerm& term, std::size_t parameter) {
+  return !term.expression &&
+         model::is_optional_part(model::find_effect(term.name).parameters[parameter]);
 }
-void order_parts(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters) {
+void order_parts(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters) {
   for (std::size_t i = 1; i < parameters.size(); ++i) {
-    const ShapeParameter& first = parameters[i - 1];
-    const ShapeParameter& second = parameters[i];
+    const model::ShapeParameter& first = parameters[i - 1];
+    const model::ShapeParameter& second = parameters[i];
     if (first.term != second.term || !is_second_part(problem.terms()[second.term], second.index) ||
         first.least != second.least || first.most != second.most) {
       continue;
@@ -131,25 +134,28 @@ void order_parts(WhitenedProblem& problem, const std::vector<ShapeParameter>& pa
 
 }  // namespace
 
-WhitenedProblem::WhitenedProblem(const SignalSeries& series, const Whitening& whitening,
-                                 std::vector<EffectTerm> terms, const Eigen::MatrixXd& nuisance)
+WhitenedProblem::WhitenedProblem(const series::SignalSeries& series,
+                                 const noise::Whitening& whitening,
+                                 std::vector<model::EffectTerm> terms,
+                                 const Eigen::MatrixXd& nuisance)
     : series_(&series),
       whitening_(&whitening),
       terms_(std::move(terms)),
       measured_(whitening.apply(series.rows().drift_dph)) {
-  for (const EffectTerm& term : terms_) columns_.push_back(whitened(term));
+  for (const model::EffectTerm& term : terms_) columns_.push_back(whitened(term));
   columns_.push_back(whitening.apply(nuisance));
 }
 
-Eigen::MatrixXd WhitenedProblem::whitened(const EffectTerm& term, Reading reading) const {
+Eigen::MatrixXd WhitenedProblem::whitened(const model::EffectTerm& term,
+                                          series::Reading reading) const {
   return whitening_->apply(series_->regressors(term, reading));
 }
 
-double WhitenedProblem::value(const ShapeParameter& parameter) const {
+double WhitenedProblem::value(const model::ShapeParameter& parameter) const {
   return terms_[parameter.term].parameters[parameter.index];
 }
 
-void WhitenedProblem::set(const ShapeParameter& parameter, double value) {
+void WhitenedProblem::set(const model::ShapeParameter& parameter, double value) {
   terms_[parameter.term].parameters[parameter.index] = value;
   columns_[parameter.term] = whitened(terms_[parameter.term]);
 }
@@ -166,13 +172,13 @@ Eigen::MatrixXd WhitenedProblem::matrix() const {
   return all;
 }
 
-LinearFit WhitenedProblem::solve(const std::vector<ShapeParameter>& parameters) const {
+LinearFit WhitenedProblem::solve(const std::vector<model::ShapeParameter>& parameters) const {
   const Eigen::MatrixXd columns = jacobian(parameters);
-  if (series_->phase() == Phase::zero) return solve_linear(columns, measured_);
+  if (series_->phase() == series::Phase::zero) return solve_linear(columns, measured_);
   Eigen::MatrixXd instruments = columns;
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     instruments.middleCols(first_column(i), columns_[i].cols()) =
-        whitened(terms_[i], Reading::smoothed);
+        whitened(terms_[i], series::Reading::smoothed);
   }
   return solve_with_instruments(columns, instruments, measured_);
 }
@@ -187,9 +193,9 @@ Eigen::Index WhitenedProblem::first_column(std::size_t term) const {
   return first;
 }
 
-std::vector<double> WhitenedProblem::costs(const ShapeParameter& parameter,
+std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& parameter,
                                            const std::vector<double>& values,
-                                           const std::vector<ShapeParameter>& others) const {
+                                           const std::vector<model::ShapeParameter>& others) const {
   const Eigen::MatrixXd all = jacobian(others);
   const Eigen::Index first = first_column(parameter.term);
   const Eigen::Index behind = all.cols() - first - columns_[parameter.term].cols();
@@ -200,7 +206,7 @@ std::vector<double> WhitenedProblem::costs(const ShapeParameter& parameter,
     return columns;
   };
   const Eigen::VectorXd left = without(measured_);
-  EffectTerm moved = terms_[parameter.term];
+  model::EffectTerm moved = terms_[parameter.term];
   std::vector<double> costs;
   for (const double value : values) {
     moved.parameters[parameter.index] = value;
@@ -210,17 +216,18 @@ std::vector<double> WhitenedProblem::costs(const ShapeParameter& parameter,
   return costs;
 }
 
-Eigen::MatrixXd WhitenedProblem::jacobian(const std::vector<ShapeParameter>& parameters) const {
+Eigen::MatrixXd WhitenedProblem::jacobian(
+    const std::vector<model::ShapeParameter>& parameters) const {
   const Eigen::MatrixXd linear = matrix();
   if (parameters.empty()) return linear;
   const Eigen::VectorXd coefficients = solve_linear(linear, measured_).coefficients;
   Eigen::MatrixXd all(linear.rows(), linear.cols() + static_cast<Eigen::Index>(parameters.size()));
   all.leftCols(linear.cols()) = linear;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const ShapeParameter& parameter = parameters[i];
+    const model::ShapeParameter& parameter = parameters[i];
     const Eigen::VectorXd part =
         coefficients.segment(first_column(parameter.term), columns_[parameter.term].cols());
-    EffectTerm moved = terms_[parameter.term];
+    model::EffectTerm moved = terms_[parameter.term];
     const double unit = parameter.to_unit(moved.parameters[parameter.index]);
     const double up = std::min(unit + kDifferenceStep, 1.0);
     const double down = std::max(unit - kDifferenceStep, 0.0);
@@ -233,7 +240,7 @@ Eigen::MatrixXd WhitenedProblem::jacobian(const std::vector<ShapeParameter>& par
   return all;
 }
 
-void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& parameters,
+void search_shapes(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
                    const std::function<void(double)>& progress) {
   if (parameters.empty()) return;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -244,4 +251,4 @@ void search_shapes(WhitenedProblem& problem, const std::vector<ShapeParameter>& 
   order_parts(problem, parameters);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

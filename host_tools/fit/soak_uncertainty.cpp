@@ -5,13 +5,13 @@
 #include "model/catalogue.hpp"
 #include "series/term_columns.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
-using Signals = fog::Signals<RealNumbers>;
+using Signals = fog::Signals<model::RealNumbers>;
 
 // Means of all inputs, at rest.
-Signals mean_signals(const Rows& rows) {
+Signals mean_signals(const series::Rows& rows) {
   Signals mean;
   const auto count = static_cast<double>(rows.signals.size());
   for (std::size_t row = 0; row < rows.signals.size(); ++row) {
@@ -25,8 +25,8 @@ Signals mean_signals(const Rows& rows) {
   return mean;
 }
 
-Eigen::VectorXd regressors(const EffectTerm& term, const Signals& signals, double row_s) {
-  const auto effect = make_effect(term, row_s);
+Eigen::VectorXd regressors(const model::EffectTerm& term, const Signals& signals, double row_s) {
+  const auto effect = model::make_effect(term, row_s);
   Eigen::VectorXd values(static_cast<Eigen::Index>(effect->regressor_count()));
   effect->reset(signals);
   effect->step(signals, values.data());
@@ -34,18 +34,18 @@ Eigen::VectorXd regressors(const EffectTerm& term, const Signals& signals, doubl
 }
 
 // How the drift changes with each unknown, in the order of the fit's covariance.
-Eigen::VectorXd gradient(const std::vector<EffectTerm>& terms, const NoiseWeightedFit& fit,
+Eigen::VectorXd gradient(const std::vector<model::EffectTerm>& terms, const NoiseWeightedFit& fit,
                          const Signals& signals, double row_s) {
   constexpr double kStep = 1e-4;  // of a shape's range
   Eigen::VectorXd result = Eigen::VectorXd::Zero(fit.covariance.rows());
-  const std::vector<ColumnRange> columns = columns_of(terms, row_s);
+  const std::vector<series::ColumnRange> columns = series::columns_of(terms, row_s);
   for (std::size_t i = 0; i < terms.size(); ++i) {
     result.segment(columns[i].first, columns[i].count) = regressors(terms[i], signals, row_s);
   }
   for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
-    const ShapeParameter& shape = fit.shapes[i];
-    const ColumnRange& range = columns[shape.term];
-    EffectTerm moved = terms[shape.term];
+    const model::ShapeParameter& shape = fit.shapes[i];
+    const series::ColumnRange& range = columns[shape.term];
+    model::EffectTerm moved = terms[shape.term];
     double& value = moved.parameters[shape.index];
     const double unit = shape.to_unit(value);
     const double up = std::min(unit + kStep, 1.0);
@@ -63,8 +63,8 @@ Eigen::VectorXd gradient(const std::vector<EffectTerm>& terms, const NoiseWeight
 
 }  // namespace
 
-SoakUncertainty soak_uncertainty(const Model& model, const NoiseWeightedFit& fit,
-                                 const Eigen::MatrixXd& covariance, const Rows& rows) {
+SoakUncertainty soak_uncertainty(const model::Model& model, const NoiseWeightedFit& fit,
+                                 const Eigen::MatrixXd& covariance, const series::Rows& rows) {
   constexpr int kTemperatures = 33;
   Signals signals = mean_signals(rows);
   SoakUncertainty worst;
@@ -80,4 +80,4 @@ SoakUncertainty soak_uncertainty(const Model& model, const NoiseWeightedFit& fit
   return worst;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -8,7 +8,7 @@
 #include "fit/decision_rules.hpp"
 #include "fit/undetermined.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 constexpr std::size_t kMostSteps = 8;
@@ -21,19 +21,20 @@ Eigen::MatrixXd with_column(const Eigen::MatrixXd& columns, const Eigen::VectorX
 
 // The best place for a step in what a fit leaves, with that fit's noise. The first `columns` of its
 // matrix are the model beside the step; whatever comes after them is put back into the residual.
-std::optional<ChangePoint> locate(const Rows& rows, const NoiseWeightedFit& fit,
-                                  Eigen::Index columns) {
+std::optional<noise::ChangePoint> locate(const series::Rows& rows, const NoiseWeightedFit& fit,
+                                         Eigen::Index columns) {
   const Eigen::Index others = fit.linear() - columns;
   const Eigen::VectorXd residual =
       fit.residual_dph + fit.columns.rightCols(others) * fit.coefficients.segment(columns, others);
-  const Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(fit.robust));
-  const Eigen::MatrixXd slow = slow_columns(rows, rules::kSlowSeconds);
+  const noise::Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(fit.robust));
+  const Eigen::MatrixXd slow = noise::slow_columns(rows, rules::kSlowSeconds);
   Eigen::MatrixXd model(rows.size(), columns + slow.cols());
   model << fit.columns.leftCols(columns), slow;
-  return find_change_point(whitening, rows, whitening.apply(residual), whitening.apply(model));
+  return noise::find_change_point(whitening, rows, whitening.apply(residual),
+                                  whitening.apply(model));
 }
 
-bool earns(const ChangePoint& step, double chi_square) {
+bool earns(const noise::ChangePoint& step, double chi_square) {
   return step.chi_square > chi_square * std::max(1.0, step.chi_square_left);
 }
 
@@ -49,10 +50,11 @@ double least_chi_square(const NoiseWeightedFit& fit, std::size_t steps) {
 
 }  // namespace
 
-FitWithSteps fit_with_steps(const SignalSeries& series, const std::vector<EffectTerm>& terms,
+FitWithSteps fit_with_steps(const series::SignalSeries& series,
+                            const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance,
                             const std::function<void(double)>& progress) {
-  const Rows& rows = series.rows();
+  const series::Rows& rows = series.rows();
   Eigen::VectorXd kept = Eigen::VectorXd::Ones(rows.size());
   Eigen::MatrixXd columns = nuisance;
   FitWithSteps result;
@@ -82,4 +84,4 @@ FitWithSteps fit_with_steps(const SignalSeries& series, const std::vector<Effect
   return result;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

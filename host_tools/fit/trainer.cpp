@@ -4,7 +4,7 @@
 
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 const std::vector<Trainer>& trainers() {
   static const std::vector<Trainer> all{
@@ -31,4 +31,4 @@ const Trainer& find_trainer(const std::string& name) {
   return *found;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

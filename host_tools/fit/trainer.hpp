@@ -8,7 +8,7 @@
 
 #include "fit/batch.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// What a trainer works on. All rows are normalised to about +-1.
 struct TrainingProblem {
@@ -59,4 +59,4 @@ std::vector<std::string> trainer_names();
 /// `name` is one of trainer_names().
 const Trainer& find_trainer(const std::string& name);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

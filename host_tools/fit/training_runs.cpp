@@ -8,13 +8,13 @@
 #include "recording/data_hash.hpp"
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
-std::optional<double> common_floor(const std::vector<RunInBlocks>& runs) {
+std::optional<double> common_floor(const std::vector<compare::RunInBlocks>& runs) {
   double square = 0;
   double length_s = 0;
-  for (const RunInBlocks& run : runs) {
+  for (const compare::RunInBlocks& run : runs) {
     if (!run.noise_floor_dph) continue;
     const double run_s = static_cast<double>(run.blocks.blocks.size()) * run.blocks.block_s;
     square += run_s * std::pow(*run.noise_floor_dph, 2);
@@ -26,24 +26,24 @@ std::optional<double> common_floor(const std::vector<RunInBlocks>& runs) {
 
 }  // namespace
 
-TrainingRuns read_training_runs(const std::vector<std::string>& files, const ReadOptions& options,
-                                double average_s) {
+TrainingRuns read_training_runs(const std::vector<std::string>& files,
+                                const recording::ReadOptions& options, double average_s) {
   TrainingRuns training;
   training.data_hash = fog::kCrc32Initial;
   double noise_square = 0;
-  KnownRows known;
+  recording::KnownRows known;
   for (const std::string& file : files) {
-    const Recording recording = read_recording(file, options);
-    RunInBlocks run = run_in_blocks(recording, average_s);
+    const recording::Recording recording = recording::read_recording(file, options);
+    compare::RunInBlocks run = compare::run_in_blocks(recording, average_s);
     const std::string same = known.file_with(run.rows_hash);
     if (!same.empty()) {
-      training.notes.push_back(same_rows_words(file, same));
+      training.notes.push_back(recording::same_rows_words(file, same));
       continue;
     }
     known.add(run.rows_hash, file);
     training.notes.insert(training.notes.end(), run.notes.begin(), run.notes.end());
-    training.data_hash = data_hash(recording, training.data_hash);
-    noise_square += std::pow(white_noise_dph_rthz(recording), 2);
+    training.data_hash = recording::data_hash(recording, training.data_hash);
+    noise_square += std::pow(noise::white_noise_dph_rthz(recording), 2);
     training.runs.push_back(std::move(run));
   }
   training.noise_dph_rthz = std::sqrt(noise_square / static_cast<double>(training.runs.size()));
@@ -51,14 +51,15 @@ TrainingRuns read_training_runs(const std::vector<std::string>& files, const Rea
   return training;
 }
 
-Holdouts read_holdouts(const std::vector<std::string>& files, const ReadOptions& options,
-                       double average_s, const std::vector<RunInBlocks>& training) {
-  KnownRows fitted;
-  for (const RunInBlocks& run : training) fitted.add(run.rows_hash, run.file);
-  KnownRows known;
+Holdouts read_holdouts(const std::vector<std::string>& files, const recording::ReadOptions& options,
+                       double average_s, const std::vector<compare::RunInBlocks>& training) {
+  recording::KnownRows fitted;
+  for (const compare::RunInBlocks& run : training) fitted.add(run.rows_hash, run.file);
+  recording::KnownRows known;
   Holdouts holdouts;
   for (const std::string& file : files) {
-    RunInBlocks run = run_in_blocks(read_recording(file, options), average_s);
+    compare::RunInBlocks run =
+        compare::run_in_blocks(recording::read_recording(file, options), average_s);
     const std::string same = fitted.file_with(run.rows_hash);
     if (!same.empty()) {
       throw InputError(file, "has the same rows as " + same +
@@ -66,7 +67,7 @@ Holdouts read_holdouts(const std::vector<std::string>& files, const ReadOptions&
     }
     const std::string twice = known.file_with(run.rows_hash);
     if (!twice.empty()) {
-      holdouts.notes.push_back(same_rows_words(file, twice));
+      holdouts.notes.push_back(recording::same_rows_words(file, twice));
       continue;
     }
     known.add(run.rows_hash, file);
@@ -76,4 +77,4 @@ Holdouts read_holdouts(const std::vector<std::string>& files, const ReadOptions&
   return holdouts;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -8,11 +8,11 @@
 #include "compare/run_in_blocks.hpp"
 #include "recording/recording.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// Recordings that a model is fitted to or judged by.
 struct TrainingRuns {
-  std::vector<RunInBlocks> runs;
+  std::vector<compare::RunInBlocks> runs;
   std::uint32_t data_hash = 0;  ///< CRC-32 of what a fit sees of them, in this order
   double noise_dph_rthz = 0;    ///< white noise density, rms of the runs'
   /// Of a row, rms of the runs' by their length; nothing where no run shows one.
@@ -24,15 +24,15 @@ struct TrainingRuns {
 /// Reads `files` one after another; of each only the blocks stay in memory. A file with the rows of
 /// one before it is left out. `average_s`: rows of the fit, seconds. Throws InputError as
 /// read_recording() does.
-TrainingRuns read_training_runs(const std::vector<std::string>& files, const ReadOptions& options,
-                                double average_s);
+TrainingRuns read_training_runs(const std::vector<std::string>& files,
+                                const recording::ReadOptions& options, double average_s);
 
 struct Holdouts {
-  std::vector<RunInBlocks> runs;
+  std::vector<compare::RunInBlocks> runs;
   std::vector<std::string> notes;  ///< as of the training runs
 };
 /// Reads the runs that judge what was fitted to `training`, in the same way. Throws InputError for
 /// one with the rows of a training run: what was fitted to them says nothing of others.
-Holdouts read_holdouts(const std::vector<std::string>& files, const ReadOptions& options,
-                       double average_s, const std::vector<RunInBlocks>& training);
-}  // namespace fogcomp
+Holdouts read_holdouts(const std::vector<std::string>& files, const recording::ReadOptions& options,
+                       double average_s, const std::vector<compare::RunInBlocks>& training);
+}  // namespace fogcomp::fit

@@ -11,7 +11,7 @@
 #include "support/least_squares.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 // What a column of a fit's matrix stands for.
@@ -21,11 +21,11 @@ struct Unknown {
   bool is_shape = false;
 };
 
-std::vector<Unknown> unknowns_of(const NoiseWeightedFit& fit, const Rows& rows) {
+std::vector<Unknown> unknowns_of(const NoiseWeightedFit& fit, const series::Rows& rows) {
   std::vector<Unknown> unknowns;
-  const std::vector<ColumnRange> columns = columns_of(fit.terms, rows.row_s);
+  const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
   for (std::size_t term = 0; term < fit.terms.size(); ++term) {
-    const TermInfo info = info_of(fit.terms[term]);
+    const model::TermInfo info = model::info_of(fit.terms[term]);
     for (Eigen::Index i = 0; i < columns[term].count; ++i) {
       unknowns.push_back({term, info.coefficients[static_cast<std::size_t>(i)].symbol, false});
     }
@@ -33,9 +33,9 @@ std::vector<Unknown> unknowns_of(const NoiseWeightedFit& fit, const Rows& rows) 
   for (auto i = static_cast<Eigen::Index>(unknowns.size()); i < fit.linear(); ++i) {
     unknowns.push_back({fit.terms.size(), "the offset of a recording", false});
   }
-  for (const ShapeParameter& shape : fit.shapes) {
+  for (const model::ShapeParameter& shape : fit.shapes) {
     unknowns.push_back(
-        {shape.term, info_of(fit.terms[shape.term]).parameters[shape.index].name, true});
+        {shape.term, model::info_of(fit.terms[shape.term]).parameters[shape.index].name, true});
   }
   return unknowns;
 }
@@ -51,7 +51,7 @@ std::string enumeration(const std::vector<std::string>& names) {
 }
 
 template <class Value>
-double span_of(const Rows& rows, const Value& value) {
+double span_of(const series::Rows& rows, const Value& value) {
   double least = value(rows.signals[0]);
   double most = least;
   for (const auto& signals : rows.signals) {
@@ -62,11 +62,12 @@ double span_of(const Rows& rows, const Value& value) {
 }
 
 // What the rows lack that a term feeds on; "" where nothing stands out.
-std::string known_reason(const EffectTerm& term, const Rows& rows) {
-  const fog::InputMask needs = info_of(term).needs;
-  for (const fog::Input input : kOptionalInputs) {
+std::string known_reason(const model::EffectTerm& term, const series::Rows& rows) {
+  const fog::InputMask needs = model::info_of(term).needs;
+  for (const fog::Input input : model::kOptionalInputs) {
     if (!has(needs, input)) continue;
-    if (span_of(rows, [&](const auto& s) { return optional_input(input, s.block); }) > 0) continue;
+    if (span_of(rows, [&](const auto& s) { return model::optional_input(input, s.block); }) > 0)
+      continue;
     return std::string(description_of(input).column) + " never changes";
   }
   if (has(needs, fog::Input::elapsed) &&
@@ -87,17 +88,18 @@ struct Blame {
   std::vector<std::string> made_of;  // of the first coefficient
 };
 
-std::string remedy(const EffectTerm& term, const Blame& blame) {
+std::string remedy(const model::EffectTerm& term, const Blame& blame) {
   if (term.expression) {
     return blame.shapes.empty()
                ? "leave the expression out"
                : "narrow the bounds, write a value instead or leave the expression out";
   }
-  const auto& parameters = find_effect(term.name).parameters;
+  const auto& parameters = model::find_effect(term.name).parameters;
   const bool all_optional =
       std::all_of(parameters.begin(), parameters.end(), [&](const auto& parameter) {
-        return is_optional_part(parameter) || std::find(blame.shapes.begin(), blame.shapes.end(),
-                                                        parameter.name) == blame.shapes.end();
+        return model::is_optional_part(parameter) ||
+               std::find(blame.shapes.begin(), blame.shapes.end(), parameter.name) ==
+                   blame.shapes.end();
       });
   if (!blame.shapes.empty() && all_optional) return "leave " + enumeration(blame.shapes) + " out";
   if (!blame.shapes.empty()) {
@@ -110,7 +112,7 @@ std::string remedy(const EffectTerm& term, const Blame& blame) {
   return has_order ? "lower its order or leave the effect out" : "leave the effect out";
 }
 
-std::map<std::size_t, Blame> blames_of(const NoiseWeightedFit& fit, const Rows& rows) {
+std::map<std::size_t, Blame> blames_of(const NoiseWeightedFit& fit, const series::Rows& rows) {
   const std::vector<Unknown> unknowns = unknowns_of(fit, rows);
   std::map<std::size_t, Blame> blames;
   for (const DependentColumn& dependent : dependent_columns(fit.whitened)) {
@@ -132,14 +134,14 @@ bool is_determined(const NoiseWeightedFit& fit) {
   return fit.covariance.size() > 0 && fit.covariance.allFinite();
 }
 
-void refuse_undetermined(const NoiseWeightedFit& fit, const Rows& rows) {
+void refuse_undetermined(const NoiseWeightedFit& fit, const series::Rows& rows) {
   const std::map<std::size_t, Blame> blames = blames_of(fit, rows);
   const auto& [first, blame] = *blames.begin();
   if (first >= fit.terms.size()) {
     throw InputError("--run-offsets", "these recordings do not determine " +
                                           enumeration(blame.coefficients) + "; leave it out");
   }
-  const EffectTerm& term = fit.terms[first];
+  const model::EffectTerm& term = fit.terms[first];
   std::vector<std::string> names = blame.coefficients;
   names.insert(names.end(), blame.shapes.begin(), blame.shapes.end());
   std::string text = "these recordings do not determine " + enumeration(names);
@@ -162,4 +164,4 @@ void refuse_undetermined(const NoiseWeightedFit& fit, const Rows& rows) {
   throw InputError(where, text + "; " + remedy(term, blame));
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

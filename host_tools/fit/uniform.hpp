@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <random>
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// Random numbers of the trainers: the same on every standard library, whose distributions differ.
 class Uniform {
@@ -24,4 +24,4 @@ class Uniform {
   std::mt19937_64 bits_;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -8,7 +8,7 @@
 #include "noise/whitening.hpp"
 #include "support/least_squares.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
   constexpr double kVisibleMode = 1e-9;
@@ -28,10 +28,10 @@ WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
 }
 
 WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
-                    const std::vector<NoiseModel::Walk>& walks) {
+                    const std::vector<noise::NoiseModel::Walk>& walks) {
   WalkRival best{0, 0, space};
   const double each = -std::log(std::max<double>(1, static_cast<double>(walks.size())));
-  for (const NoiseModel::Walk& walk : walks) {
+  for (const noise::NoiseModel::Walk& walk : walks) {
     if (walk.log_odds < rules::kWalkRuledOut) continue;
     const ExplainedSpace::WithNoise with =
         space.with_noise(modes.columns, std::pow(walk.coefficient, 2) * modes.square);
@@ -55,7 +55,7 @@ namespace {
 
 // Orthonormal directions of whitened columns that `basis` cannot do itself.
 Eigen::MatrixXd what_is_new(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis,
-                            const Whitening& whitening) {
+                            const noise::Whitening& whitening) {
   const Eigen::MatrixXd white = whitening.apply(columns);
   const Eigen::MatrixXd left = white - basis * (basis.transpose() * white).eval();
   std::vector<Eigen::MatrixXd> seen;
@@ -67,18 +67,18 @@ Eigen::MatrixXd what_is_new(const Eigen::MatrixXd& columns, const Eigen::MatrixX
 
 }  // namespace
 
-double chance_of_walk(const Rows& rows, const NoiseModel& noise, const Eigen::VectorXd& row_weights,
-                      const Eigen::MatrixXd& before, const Eigen::MatrixXd& added,
-                      const Eigen::VectorXd& measured) {
-  const Whitening whitening(noise, rows, row_weights);
+double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
+                      const Eigen::VectorXd& row_weights, const Eigen::MatrixXd& before,
+                      const Eigen::MatrixXd& added, const Eigen::VectorXd& measured) {
+  const noise::Whitening whitening(noise, rows, row_weights);
   const Eigen::MatrixXd basis = orthonormal(whitening.apply(before));
   const auto without_model = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
     const Eigen::MatrixXd white = whitening.apply(columns);
     return white - basis * (basis.transpose() * white).eval();
   };
   ExplainedSpace space(without_model(measured));
-  const ColumnRange effect = space.add(what_is_new(added, basis, whitening));
-  const WalkModes modes = add_walk(space, without_model(random_walk_modes(rows)));
+  const series::ColumnRange effect = space.add(what_is_new(added, basis, whitening));
+  const WalkModes modes = add_walk(space, without_model(noise::random_walk_modes(rows)));
   space.finish();
   const WalkRival rival = find_walk(space, modes, noise.walks);
   const auto columns = static_cast<double>(effect.count);
@@ -86,4 +86,4 @@ double chance_of_walk(const Rows& rows, const NoiseModel& noise, const Eigen::Ve
                         {{log_evidence(rival.space.gain({effect}), columns), 0}});
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -5,7 +5,7 @@
 #include "fit/explained_space.hpp"
 #include "noise/noise_model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 
 /// A random walk of the bias as the reason for what a model leaves: no effect at all.
 struct WalkRival {
@@ -16,7 +16,7 @@ struct WalkRival {
 
 /// Where the modes of a random walk lie in a space, made one long there.
 struct WalkModes {
-  ColumnRange columns;
+  series::ColumnRange columns;
   Eigen::VectorXd square;  ///< of their own lengths
 };
 /// `modes`: random_walk_modes(), whitened and without the model. Modes that the model can do itself
@@ -27,7 +27,7 @@ WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes);
 /// walk is as likely as none, and each of `walks` as the others; what the quiet parts rule out is
 /// none.
 WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
-                    const std::vector<NoiseModel::Walk>& walks);
+                    const std::vector<noise::NoiseModel::Walk>& walks);
 
 /// Effects that explain something of what is left.
 struct Explanatory {
@@ -42,8 +42,8 @@ double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& al
 
 /// The same for columns that are added to a linear model, on rows x any that are whitened with
 /// `noise` and `row_weights`. `before`, `added` and `measured`: not whitened.
-double chance_of_walk(const Rows& rows, const NoiseModel& noise, const Eigen::VectorXd& row_weights,
-                      const Eigen::MatrixXd& before, const Eigen::MatrixXd& added,
-                      const Eigen::VectorXd& measured);
+double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
+                      const Eigen::VectorXd& row_weights, const Eigen::MatrixXd& before,
+                      const Eigen::MatrixXd& added, const Eigen::VectorXd& measured);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

@@ -7,7 +7,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 namespace {
 
 template <template <class> class Effect>
@@ -175,4 +175,4 @@ std::vector<std::string> effect_names() {
   return names;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -8,7 +8,7 @@
 #include "model/model.hpp"
 #include "model/real_effect.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// What the host knows of an effect, read off its header in the core.
 struct CatalogueEntry {
@@ -83,4 +83,4 @@ bool is_event(const EffectTerm& term);
 /// Names of all effects.
 std::vector<std::string> effect_names();
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fogcomp {
+namespace fogcomp::model {
 namespace {
 
 // Where the board's format ends, so that what is fitted there is what the board does there.
@@ -83,4 +83,4 @@ void RealDriftModel::evaluate() {
   network_dph_ = model_.network.drift_dph(network_signals_.step(signals_));
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

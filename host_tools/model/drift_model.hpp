@@ -8,7 +8,7 @@
 #include "model/catalogue.hpp"
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// What a model sees of one block.
 using RealBlock = fog::BlockMeans<RealNumbers>;
@@ -65,4 +65,4 @@ class RealDriftModel {
   double network_dph_ = 0;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

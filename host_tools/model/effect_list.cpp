@@ -7,7 +7,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 namespace {
 
 std::string trimmed(const std::string& text) {
@@ -180,4 +180,4 @@ std::vector<EffectTerm> parse_effects(const std::string& list) {
   return terms;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -5,7 +5,7 @@
 
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// What a first fit of a gyro is proposed to have, as for parse_effects().
 inline constexpr const char* kFirstEffects = "bias,bias_temperature:order=2,temperature_rate";
@@ -26,4 +26,4 @@ std::vector<EffectTerm> grown_terms(const EffectTerm& own);
 /// that one of the terms has.
 void add_expression(std::vector<EffectTerm>& terms, const std::string& definition);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -8,7 +8,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 namespace {
 
 struct FunctionName {
@@ -375,4 +375,4 @@ Expression parse_expression(const std::string& definition) {
   return Parser(definition).definition();
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

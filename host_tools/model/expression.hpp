@@ -7,7 +7,7 @@
 
 #include "core/signal/inputs.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// What a node computes.
 enum class NodeKind : std::uint8_t {
@@ -72,4 +72,4 @@ struct Expression {
 /// the column, counted from 1 at the beginning of `definition`.
 Expression parse_expression(const std::string& definition);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -5,7 +5,7 @@
 
 #include "model/input_value.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 ExpressionEffect::ExpressionEffect(ExpressionTerm term, const std::vector<double>& parameters,
                                    double block_s)
@@ -38,4 +38,4 @@ double ExpressionEffect::evaluate(const fog::Signals<RealNumbers>& signals, bool
   return std::ldexp(values_.back(), -term_.scale_log2);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -11,7 +11,7 @@
 #include "model/expression.hpp"
 #include "model/real_effect.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 struct SignalRange {
   double least = -std::numeric_limits<double>::infinity();
@@ -49,4 +49,4 @@ class ExpressionEffect : public RealEffect {
   std::vector<double> states_;  // of lags and plays, at their node
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -5,7 +5,7 @@
 #include "core/thermal/signals.hpp"
 #include "model/real_numbers.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// An input's value in its unit; blocks are `block_s` long.
 inline double value_of(fog::Input input, const fog::Signals<RealNumbers>& signals, double block_s) {
@@ -27,4 +27,4 @@ inline double optional_input(fog::Input input, const fog::BlockMeans<RealNumbers
   return input == fog::Input::input_rate ? means.input_rate : means[input];
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

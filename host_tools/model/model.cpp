@@ -6,7 +6,7 @@
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 std::optional<double> HistoryEntry::excess_removed() const {
   if (!noise_floor_dph) return std::nullopt;
@@ -61,4 +61,4 @@ std::string describe(const Model& model) {
   return text;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

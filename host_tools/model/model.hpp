@@ -12,7 +12,7 @@
 #include "model/network.hpp"
 #include "recording/board_limits.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// Where a fit looks for a shape parameter.
 struct ShapeBounds {
@@ -88,10 +88,10 @@ struct Model {
   RealNetwork network;
   DenoiseSettings denoise;
 
-  double scale_factor = 0;      ///< counts per deg/s of the board's sensor stream
-  GyroLimits limits{};          ///< by which the board judges the rate
-  double derivative_tau_s = 0;  ///< of each of the two lags behind dT/dt
-  double least_degc = 0;        ///< trained range; the board clamps to it
+  double scale_factor = 0;         ///< counts per deg/s of the board's sensor stream
+  recording::GyroLimits limits{};  ///< by which the board judges the rate
+  double derivative_tau_s = 0;     ///< of each of the two lags behind dT/dt
+  double least_degc = 0;           ///< trained range; the board clamps to it
   double most_degc = 0;
   /// What else the training data covered, for warnings; files from before these were kept have
   /// none.
@@ -119,4 +119,4 @@ double natural_coefficient(const EffectTerm& term, std::size_t index);
 /// The drift as an equation that an engineer reads, a line per effect.
 std::string describe(const Model& model);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

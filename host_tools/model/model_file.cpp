@@ -15,7 +15,7 @@
 #include "support/output_file.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 namespace {
 
 constexpr const char* kHistory = "history";
@@ -284,8 +284,8 @@ using LineReader = void (*)(ModelReader&, Model&);
 const std::map<std::string, LineReader> kLines{
     // As the options of these names take them.
     {"scale_factor", [](ModelReader& in, Model& m) { m.scale_factor = in.number(1e-6, 1e15); }},
-    {"range_dps",
-     [](ModelReader& in, Model& m) { m.limits.range_dps = in.number(1e-3, kMaxRangeDps); }},
+    {"range_dps", [](ModelReader& in,
+                     Model& m) { m.limits.range_dps = in.number(1e-3, recording::kMaxRangeDps); }},
     {"max_acceleration_dps2",
      [](ModelReader& in, Model& m) { m.limits.max_acceleration_dps2 = in.number(1e-3, 1e9); }},
     {"derivative_tau_s",
@@ -414,4 +414,4 @@ Model load_model(const std::string& path) {
   return parse_model(read_file(path), path);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

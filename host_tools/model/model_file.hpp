@@ -4,7 +4,7 @@
 
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// What a model file holds at most, deg/h: beyond any drift, and far from where sums and products
 /// stop being finite. Recordings hold rates up to 1e9 deg/h; coefficients of terms that nearly
@@ -25,4 +25,4 @@ bool looks_like_model(const std::string& text);
 void save_model(const Model& model, const std::string& path);
 Model load_model(const std::string& path);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -13,7 +13,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// Writes a model file: words separated by spaces, lines that begin with a keyword.
 class ModelWriter {
@@ -124,4 +124,4 @@ class ModelReader {
   std::size_t position_ = 0;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

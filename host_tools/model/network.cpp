@@ -5,7 +5,7 @@
 
 #include "model/input_value.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 double activate(fog::Activation activation, double x) {
   switch (activation) {
@@ -89,4 +89,4 @@ double RealNetwork::drift_dph(const Eigen::VectorXd& values) const {
   return centre_dph + amplitude_dph * run(output, run(hidden, normalised(values)))[0];
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -10,7 +10,7 @@
 #include "core/thermal/signals.hpp"
 #include "model/real_numbers.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// A signal that the network sees, and its min-max normalisation: (x - centre) / half_range,
 /// clipped to +-1. In the input's unit (kInputTable).
@@ -74,4 +74,4 @@ inline constexpr auto kEveryNetworkInput = [] {
 }();
 std::vector<std::string> network_input_names();
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -5,7 +5,7 @@
 #include "core/thermal/signals.hpp"
 #include "model/real_numbers.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// A term of the drift running in double, for identification: an effect of the firmware's registry
 /// or an expression.
@@ -18,4 +18,4 @@ class RealEffect {
   virtual void step(const fog::Signals<RealNumbers>& signals, double* regressors) = 0;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// The effects' number types on the host: double throughout. See fog::BoardNumbers.
 struct RealNumbers {
@@ -45,4 +45,4 @@ struct RealNumbers {
   static double decay(double blocks_per_tau) { return share(-std::expm1(-blocks_per_tau)); }
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -6,7 +6,7 @@
 #include "model/shape_parameter.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 namespace {
 
 constexpr double kAtBound = 1e-3;  // of the range: ten of the search's difference steps
@@ -54,4 +54,4 @@ std::string coefficient_doubt(const EffectTerm& term) {
   return "`" + term.name + "`: none of its coefficients is larger than its uncertainty";
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

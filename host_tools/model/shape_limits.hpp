@@ -5,7 +5,7 @@
 
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// A shape parameter of a term about which the data said too little.
 struct ShapeDoubt {
@@ -22,4 +22,4 @@ std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term);
 /// "" where one is.
 std::string coefficient_doubt(const EffectTerm& term);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

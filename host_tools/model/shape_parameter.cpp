@@ -5,7 +5,7 @@
 
 #include "model/catalogue.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 double ShapeParameter::to_unit(double value) const {
   switch (scale) {
@@ -63,4 +63,4 @@ std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& term
   return parameters;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

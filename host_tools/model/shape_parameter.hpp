@@ -5,7 +5,7 @@
 #include "core/effects/effect.hpp"
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 
 /// A shape parameter that a fit may move.
 struct ShapeParameter {
@@ -24,4 +24,4 @@ struct ShapeParameter {
 
 std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& terms);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::model

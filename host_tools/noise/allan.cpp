@@ -6,7 +6,7 @@
 
 #include "noise/decision_rules.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 // Independent partial sums: the additions of one do not wait for those of another.
@@ -32,7 +32,8 @@ double sum_of_squared_differences(const double* c, std::size_t m, std::size_t co
 }
 
 // Less the mean, which the deviation does not see, so that the sum stays small and exact.
-void cumulate(const std::vector<double>& values, RowRange range, std::vector<double>& c) {
+void cumulate(const std::vector<double>& values, recording::RowRange range,
+              std::vector<double>& c) {
   const auto first = values.begin() + static_cast<std::ptrdiff_t>(range.first);
   const auto end = values.begin() + static_cast<std::ptrdiff_t>(range.end);
   double total = 0;
@@ -74,15 +75,16 @@ void accumulate(const std::vector<double>& c, std::vector<Octave>& octaves) {
 }  // namespace
 
 std::vector<AllanPoint> allan_deviation(const std::vector<double>& values,
-                                        const std::vector<RowRange>& ranges, double period_s) {
+                                        const std::vector<recording::RowRange>& ranges,
+                                        double period_s) {
   std::size_t longest = 0;
-  for (const RowRange& range : ranges) longest = std::max(longest, range.size());
+  for (const recording::RowRange& range : ranges) longest = std::max(longest, range.size());
   std::vector<Octave> octaves;
   while ((std::size_t{2} << octaves.size()) <= longest) octaves.emplace_back();
 
   std::vector<double> c;
   c.reserve(longest + 1);
-  for (const RowRange& range : ranges) {
+  for (const recording::RowRange& range : ranges) {
     if (range.size() < 2) continue;
     cumulate(values, range, c);
     accumulate(c, octaves);
@@ -103,15 +105,15 @@ std::vector<AllanPoint> allan_deviation(const std::vector<double>& values,
   return points;
 }
 
-std::vector<RowRange> soak_ranges(const Recording& recording,
-                                  const std::vector<Segment>& segments) {
-  std::vector<RowRange> ranges;
-  for (const Segment& segment : segments) {
-    if (segment.kind != SegmentKind::soak) continue;
-    const auto parts = stretches_of(recording, segment.rows);
+std::vector<recording::RowRange> soak_ranges(const recording::Recording& recording,
+                                             const std::vector<recording::Segment>& segments) {
+  std::vector<recording::RowRange> ranges;
+  for (const recording::Segment& segment : segments) {
+    if (segment.kind != recording::SegmentKind::soak) continue;
+    const auto parts = recording::stretches_of(recording, segment.rows);
     ranges.insert(ranges.end(), parts.begin(), parts.end());
   }
   return ranges;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -6,7 +6,7 @@
 #include "recording/recording.hpp"
 #include "recording/segments.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 
 /// One averaging time of an Allan deviation.
 struct AllanPoint {
@@ -26,9 +26,11 @@ struct AllanPoint {
 /// pooled over `ranges`: the sums and the counts M are added, so that no average crosses their
 /// ends. Exact at every octave (nothing is decimated); O(N) for each, 8 bytes a sample of memory.
 std::vector<AllanPoint> allan_deviation(const std::vector<double>& values,
-                                        const std::vector<RowRange>& ranges, double period_s);
+                                        const std::vector<recording::RowRange>& ranges,
+                                        double period_s);
 
 /// The stretches of all soaks: where alone a gyro's Allan deviation means its noise.
-std::vector<RowRange> soak_ranges(const Recording& recording, const std::vector<Segment>& segments);
+std::vector<recording::RowRange> soak_ranges(const recording::Recording& recording,
+                                             const std::vector<recording::Segment>& segments);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

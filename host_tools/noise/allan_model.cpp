@@ -5,7 +5,7 @@
 
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 using Eigen::Index;
@@ -103,4 +103,4 @@ MatrixXd AllanModel::covariance_of_ramp(const VectorXd& squares) const {
   return result;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -5,7 +5,7 @@
 
 #include "noise/allan.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 
 /// What the noise terms of IEEE Std 952 predict for the points of one Allan deviation: their values
 /// and how they scatter together. Times are in hours, so that the coefficients come out in the
@@ -38,4 +38,4 @@ class AllanModel {
                               // root of the row's bandwidth
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

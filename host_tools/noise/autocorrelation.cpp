@@ -4,7 +4,7 @@
 
 #include "noise/decision_rules.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 std::vector<double> centred(const std::vector<double>& values) {
@@ -23,10 +23,10 @@ double mean_square(const std::vector<double>& values) {
 }
 
 double correlation(const std::vector<double>& centred_values, double variance,
-                   const std::vector<RowRange>& stretches, std::size_t lag) {
+                   const std::vector<recording::RowRange>& stretches, std::size_t lag) {
   double sum = 0;
   double pairs = 0;
-  for (const RowRange& stretch : stretches) {
+  for (const recording::RowRange& stretch : stretches) {
     for (std::size_t i = stretch.first; i + lag < stretch.end; ++i) {
       sum += centred_values[i] * centred_values[i + lag];
       ++pairs;
@@ -37,14 +37,14 @@ double correlation(const std::vector<double>& centred_values, double variance,
 
 }  // namespace
 
-double autocorrelation(const std::vector<double>& values, const std::vector<RowRange>& stretches,
-                       std::size_t lag) {
+double autocorrelation(const std::vector<double>& values,
+                       const std::vector<recording::RowRange>& stretches, std::size_t lag) {
   const std::vector<double> around = centred(values);
   return correlation(around, mean_square(around), stretches, lag);
 }
 
 double correlated_values(const std::vector<double>& values,
-                         const std::vector<RowRange>& stretches) {
+                         const std::vector<recording::RowRange>& stretches) {
   const std::vector<double> around = centred(values);
   const double variance = mean_square(around);
   double together = 1;
@@ -57,4 +57,4 @@ double correlated_values(const std::vector<double>& values,
   return std::max(1.0, together);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -7,7 +7,7 @@
 #include "support/least_squares.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 // First row and end of each recording, as Eigen counts.
@@ -15,15 +15,15 @@ struct Run {
   Eigen::Index first;
   Eigen::Index end;
 };
-std::vector<Run> runs_of(const Rows& rows) {
+std::vector<Run> runs_of(const series::Rows& rows) {
   std::vector<Run> runs;
-  for (const RowRange& run : rows.runs()) {
+  for (const recording::RowRange& run : rows.runs()) {
     runs.push_back({static_cast<Eigen::Index>(run.first), static_cast<Eigen::Index>(run.end)});
   }
   return runs;
 }
 
-double time_before(const Rows& rows, Eigen::Index row) {
+double time_before(const series::Rows& rows, Eigen::Index row) {
   const auto at = static_cast<std::size_t>(row);
   return (rows.time_s[at - 1] + rows.time_s[at]) / 2;
 }
@@ -37,7 +37,7 @@ struct Steps {
   double freedom = 1;          // of what is left beside the step
 };
 
-Steps steps_of(const Whitening& whitening, const Rows& rows,
+Steps steps_of(const Whitening& whitening, const series::Rows& rows,
                const Eigen::VectorXd& whitened_residual, const Eigen::MatrixXd& whitened_columns) {
   const Eigen::MatrixXd model = orthonormal(whitened_columns);
   Steps steps;
@@ -61,7 +61,7 @@ Steps steps_of(const Whitening& whitening, const Rows& rows,
 
 // Sets where a step may lie and how well its time is known. Each place around the best has the
 // probability exp(chi^2 / 2) that a normal likelihood gives it.
-void set_place(const Rows& rows, const Eigen::VectorXd& chi_square, ChangePoint& found) {
+void set_place(const series::Rows& rows, const Eigen::VectorXd& chi_square, ChangePoint& found) {
   const double unit = std::max(1.0, found.chi_square_left);
   double total = 0;
   double mean_s = 0;
@@ -87,7 +87,7 @@ void set_place(const Rows& rows, const Eigen::VectorXd& chi_square, ChangePoint&
 
 }  // namespace
 
-std::optional<ChangePoint> find_change_point(const Whitening& whitening, const Rows& rows,
+std::optional<ChangePoint> find_change_point(const Whitening& whitening, const series::Rows& rows,
                                              const Eigen::VectorXd& whitened_residual,
                                              const Eigen::MatrixXd& whitened_columns) {
   const Steps steps = steps_of(whitening, rows, whitened_residual, whitened_columns);
@@ -101,7 +101,7 @@ std::optional<ChangePoint> find_change_point(const Whitening& whitening, const R
   return found;
 }
 
-Eigen::MatrixXd slow_columns(const Rows& rows, double half_period_s) {
+Eigen::MatrixXd slow_columns(const series::Rows& rows, double half_period_s) {
   Eigen::MatrixXd columns(rows.size(), 0);
   for (const Run& run : runs_of(rows)) {
     const double start_s = rows.time_s[static_cast<std::size_t>(run.first)];
@@ -120,4 +120,4 @@ Eigen::MatrixXd slow_columns(const Rows& rows, double half_period_s) {
   return columns;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -6,7 +6,7 @@
 #include "noise/whitening.hpp"
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 
 /// A jump of the residual between two rows of one recording, which stays to that recording's end.
 struct ChangePoint {
@@ -27,12 +27,12 @@ struct ChangePoint {
 /// with the jump (projected out). Both whitened by `whitening`, whose rows are `rows`; rows of
 /// weight 0 in it are passed over. Whether a jump is worth believing is the caller's to say: of
 /// flicker noise alone the best has a chi^2 of 10 to 30.
-std::optional<ChangePoint> find_change_point(const Whitening& whitening, const Rows& rows,
+std::optional<ChangePoint> find_change_point(const Whitening& whitening, const series::Rows& rows,
                                              const Eigen::VectorXd& whitened_residual,
                                              const Eigen::MatrixXd& whitened_columns);
 
 /// Cosines over each recording, down to this half period: rows x any, 0 outside their recording.
 /// Among the columns they keep slow drift that the model lacks from passing for jumps.
-Eigen::MatrixXd slow_columns(const Rows& rows, double half_period_s);
+Eigen::MatrixXd slow_columns(const series::Rows& rows, double half_period_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

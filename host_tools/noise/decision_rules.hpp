@@ -8,7 +8,7 @@
 /// comes from, and what looks at the decision (a test of tests/unit/noise unless a folder is named;
 /// not all fail at twice the number). Numbers that only lay out a search or bound its cost stand
 /// where they are used.
-namespace fogcomp::rules {
+namespace fogcomp::noise::rules {
 
 // ---- Allan deviation and its coefficients -----------------------------------------------------
 /// Neighbouring pairs behind a point: one pair has no scatter. allan_test.
@@ -125,4 +125,4 @@ constexpr double kUndeterminedStep = 1e-6;
 /// scatter of further ones would enter. autocorrelation_test.
 constexpr double kCorrelationWindow = 5;
 
-}  // namespace fogcomp::rules
+}  // namespace fogcomp::noise::rules

@@ -8,7 +8,7 @@
 #include "noise/decision_rules.hpp"
 #include "support/median.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 // A row that stands far out of both its neighbours has the one nearer to it: it would be a jump.
@@ -114,4 +114,4 @@ std::vector<Eigen::VectorXd> parted_at_jumps(const std::vector<Eigen::VectorXd>&
   return parts;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -9,7 +9,7 @@
 #include "noise/decision_rules.hpp"
 #include "support/decompositions.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 using Eigen::Index;
@@ -153,4 +153,4 @@ NoiseCoefficients fit_noise_coefficients(const std::vector<AllanPoint>& allan) {
           agreed(fits, AllanModel::kRamp)};
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

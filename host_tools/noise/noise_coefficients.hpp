@@ -5,7 +5,7 @@
 
 #include "noise/allan.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 
 /// A coefficient of IEEE Std 952 Annex C and the half width of its 95 % confidence interval.
 struct NoiseCoefficient {
@@ -31,4 +31,4 @@ struct NoiseCoefficients {
 /// two terms that could stand for each other are both absent rather than wrong.
 NoiseCoefficients fit_noise_coefficients(const std::vector<AllanPoint>& allan);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

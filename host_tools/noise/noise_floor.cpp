@@ -10,14 +10,15 @@
 #include "series/complete_rows.hpp"
 #include "support/median.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 constexpr std::size_t kMeans = 3;  // in one difference
 
-std::size_t count_differences(const std::vector<RowRange>& stretches, std::size_t samples) {
+std::size_t count_differences(const std::vector<recording::RowRange>& stretches,
+                              std::size_t samples) {
   std::size_t count = 0;
-  for (const RowRange& stretch : stretches) {
+  for (const recording::RowRange& stretch : stretches) {
     const std::size_t means = stretch.size() / samples;
     if (means >= kMeans) count += means - kMeans + 1;
   }
@@ -26,14 +27,14 @@ std::size_t count_differences(const std::vector<RowRange>& stretches, std::size_
 
 // Second differences of means over so many samples, scaled to the noise of one mean.
 std::vector<double> scaled_differences(const std::vector<double>& bias,
-                                       const std::vector<RowRange>& stretches,
+                                       const std::vector<recording::RowRange>& stretches,
                                        std::size_t samples) {
   constexpr std::size_t kStartsPerMean = 8;
   const std::size_t step = std::max<std::size_t>(1, samples / kStartsPerMean);
   const double scale = 1 / (std::sqrt(6.0) * static_cast<double>(samples));
   std::vector<double> differences;
   std::vector<double> sums;
-  for (const RowRange& stretch : stretches) {
+  for (const recording::RowRange& stretch : stretches) {
     sums.clear();
     sums.reserve(stretch.size() + 1);
     sums.push_back(0);
@@ -75,15 +76,17 @@ double robust_deviation(const std::vector<double>& values) {
 
 }  // namespace
 
-std::optional<double> noise_floor_dph(const Recording& recording, double average_s) {
-  const std::vector<RowRange> stretches = stretches_of(recording, {0, recording.rows()});
-  const std::size_t wanted = samples_per_row(recording, average_s);
+std::optional<double> noise_floor_dph(const recording::Recording& recording, double average_s) {
+  const std::vector<recording::RowRange> stretches =
+      recording::stretches_of(recording, {0, recording.rows()});
+  const std::size_t wanted = series::samples_per_row(recording, average_s);
   std::size_t samples = wanted;
   while (samples > 1 && count_differences(stretches, samples) < rules::kMinFloorDifferences)
     samples /= 2;
   if (count_differences(stretches, samples) == 0) return std::nullopt;
   const double white = std::sqrt(static_cast<double>(samples) / static_cast<double>(wanted));
-  return white * robust_deviation(scaled_differences(bias_dph(recording), stretches, samples));
+  return white *
+         robust_deviation(scaled_differences(recording::bias_dph(recording), stretches, samples));
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

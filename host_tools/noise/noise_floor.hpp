@@ -4,7 +4,7 @@
 
 #include "recording/recording.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 
 /// Standard deviation, in deg/h, of what no drift model can remove from a mean over `average_s`,
 /// from the recording alone: its Hadamard deviation at that time,
@@ -19,6 +19,6 @@ namespace fogcomp {
 ///
 /// A recording of fewer than 30 means is judged by shorter ones, taking the noise between for
 /// white. Nothing for fewer than 3 rows without a gap.
-std::optional<double> noise_floor_dph(const Recording& recording, double average_s);
+std::optional<double> noise_floor_dph(const recording::Recording& recording, double average_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

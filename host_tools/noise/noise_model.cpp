@@ -13,7 +13,7 @@
 #include "support/periodogram.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 constexpr double kLadderStep = 4;  // between neighbouring time constants
@@ -264,4 +264,4 @@ NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s, double 
   return noise;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace fogcomp {
+namespace fogcomp::noise {
 
 /// Mean power of the quiet parts over bands of frequency, relative to white noise.
 struct QuietSpectrum {
@@ -69,4 +69,4 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
 /// `run_s`: length of the longest recording.
 NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s, double run_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

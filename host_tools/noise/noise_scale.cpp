@@ -7,7 +7,7 @@
 #include "noise/decision_rules.hpp"
 #include "support/median.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 // By simulation: variance of ln of the median distance in a window of n rows, times n, of normal
@@ -16,10 +16,10 @@ constexpr double kSamplingVariance = 2.2;
 
 // Distance of each row from the middle between its neighbours, in the noise of a full row; 0 at
 // ends and gaps. A slope, however steep, does not enter.
-Eigen::VectorXd distances(const Rows& rows, const Eigen::VectorXd& residual,
+Eigen::VectorXd distances(const series::Rows& rows, const Eigen::VectorXd& residual,
                           const Eigen::VectorXd& counted) {
   Eigen::VectorXd distance = Eigen::VectorXd::Zero(residual.size());
-  for (const RowRange& run : rows.runs()) {
+  for (const recording::RowRange& run : rows.runs()) {
     for (std::size_t row = run.first + 1; row + 1 < run.end; ++row) {
       const auto at = static_cast<Eigen::Index>(row);
       const bool all = counted[at - 1] > 0 && counted[at] > 0 && counted[at + 1] > 0;
@@ -33,17 +33,17 @@ Eigen::VectorXd distances(const Rows& rows, const Eigen::VectorXd& residual,
 
 // Natural logarithm of each window's noise; windows lie in one recording each.
 struct Windows {
-  std::vector<RowRange> ranges;
+  std::vector<recording::RowRange> ranges;
   std::vector<double> log_sigma;
 };
 
-Windows windows_of(const Rows& rows, const Eigen::VectorXd& distance) {
+Windows windows_of(const series::Rows& rows, const Eigen::VectorXd& distance) {
   Windows windows;
-  for (const RowRange& run : rows.runs()) {
+  for (const recording::RowRange& run : rows.runs()) {
     const std::size_t count = std::max<std::size_t>(1, run.size() / rules::kScaleWindow);
     for (std::size_t i = 0; i < count; ++i) {
-      const RowRange range{run.first + i * run.size() / count,
-                           run.first + (i + 1) * run.size() / count};
+      const recording::RowRange range{run.first + i * run.size() / count,
+                                      run.first + (i + 1) * run.size() / count};
       const auto first = distance.begin() + static_cast<std::ptrdiff_t>(range.first);
       const double sigma =
           sigma_by_median({first, first + static_cast<std::ptrdiff_t>(range.size())});
@@ -76,7 +76,7 @@ double share_beyond_chance(const Windows& windows, double typical) {
 
 }  // namespace
 
-Eigen::VectorXd noise_scale(const Rows& rows, const Eigen::VectorXd& residual,
+Eigen::VectorXd noise_scale(const series::Rows& rows, const Eigen::VectorXd& residual,
                             const Eigen::VectorXd& counted) {
   const Windows windows = windows_of(rows, distances(rows, residual, counted));
   std::vector<double> known;
@@ -89,11 +89,11 @@ Eigen::VectorXd noise_scale(const Rows& rows, const Eigen::VectorXd& residual,
   const double share = share_beyond_chance(windows, typical);
   for (std::size_t i = 0; i < windows.ranges.size(); ++i) {
     if (!std::isfinite(windows.log_sigma[i])) continue;
-    const RowRange& range = windows.ranges[i];
+    const recording::RowRange& range = windows.ranges[i];
     scale.segment(static_cast<Eigen::Index>(range.first), static_cast<Eigen::Index>(range.size()))
         .setConstant(std::exp(share * (windows.log_sigma[i] - typical)));
   }
   return scale;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

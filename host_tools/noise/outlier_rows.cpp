@@ -10,7 +10,7 @@
 #include "support/median.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 // The value that a part of `sizes` lies below, 0..1.
@@ -83,7 +83,7 @@ class OutlierSearch {
       if (*most > *least) inputs_.push_back({&input, rules::kSameInput * (*most - *least)});
     }
     std::vector<double> bends;
-    for (const RowRange& stretch : rows.stretches) {
+    for (const recording::RowRange& stretch : rows.stretches) {
       for (std::size_t i = stretch.first + 1; i + 1 < stretch.end; ++i) bends.push_back(bend(i));
     }
     sigma_ = sigma_of_bends(std::move(bends));
@@ -95,7 +95,7 @@ class OutlierSearch {
     if (sigma_ == 0) return outlier_;
     for (std::size_t round = 0; round <= rules::kNeighbours; ++round) {
       std::vector<std::size_t> found;
-      for (const RowRange& stretch : rows_.stretches) {
+      for (const recording::RowRange& stretch : rows_.stretches) {
         for (std::size_t i = stretch.first; i < stretch.end; ++i) {
           if (!outlier_[i] && stands_out(i, stretch)) found.push_back(i);
         }
@@ -122,7 +122,7 @@ class OutlierSearch {
     });
   }
 
-  Side side_of(std::size_t row, const RowRange& stretch, std::ptrdiff_t step) const {
+  Side side_of(std::size_t row, const recording::RowRange& stretch, std::ptrdiff_t step) const {
     Side side;
     const std::size_t available = step < 0 ? row - stretch.first : stretch.end - 1 - row;
     for (std::size_t away = 1;
@@ -135,7 +135,7 @@ class OutlierSearch {
     return side;
   }
 
-  bool stands_out(std::size_t row, const RowRange& stretch) const {
+  bool stands_out(std::size_t row, const recording::RowRange& stretch) const {
     const Side before = side_of(row, stretch, -1);
     const Side after = side_of(row, stretch, 1);
     const double value = rows_.values[row];
@@ -159,7 +159,7 @@ class OutlierSearch {
   }
 
   // Without the row itself; 0 where too few rows are there.
-  double sigma_around(std::size_t row, const RowRange& stretch) const {
+  double sigma_around(std::size_t row, const recording::RowRange& stretch) const {
     std::vector<double> bends;
     const std::size_t first = std::max(stretch.first + 1, row - std::min(row, rules::kRowsAround));
     const std::size_t end = std::min(stretch.end, row + rules::kRowsAround + 2);
@@ -182,14 +182,14 @@ std::vector<bool> find_outliers(const ValuesInTime& rows) {
   return OutlierSearch(rows).run();
 }
 
-Eigen::VectorXd counted_rows(const Rows& rows) {
+Eigen::VectorXd counted_rows(const series::Rows& rows) {
   ValuesInTime in_time;
   in_time.values.assign(rows.drift_dph.begin(), rows.drift_dph.end());
   in_time.weights.assign(rows.weights.begin(), rows.weights.end());
   in_time.stretches = rows.stretches();
-  for (const fog::Input input : kOptionalInputs) {
+  for (const fog::Input input : model::kOptionalInputs) {
     std::vector<double>& values = in_time.inputs.emplace_back();
-    for (const auto& means : rows.inputs) values.push_back(optional_input(input, means));
+    for (const auto& means : rows.inputs) values.push_back(model::optional_input(input, means));
   }
   const std::vector<bool> outlier = find_outliers(in_time);
   Eigen::VectorXd counted(rows.size());
@@ -199,13 +199,14 @@ Eigen::VectorXd counted_rows(const Rows& rows) {
   return counted;
 }
 
-Eigen::VectorXd counted_weights(const Rows& rows, const Eigen::VectorXd& row_weights) {
+Eigen::VectorXd counted_weights(const series::Rows& rows, const Eigen::VectorXd& row_weights) {
   return (row_weights.array() > 0).select(rows.weights.array(), 0.0).matrix();
 }
 
-void bridge_outliers(const std::vector<bool>& outlier, const std::vector<RowRange>& stretches,
+void bridge_outliers(const std::vector<bool>& outlier,
+                     const std::vector<recording::RowRange>& stretches,
                      std::vector<double>& values) {
-  for (const RowRange& stretch : stretches) {
+  for (const recording::RowRange& stretch : stretches) {
     for (std::size_t i = stretch.first; i < stretch.end; ++i) {
       if (!outlier[i]) continue;
       std::size_t end = i;
@@ -224,7 +225,7 @@ void bridge_outliers(const std::vector<bool>& outlier, const std::vector<RowRang
   }
 }
 
-Eigen::VectorXd bridged(const Rows& rows, const Eigen::VectorXd& values,
+Eigen::VectorXd bridged(const series::Rows& rows, const Eigen::VectorXd& values,
                         const Eigen::VectorXd& counted) {
   std::vector<bool> outlier;
   for (const double count : counted) outlier.push_back(count <= 0);
@@ -241,4 +242,4 @@ std::string outlier_words(std::size_t rows, double row_s) {
       rules::kMinOutlierSigmas);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -7,14 +7,14 @@
 #include "recording/segments.hpp"
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 
 /// Values in order of time, and which of them are neighbours.
 struct ValuesInTime {
   std::vector<double> values;
-  std::vector<double> weights;              ///< 1 for a full row, less for a part of one; empty: 1
-  std::vector<RowRange> stretches;          ///< without a gap
-  std::vector<std::vector<double>> inputs;  ///< what else was measured, a value per row each
+  std::vector<double> weights;  ///< 1 for a full row, less for a part of one; empty: 1
+  std::vector<recording::RowRange> stretches;  ///< without a gap
+  std::vector<std::vector<double>> inputs;     ///< what else was measured, a value per row each
 };
 
 /// Whether each value is an outlier: one to three rows that stand off the rows before and the rows
@@ -35,20 +35,21 @@ std::vector<bool> find_outliers(const ValuesInTime& rows);
 
 /// Of the drift of `rows`, by the inputs of the same time: 1 for each that counts, 0 for each
 /// outlier.
-Eigen::VectorXd counted_rows(const Rows& rows);
+Eigen::VectorXd counted_rows(const series::Rows& rows);
 /// The time behind each row that has a weight, 0 for the others: what an rms is taken over.
-Eigen::VectorXd counted_weights(const Rows& rows, const Eigen::VectorXd& row_weights);
+Eigen::VectorXd counted_weights(const series::Rows& rows, const Eigen::VectorXd& row_weights);
 
 /// `values` with a straight line between the nearest ones that count in place of each that does
 /// not; the nearest one at either end of a stretch.
-void bridge_outliers(const std::vector<bool>& outlier, const std::vector<RowRange>& stretches,
+void bridge_outliers(const std::vector<bool>& outlier,
+                     const std::vector<recording::RowRange>& stretches,
                      std::vector<double>& values);
 /// The same of a value per row; `counted`: 0 for each that does not count.
-Eigen::VectorXd bridged(const Rows& rows, const Eigen::VectorXd& values,
+Eigen::VectorXd bridged(const series::Rows& rows, const Eigen::VectorXd& values,
                         const Eigen::VectorXd& counted);
 
 /// "3 rows of 10 s left out: each stands out of its neighbours by more than 4 sigma of the noise";
 /// "" for none.
 std::string outlier_words(std::size_t rows, double row_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -7,10 +7,10 @@
 #include "model/input_value.hpp"
 #include "noise/decision_rules.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
-double rate_limit(const Rows& rows) {
+double rate_limit(const series::Rows& rows) {
   std::vector<double> rates;
   for (const auto& signals : rows.signals) rates.push_back(std::abs(signals.temperature_rate));
   const auto at = rates.begin() + static_cast<std::ptrdiff_t>(
@@ -22,7 +22,7 @@ double rate_limit(const Rows& rows) {
 // An axis that is turned, a field that is switched on: no noise either.
 class InputJumps {
  public:
-  explicit InputJumps(const Rows& rows) : rows_(rows) {
+  explicit InputJumps(const series::Rows& rows) : rows_(rows) {
     for (std::size_t i = 0; i < kValues; ++i) {
       double least = HUGE_VAL;
       double most = -HUGE_VAL;
@@ -43,19 +43,19 @@ class InputJumps {
   }
 
  private:
-  static constexpr std::size_t kValues = kOptionalInputs.size();
-  static double value(const fog::Signals<RealNumbers>& signals, std::size_t i) {
-    return optional_input(kOptionalInputs[i], signals.block);
+  static constexpr std::size_t kValues = model::kOptionalInputs.size();
+  static double value(const fog::Signals<model::RealNumbers>& signals, std::size_t i) {
+    return model::optional_input(model::kOptionalInputs[i], signals.block);
   }
 
-  const Rows& rows_;
+  const series::Rows& rows_;
   std::array<double, kValues> jump_{};
 };
 
 }  // namespace
 
-std::vector<RowRange> quiet_ranges(const Rows& rows) {
-  std::vector<RowRange> ranges;
+std::vector<recording::RowRange> quiet_ranges(const series::Rows& rows) {
+  std::vector<recording::RowRange> ranges;
   const auto size = static_cast<std::size_t>(rows.size());
   if (size < rules::kMinQuietRows) return ranges;
   const double limit = rate_limit(rows);
@@ -75,23 +75,24 @@ std::vector<RowRange> quiet_ranges(const Rows& rows) {
 }
 
 std::vector<Eigen::VectorXd> parts_of(const Eigen::VectorXd& values,
-                                      const std::vector<RowRange>& ranges) {
+                                      const std::vector<recording::RowRange>& ranges) {
   std::vector<Eigen::VectorXd> parts;
-  for (const RowRange& range : ranges) {
+  for (const recording::RowRange& range : ranges) {
     parts.push_back(values.segment(static_cast<Eigen::Index>(range.first),
                                    static_cast<Eigen::Index>(range.size())));
   }
   return parts;
 }
 
-std::vector<Eigen::VectorXd> quiet_stretches(const Rows& rows, const Eigen::VectorXd& residual) {
+std::vector<Eigen::VectorXd> quiet_stretches(const series::Rows& rows,
+                                             const Eigen::VectorXd& residual) {
   return parts_of(residual, quiet_ranges(rows));
 }
 
-NoiseModel noise_of(const Rows& rows, const Eigen::VectorXd& residual) {
+NoiseModel noise_of(const series::Rows& rows, const Eigen::VectorXd& residual) {
   const std::vector<Eigen::VectorXd> quiet = quiet_stretches(rows, residual);
   if (quiet.empty()) return white_noise_of(residual, rows.row_s, rows.longest_run_s());
   return fit_noise(noise_samples(quiet), rows.row_s, rows.longest_run_s());
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

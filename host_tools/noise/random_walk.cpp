@@ -5,20 +5,20 @@
 
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 
-Eigen::MatrixXd random_walk_modes(const Rows& rows) {
+Eigen::MatrixXd random_walk_modes(const series::Rows& rows) {
   // The 24th mode of a run has 1/47 of the first one's size: white noise has long covered it.
   constexpr Eigen::Index kStrongest = 24;
   constexpr Eigen::Index kOfAllRuns = 96;
   constexpr Eigen::Index kAtLeast = 8;
-  const std::vector<RowRange> runs = rows.runs();
+  const std::vector<recording::RowRange> runs = rows.runs();
   const auto count = static_cast<Eigen::Index>(runs.size());
   const Eigen::Index each =
       std::clamp(kOfAllRuns / std::max<Eigen::Index>(1, count), kAtLeast, kStrongest);
   Eigen::MatrixXd modes = Eigen::MatrixXd::Zero(rows.size(), each * count);
   Eigen::Index column = 0;
-  for (const RowRange& run : runs) {
+  for (const recording::RowRange& run : runs) {
     const double start_s = rows.time_s[run.first];
     const double length_s = rows.time_s[run.end - 1] - start_s + rows.row_s;
     for (Eigen::Index k = 0; k < each; ++k, ++column) {
@@ -33,4 +33,4 @@ Eigen::MatrixXd random_walk_modes(const Rows& rows) {
   return modes;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -4,12 +4,12 @@
 
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 
 /// What a random walk of the bias can look like over each recording: rows x modes (Karhunen-Loeve,
 /// the strongest of each recording), deg/h. A walk of coefficient K, in deg/h/sqrt(h), is the sum
 /// of all modes, each times K and an independent normal variable of variance 1; but for its start,
 /// which is the recording's own bias, and what is faster than the modes.
-Eigen::MatrixXd random_walk_modes(const Rows& rows);
+Eigen::MatrixXd random_walk_modes(const series::Rows& rows);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

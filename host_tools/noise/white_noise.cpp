@@ -5,9 +5,9 @@
 
 #include "support/median.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 
-double white_noise_dph_rthz(const Recording& recording) {
+double white_noise_dph_rthz(const recording::Recording& recording) {
   if (recording.rows() < 4) return 0;
   const std::vector<double>& rate = recording.rate_dph;
   std::vector<double> differences;
@@ -18,4 +18,4 @@ double white_noise_dph_rthz(const Recording& recording) {
   return sigma_by_median(std::move(differences)) / std::sqrt(6.0) * std::sqrt(recording.period_s);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

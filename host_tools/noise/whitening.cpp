@@ -4,14 +4,15 @@
 #include <cmath>
 #include <limits>
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Whitening::Whitening(const NoiseModel& noise, const Rows& rows, const Eigen::VectorXd& weights) {
+Whitening::Whitening(const NoiseModel& noise, const series::Rows& rows,
+                     const Eigen::VectorXd& weights) {
   const auto components = static_cast<Eigen::Index>(noise.components.size());
   const Eigen::Index size = rows.size();
   decay_.setZero(components, size);
@@ -100,7 +101,7 @@ Eigen::MatrixXd Whitening::apply_transposed(const Eigen::MatrixXd& matrix) const
 // the next row's z is F z; so all that follows contributes z' M z to the sum of squares and L z to
 // the products, where M = F' M F + scale^2 h h' and L = L F + scale w h from one row to the one
 // before. A step that begins at a row has z = (0, 1) there.
-StepProducts Whitening::steps(const Rows& rows, const Eigen::MatrixXd& whitened) const {
+StepProducts Whitening::steps(const series::Rows& rows, const Eigen::MatrixXd& whitened) const {
   const Eigen::Index states = decay_.rows();
   StepProducts products{Eigen::VectorXd(decay_.cols()),
                         Eigen::MatrixXd(decay_.cols(), whitened.cols())};
@@ -129,4 +130,4 @@ StepProducts Whitening::steps(const Rows& rows, const Eigen::MatrixXd& whitened)
   return products;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -6,7 +6,7 @@
 #include "noise/noise_model.hpp"
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 
 /// What whitening makes of a column that is 0 before a row and 1 from it to the end of its
 /// recording, for every row at once.
@@ -21,7 +21,7 @@ struct StepProducts {
 /// begins anew. A row of weight 0 is left out: it becomes 0 and tells nothing about its neighbours.
 class Whitening {
  public:
-  Whitening(const NoiseModel& noise, const Rows& rows, const Eigen::VectorXd& weights);
+  Whitening(const NoiseModel& noise, const series::Rows& rows, const Eigen::VectorXd& weights);
 
   /// Every column of `matrix` (rows x any).
   Eigen::MatrixXd apply(const Eigen::MatrixXd& matrix) const;
@@ -30,7 +30,7 @@ class Whitening {
   Eigen::MatrixXd apply_transposed(const Eigen::MatrixXd& matrix) const;
 
   /// `rows` are those of the constructor; `whitened` is rows x any. O(rows).
-  StepProducts steps(const Rows& rows, const Eigen::MatrixXd& whitened) const;
+  StepProducts steps(const series::Rows& rows, const Eigen::MatrixXd& whitened) const;
 
  private:
   /// Columns `first` to `first + kColumns` of `matrix` into those of `white`.
@@ -42,4 +42,4 @@ class Whitening {
   Eigen::VectorXd scale_;  // 1 / standard deviation of each innovation
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -8,7 +8,7 @@
 #include "core/acquisition/rate_monitor.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// The largest full scale that a board's rate format holds, deg/s.
 constexpr double kMaxRangeDps = 582;
@@ -59,4 +59,4 @@ inline const char* temperature_question(double least, double most) {
 /// Longest time without a temperature for which the board keeps its last drift.
 constexpr double kHoldSeconds = 60;
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

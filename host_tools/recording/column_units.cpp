@@ -6,7 +6,7 @@
 #include "support/text.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 // A unit beside the one that fogcomp reads: ours = (theirs - offset) * factor.
@@ -140,4 +140,4 @@ std::string how_to_convert(Column column, const std::vector<std::string>& names)
                                : "; " + text);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

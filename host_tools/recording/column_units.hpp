@@ -5,7 +5,7 @@
 
 #include "recording/columns.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// What a header's names say of units, so that no message proposes to rename a column that would
 /// have to be converted.
@@ -18,4 +18,4 @@ bool has_foreign_unit(const std::string& name);
 /// where none does.
 std::string how_to_convert(Column column, const std::vector<std::string>& names);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

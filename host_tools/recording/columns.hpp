@@ -6,7 +6,7 @@
 #include "core/signal/inputs.hpp"
 #include "recording/recording.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// A column of a recording: its name in a file, how it is printed, and its limits.
 struct ColumnInfo {
@@ -46,4 +46,4 @@ constexpr const ColumnInfo& column_info(Column column) {
   return kColumns[static_cast<std::size_t>(column)];
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

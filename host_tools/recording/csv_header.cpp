@@ -10,7 +10,7 @@
 #include "support/text.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 constexpr std::size_t kRateSlot = static_cast<std::size_t>(Column::rate_dph);
@@ -175,4 +175,4 @@ CsvHeader parse_csv_header(std::string_view text, const std::string& file, const
   return header;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

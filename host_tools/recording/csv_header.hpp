@@ -7,7 +7,7 @@
 
 #include "recording/recording.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// What the fields of a CSV's rows mean, from its header line.
 struct CsvHeader {
@@ -31,4 +31,4 @@ CsvHeader parse_csv_header(std::string_view text, const std::string& file, const
 /// `field` as a message may show it: displayable(), and at most 40 bytes of it.
 std::string printable(std::string_view field);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -15,7 +15,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -206,4 +206,4 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
   return collector.finish();
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

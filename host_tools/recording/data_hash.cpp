@@ -4,7 +4,7 @@
 
 #include "core/bytes/crc.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
   const auto add = [&crc](const std::vector<double>& column) {
@@ -48,4 +48,4 @@ std::string same_rows_words(const std::string& file, const std::string& other) {
   return file + ": has the same rows as " + other + "; counted once";
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

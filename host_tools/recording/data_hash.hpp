@@ -6,7 +6,7 @@
 
 #include "recording/recording.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// All that a fit can depend on, as one number for the model's history: CRC-32 of the columns of a
 /// recording, continued from `crc` (fog::kCrc32Initial for the first recording).
@@ -33,4 +33,4 @@ class KnownRows {
 /// "copy.csv: has the same rows as run.csv; counted once".
 std::string same_rows_words(const std::string& file, const std::string& other);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -5,7 +5,7 @@
 /// Every number by which a recording is read and cut: its unit, where it comes from, and what looks
 /// at the decision (a test of tests/unit/recording). The board's own limits are the core's and
 /// board_limits.hpp.
-namespace fogcomp::rules {
+namespace fogcomp::recording::rules {
 
 // ---- Gaps and segments ------------------------------------------------------------------------
 /// Lengths of a row (or sample) between two beyond which something is missing: a row that is lost
@@ -51,4 +51,4 @@ constexpr double kMaxPeriodS = 86400;
 /// still. rate_resolution_test.
 constexpr double kRoundings = 16;
 
-}  // namespace fogcomp::rules
+}  // namespace fogcomp::recording::rules

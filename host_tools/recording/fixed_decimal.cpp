@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 char* print_fixed(double value, int decimals, char* out) {
   constexpr double kMaxFixed = 1e18;  // that and nine decimals take 29 characters
@@ -20,4 +20,4 @@ char* print_fixed(double value, int decimals, char* out) {
   return out + 1;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 constexpr std::size_t kLongestDecimal = 32;
 
@@ -11,4 +11,4 @@ constexpr std::size_t kLongestDecimal = 32;
 /// are printed in shortest exact form.
 char* print_fixed(double value, int decimals, char* out);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

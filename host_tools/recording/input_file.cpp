@@ -11,7 +11,7 @@
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 constexpr std::size_t kMostBufferBytes = 1U << 20U;
@@ -94,4 +94,4 @@ std::string InputFile::where() const {
   return path_ + ":" + std::to_string(line_number_);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

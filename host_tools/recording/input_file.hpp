@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// A file or pipe read once from start to end through one buffer, by lines or by blocks;
 /// one whose size is known tells how far it is. Errors are InputError with the file's name.
@@ -53,4 +53,4 @@ class InputFile {
   std::function<void(const std::string&, double)> progress_;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// The line of its file that each row of a recording comes from; empty for a captured stream.
 class LineNumbers {
@@ -33,4 +33,4 @@ class LineNumbers {
   std::vector<Mark> marks_;  // where a line does not follow that of the row before
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

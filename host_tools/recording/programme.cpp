@@ -10,7 +10,7 @@
 #include "support/median.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 constexpr std::size_t kMostPoints = 4000;
@@ -165,4 +165,4 @@ std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowR
   return parts;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

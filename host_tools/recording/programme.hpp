@@ -5,7 +5,7 @@
 
 #include "recording/segments.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// One soak or ramp of a chamber programme.
 struct ProgrammePart {
@@ -19,4 +19,4 @@ struct ProgrammePart {
 /// constant belongs to it. Noise and steps of the sensor raise these limits as far as they must.
 std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

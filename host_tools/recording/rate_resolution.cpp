@@ -8,7 +8,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -47,4 +47,4 @@ void require_moving_rate(const Recording& recording) {
                                           recording.rate_dph[0], recording.rows()));
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -2,7 +2,7 @@
 
 #include "recording/recording.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// How finely a recording's rate is written, and whether it moves at all.
 struct RateResolution {
@@ -23,4 +23,4 @@ RateResolution rate_resolution(const Recording& recording);
 /// is off or not connected, about which no question can be answered.
 void require_moving_rate(const Recording& recording);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

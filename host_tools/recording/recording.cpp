@@ -14,7 +14,7 @@
 #include "support/median.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 // Of at most 65537 spacings spread over the recording: a typical value needs no more.
@@ -139,4 +139,4 @@ Recording read_recording(const std::string& path, const ReadOptions& options) {
   return recording;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

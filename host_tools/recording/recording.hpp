@@ -11,7 +11,7 @@
 #include "core/signal/inputs.hpp"
 #include "recording/board_limits.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// Longest recording that is read: 27 h at 200 Hz; 0.5 GB in memory with three columns.
 constexpr std::size_t kMostRows = 20'000'000;
@@ -110,4 +110,4 @@ constexpr double kDefaultStreamRateHz = 200;
 /// is told to options.watch. Throws InputError `FILE:LINE: what is wrong; what to do`.
 Recording read_recording(const std::string& path, const ReadOptions& options);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

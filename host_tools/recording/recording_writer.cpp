@@ -14,7 +14,7 @@
 #include "recording/fixed_decimal.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 constexpr double kTemperatureLsbPerDegc = 65536;
@@ -113,4 +113,4 @@ void RecordingWriter::commit() {
   file_.commit();
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

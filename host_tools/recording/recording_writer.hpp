@@ -10,7 +10,7 @@
 #include "recording/recording.hpp"
 #include "support/output_file.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 enum class RecordingFormat : std::uint8_t {
   csv,
@@ -53,4 +53,4 @@ class RecordingWriter {
 /// Counts per deg/s of the simulated gyro: one count is 2^-10 deg/h, the board's own resolution.
 constexpr double kDefaultScaleFactor = 3600.0 * 1024.0;
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -13,7 +13,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 /// What the messages say, while the rows are still there.
@@ -185,4 +185,4 @@ void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
   recording.refused_rows = refused.size();
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

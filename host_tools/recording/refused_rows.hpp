@@ -3,7 +3,7 @@
 #include "recording/line_numbers.hpp"
 #include "recording/recording.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// Takes the rows that the board of a gyro with these limits would refuse (judge_rows) out of
 /// `recording`, counts them in its refused_rows, and names them to `watch` with their lines (with
@@ -13,4 +13,4 @@ namespace fogcomp {
 void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
                             const GyroLimits& limits, const ReadWatch& watch);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -10,7 +10,7 @@
 #include "recording/decision_rules.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 using fog::Status;
@@ -274,4 +274,4 @@ std::vector<RowRange> frozen_temperatures(const Recording& recording) {
   return ranges;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -8,7 +8,7 @@
 #include "recording/recording.hpp"
 #include "recording/segments.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// Why the board would refuse a row.
 enum class Refusal : std::uint8_t {
@@ -39,4 +39,4 @@ std::vector<RefusedRow> refused_rows(const Recording& recording, const GyroLimit
 /// for in rows of a second or less: in longer ones the end of a ramp looks the same.
 std::vector<RowRange> frozen_temperatures(const Recording& recording);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -4,7 +4,7 @@
 
 #include "recording/decision_rules.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// Rows [first, end) of a series.
 struct RowRange {
@@ -19,4 +19,4 @@ inline bool is_gap(double spacing_s, double row_s) {
   return spacing_s > rules::kMaxSpacing * row_s;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

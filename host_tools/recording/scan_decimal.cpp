@@ -4,7 +4,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 const char* scan_decimal(const char* first, const char* last, double& value) {
   const bool negative = *first == '-';
@@ -18,4 +18,4 @@ const char* scan_decimal(const char* first, const char* last, double& value) {
   return result.ptr;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

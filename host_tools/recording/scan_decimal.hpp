@@ -1,6 +1,6 @@
 #pragma once
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// Reads the decimal number that starts at `first` ("-12.5", "+3", ".5", "1e-3") into `value`,
 /// rounded to the nearest double, and returns its end; nullptr where none starts or it overflows.
@@ -8,4 +8,4 @@ namespace fogcomp {
 /// here.
 const char* scan_decimal(const char* first, const char* last, double& value);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

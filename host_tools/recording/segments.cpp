@@ -9,7 +9,7 @@
 #include "support/median.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 double gap_before(const Recording& recording, std::size_t row) {
@@ -153,4 +153,4 @@ std::vector<Segment> segments_on(std::vector<Segment> segments, const std::vecto
   return segments;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

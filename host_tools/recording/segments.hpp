@@ -7,7 +7,7 @@
 #include "recording/recording.hpp"
 #include "recording/row_range.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 enum class SegmentKind : std::uint8_t { soak, ramp_up, ramp_down };
 
@@ -34,4 +34,4 @@ std::vector<Segment> segments_on(std::vector<Segment> segments, const std::vecto
 /// The rows without a gap that `rows` consist of.
 std::vector<RowRange> stretches_of(const Recording& recording, RowRange rows);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

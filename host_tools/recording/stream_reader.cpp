@@ -19,7 +19,7 @@
 #include "support/text.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 constexpr double kDegcPerLsb = 1.0 / 65536;
@@ -188,4 +188,4 @@ Recording read_sensor_stream(InputFile& file, const ReadOptions& options) {
   return collector.finish(bytes - good_bytes);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

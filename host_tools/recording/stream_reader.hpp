@@ -6,7 +6,7 @@
 #include "recording/input_file.hpp"
 #include "recording/recording.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// Whether a file that begins with `head` is a captured sensor stream rather than text: it holds a
 /// good frame somewhere (damage at the start does not matter), or too many control characters for a
@@ -25,4 +25,4 @@ std::string describe(const CaptureCounts& counts);
 /// read_recording. Throws InputError where no good frame is found.
 Recording read_sensor_stream(InputFile& file, const ReadOptions& options);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -6,7 +6,7 @@
 
 #include "support/decompositions.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 namespace {
 
 using Eigen::Index;
@@ -49,10 +49,10 @@ class StepLength {
 
 class AnfisComparator : public Comparator {
  public:
-  void fit(const SignalSeries& series, const VectorXd& denoised_dph) override {
+  void fit(const series::SignalSeries& series, const VectorXd& denoised_dph) override {
     anfis_.emplace(temperature_and_rate_of(series.rows()), denoised_dph, kEpochs);
   }
-  VectorXd drift_dph(const SignalSeries& series) const override {
+  VectorXd drift_dph(const series::SignalSeries& series) const override {
     return anfis_->values(temperature_and_rate_of(series.rows()));
   }
   std::string chosen() const override { return "9 rules"; }
@@ -174,4 +174,4 @@ std::unique_ptr<Comparator> make_anfis(const ComparatorSettings&) {
   return std::make_unique<AnfisComparator>();
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

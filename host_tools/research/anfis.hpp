@@ -5,7 +5,7 @@
 
 #include "research/comparator.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// Adaptive neuro-fuzzy inference (Jang, IEEE Trans. SMC 23(3), 1993): first-order Sugeno rules
 /// over a grid of Gaussian memberships, hybrid learning: in every epoch the rules' straight lines
@@ -45,4 +45,4 @@ class Anfis {
 
 std::unique_ptr<Comparator> make_anfis(const ComparatorSettings& settings);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

@@ -10,7 +10,7 @@
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -39,11 +39,11 @@ const ComparatorEntry& find_comparator(const std::string& name) {
   throw InputError("model", "'" + name + "' is unknown" + did_you_mean(name, names));
 }
 
-MatrixXd temperature_of(const Rows& rows) {
+MatrixXd temperature_of(const series::Rows& rows) {
   return temperature_and_rate_of(rows).leftCols(1);
 }
 
-MatrixXd temperature_and_rate_of(const Rows& rows) {
+MatrixXd temperature_and_rate_of(const series::Rows& rows) {
   MatrixXd inputs(rows.size(), 2);
   for (Index i = 0; i < rows.size(); ++i) {
     const auto& signals = rows.signals[static_cast<std::size_t>(i)];
@@ -52,7 +52,7 @@ MatrixXd temperature_and_rate_of(const Rows& rows) {
   return inputs;
 }
 
-MatrixXd time_and_temperature_of(const Rows& rows) {
+MatrixXd time_and_temperature_of(const series::Rows& rows) {
   MatrixXd inputs(rows.size(), 2);
   for (Index i = 0; i < rows.size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
@@ -61,4 +61,4 @@ MatrixXd time_and_temperature_of(const Rows& rows) {
   return inputs;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

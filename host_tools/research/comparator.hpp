@@ -8,7 +8,7 @@
 
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// A way to predict drift, as the literature compares them. Fitted to the rows of one or more
 /// recordings, then asked about any.
@@ -17,9 +17,9 @@ class Comparator {
   virtual ~Comparator() = default;
   /// `denoised_dph`: the drift of series.rows(), denoised. Those that weight by the noise take the
   /// rows as measured instead.
-  virtual void fit(const SignalSeries& series, const Eigen::VectorXd& denoised_dph) = 0;
+  virtual void fit(const series::SignalSeries& series, const Eigen::VectorXd& denoised_dph) = 0;
   /// deg/h per row.
-  virtual Eigen::VectorXd drift_dph(const SignalSeries& series) const = 0;
+  virtual Eigen::VectorXd drift_dph(const series::SignalSeries& series) const = 0;
   /// What the fit chose, in a few words: "order 5".
   virtual std::string chosen() const { return ""; }
 };
@@ -44,8 +44,8 @@ const std::vector<ComparatorEntry>& comparators();
 const ComparatorEntry& find_comparator(const std::string& name);
 
 /// Rows x 1: degC. Rows x 2: degC and degC/min. Rows x 2: hours since power-on and degC.
-Eigen::MatrixXd temperature_of(const Rows& rows);
-Eigen::MatrixXd temperature_and_rate_of(const Rows& rows);
-Eigen::MatrixXd time_and_temperature_of(const Rows& rows);
+Eigen::MatrixXd temperature_of(const series::Rows& rows);
+Eigen::MatrixXd temperature_and_rate_of(const series::Rows& rows);
+Eigen::MatrixXd time_and_temperature_of(const series::Rows& rows);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

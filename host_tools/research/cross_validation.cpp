@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-namespace fogcomp {
+namespace fogcomp::research {
 namespace {
 
 using Eigen::Index;
@@ -31,4 +31,4 @@ double cross_validated_rms(const Eigen::MatrixXd& inputs, const Eigen::VectorXd&
   return std::sqrt(square / static_cast<double>(rows));
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

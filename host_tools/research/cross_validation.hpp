@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// Predicts `test` rows after a fit to `train` rows (inputs, target; inputs).
 using FitAndPredict = std::function<Eigen::VectorXd(
@@ -15,4 +15,4 @@ using FitAndPredict = std::function<Eigen::VectorXd(
 double cross_validated_rms(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& target,
                            const FitAndPredict& method);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

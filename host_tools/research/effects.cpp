@@ -5,29 +5,29 @@
 #include "model/effect_list.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 namespace {
 
 class EffectsComparator : public Comparator {
  public:
   EffectsComparator(const ComparatorSettings& settings, int hidden) {
-    model_.terms = parse_effects(settings.effects);
+    model_.terms = model::parse_effects(settings.effects);
     training_.hidden = hidden;
     training_.training.seed = settings.seed;
   }
 
   // Identification weights the rows by their noise, so that it wants them as measured.
-  void fit(const SignalSeries& series, const Eigen::VectorXd&) override {
-    const Identification identified = identify(model_, series);
+  void fit(const series::SignalSeries& series, const Eigen::VectorXd&) override {
+    const fit::Identification identified = fit::identify(model_, series);
     if (training_.hidden == 0) return;
-    const Rows& rows = series.rows();
-    network_ = train_on_residual(rows, temperature_and_rate_of(rows), identified.residual_dph,
-                                 identified, training_, true);
+    const series::Rows& rows = series.rows();
+    network_ = fit::train_on_residual(rows, temperature_and_rate_of(rows), identified.residual_dph,
+                                      identified, training_, true);
   }
 
-  Eigen::VectorXd drift_dph(const SignalSeries& series) const override {
+  Eigen::VectorXd drift_dph(const series::SignalSeries& series) const override {
     Eigen::VectorXd drift = Eigen::VectorXd::Zero(series.rows().size());
-    for (const EffectTerm& term : model_.terms) {
+    for (const model::EffectTerm& term : model_.terms) {
       const Eigen::Map<const Eigen::VectorXd> coefficients(
           term.coefficients_dph.data(), static_cast<Eigen::Index>(term.coefficients_dph.size()));
       drift += series.regressors(term) * coefficients;
@@ -46,9 +46,9 @@ class EffectsComparator : public Comparator {
   }
 
  private:
-  Model model_;
-  NetworkSettings training_;
-  ResidualNetwork network_;
+  model::Model model_;
+  fit::NetworkSettings training_;
+  fit::ResidualNetwork network_;
 };
 
 }  // namespace
@@ -61,4 +61,4 @@ std::unique_ptr<Comparator> make_effects_and_network(const ComparatorSettings& s
   return std::make_unique<EffectsComparator>(settings, settings.residual_hidden);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

@@ -4,11 +4,11 @@
 
 #include "research/comparator.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// Physical effects by `identify`, alone or with a network (temperature, temperature rate; lm) on
 /// what they leave: what `fogcomp fit` makes.
 std::unique_ptr<Comparator> make_effects(const ComparatorSettings& settings);
 std::unique_ptr<Comparator> make_effects_and_network(const ComparatorSettings& settings);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

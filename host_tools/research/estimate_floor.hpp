@@ -2,7 +2,7 @@
 
 #include "research/simulated_run.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// What is left for noise alone to spoil: the rms error, deg/h, that is to be expected on the rows
 /// of `asked` of a fit to `fitted` which knew the exact course of every effect of the simulator and
@@ -11,4 +11,4 @@ namespace fogcomp {
 /// are of one gyro.
 double estimate_floor_dph(const SimulatedRun& fitted, const SimulatedRun& asked);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

@@ -5,7 +5,7 @@
 #include "support/output_file.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 namespace {
 
 struct Curve {
@@ -14,7 +14,7 @@ struct Curve {
 };
 
 void write_figure(const std::string& path, const Study& study, const std::vector<Curve>& curves) {
-  const Rows& rows = study.run.series.rows();
+  const series::Rows& rows = study.run.series.rows();
   OutputFile file(path);
   std::string line = "time_s";
   for (const Curve& curve : curves) line += std::string(",") + curve.name;
@@ -34,7 +34,7 @@ std::string figure_path(const std::string& folder, int figure) {
 }
 
 void write_figures(const Study& study, const std::string& folder) {
-  const Rows& rows = study.run.series.rows();
+  const series::Rows& rows = study.run.series.rows();
   Eigen::VectorXd temperature(rows.size());
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
     temperature[i] = rows.signals[static_cast<std::size_t>(i)].temperature;
@@ -52,4 +52,4 @@ void write_figures(const Study& study, const std::string& folder) {
   write_figure(path(10), study, {{"raw_dph", raw}, {"after_pso_bp_dph", raw - pso_bp}});
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

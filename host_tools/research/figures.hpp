@@ -4,7 +4,7 @@
 
 #include "research/study.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// The figures of the reference paper whose data are written, and their files.
 inline constexpr int kFigures[] = {1, 3, 4, 8, 9, 10};
@@ -17,4 +17,4 @@ std::string figure_path(const std::string& folder, int figure);
 /// out bp or pso-bp.
 void write_figures(const Study& study, const std::string& folder);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

@@ -7,7 +7,7 @@
 #include <optional>
 #include <thread>
 
-namespace fogcomp {
+namespace fogcomp::research {
 namespace {
 
 template <class Value>
@@ -99,4 +99,4 @@ FloorMedians floors_of(const std::vector<Study>& studies) {
   return floors;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

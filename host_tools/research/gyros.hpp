@@ -5,7 +5,7 @@
 
 #include "research/study.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// The study of gyros `settings.seed`, seed + 1 ... side by side on the processor's cores; the same
 /// results whatever their number. `progress` is called with the fraction done, by one
@@ -33,4 +33,4 @@ struct FloorMedians {
 };
 FloorMedians floors_of(const std::vector<Study>& studies);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

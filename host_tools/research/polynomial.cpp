@@ -8,7 +8,7 @@
 #include "support/least_squares.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 namespace {
 
 using Eigen::Index;
@@ -17,20 +17,20 @@ using Eigen::VectorXd;
 
 class PolynomialComparator : public Comparator {
  public:
-  explicit PolynomialComparator(MatrixXd (*inputs)(const Rows&)) : inputs_(inputs) {}
+  explicit PolynomialComparator(MatrixXd (*inputs)(const series::Rows&)) : inputs_(inputs) {}
 
-  void fit(const SignalSeries& series, const VectorXd& denoised_dph) override {
+  void fit(const series::SignalSeries& series, const VectorXd& denoised_dph) override {
     const MatrixXd inputs = inputs_(series.rows());
     order_ = Polynomial::best_order(inputs, denoised_dph);
     polynomial_.emplace(inputs, denoised_dph, order_);
   }
-  VectorXd drift_dph(const SignalSeries& series) const override {
+  VectorXd drift_dph(const series::SignalSeries& series) const override {
     return polynomial_->values(inputs_(series.rows()));
   }
   std::string chosen() const override { return format("order %d", order_); }
 
  private:
-  MatrixXd (*inputs_)(const Rows&);
+  MatrixXd (*inputs_)(const series::Rows&);
   int order_ = 0;
   std::optional<Polynomial> polynomial_;
 };
@@ -93,4 +93,4 @@ std::unique_ptr<Comparator> make_rate_polynomial(const ComparatorSettings&) {
   return std::make_unique<PolynomialComparator>(temperature_and_rate_of);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

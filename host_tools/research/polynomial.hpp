@@ -5,7 +5,7 @@
 
 #include "research/comparator.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// Least-squares polynomial of total order `order` in any number of variables, each mapped to +-1
 /// over the rows it is fitted to.
@@ -33,4 +33,4 @@ class Polynomial {
 std::unique_ptr<Comparator> make_polynomial(const ComparatorSettings& settings);
 std::unique_ptr<Comparator> make_rate_polynomial(const ComparatorSettings& settings);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// A row of the reference paper's tables, deg/h.
 struct PrintedSegment {
@@ -37,4 +37,4 @@ inline constexpr double kPrintedPsoBpCut = 0.6019;
 /// White floor of a 10 s mean in the paper's own run: the raw std of its quietest soak, deg/h.
 inline constexpr double kPrintedFloorDph = 0.0236;
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

@@ -10,7 +10,7 @@
 #include "simulation/simulated_recording.hpp"
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 namespace {
 
 using namespace simulation;
@@ -25,7 +25,7 @@ SimulatedRecording simulate(const GyroDescription& gyro, const Programme& progra
   Simulation run(gyro, programme, options);
   SimulatedRecording samples = record(run, 1 / kSampleRateHz);
   // Further inputs were not recorded.
-  Recording plain;
+  recording::Recording plain;
   plain.period_s = samples.recording.period_s;
   plain.stretch_starts = samples.recording.stretch_starts;
   plain.time_s = std::move(samples.recording.time_s);
@@ -47,7 +47,7 @@ Eigen::VectorXd row_means(const std::vector<double>& samples, std::size_t per_ro
   return means;
 }
 
-std::vector<std::string> segments_of(const Programme& programme, const Rows& rows) {
+std::vector<std::string> segments_of(const Programme& programme, const series::Rows& rows) {
   std::vector<std::string> names;
   auto leg = programme.legs.begin();
   for (const double time_s : rows.time_s) {
@@ -59,7 +59,8 @@ std::vector<std::string> segments_of(const Programme& programme, const Rows& row
 
 }  // namespace
 
-SimulatedRun simulate_run(const std::string& profile, std::uint64_t seed, const Model& settings) {
+SimulatedRun simulate_run(const std::string& profile, std::uint64_t seed,
+                          const model::Model& settings) {
   GyroDescription gyro;
   apply_preset(gyro, find_text("paper", ready_made_presets(), "preset"), "paper");
   const Programme programme =
@@ -67,10 +68,10 @@ SimulatedRun simulate_run(const std::string& profile, std::uint64_t seed, const 
   SimulatedRecording samples = simulate(gyro, programme, seed);
   samples.recording.file = profile;
 
-  SimulatedRun run{SignalSeries(settings), {}, {}, 0, {}};
-  run.series.add(make_blocks(samples.recording));
-  const Rows& rows = run.series.rows();
-  run.noise_floor_dph = noise_floor_dph(samples.recording, settings.average_s).value_or(0);
+  SimulatedRun run{series::SignalSeries(settings), {}, {}, 0, {}};
+  run.series.add(series::make_blocks(samples.recording));
+  const series::Rows& rows = run.series.rows();
+  run.noise_floor_dph = noise::noise_floor_dph(samples.recording, settings.average_s).value_or(0);
   run.segments = segments_of(programme, rows);
   const auto per_row = static_cast<std::size_t>(std::lround(settings.average_s * kSampleRateHz));
   run.effects_dph.resize(rows.size(), static_cast<Eigen::Index>(samples.effects_dph.size()));
@@ -82,4 +83,4 @@ SimulatedRun simulate_run(const std::string& profile, std::uint64_t seed, const 
   return run;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

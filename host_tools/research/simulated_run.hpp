@@ -8,11 +8,11 @@
 #include "model/model.hpp"
 #include "series/signal_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// One run of the simulated gyro `paper`, in rows of 10 s, with what really happened.
 struct SimulatedRun {
-  SignalSeries series;
+  series::SignalSeries series;
   Eigen::VectorXd truth_dph;          ///< per row: the drift without any noise
   Eigen::MatrixXd effects_dph;        ///< rows x effects of the simulator; their sum is the truth
   double noise_floor_dph = 0;         ///< of a row, from the recording alone
@@ -21,6 +21,7 @@ struct SimulatedRun {
 
 /// Simulates preset `paper` through a ready-made profile, sampled once a second as the board's
 /// blocks are. `settings` must outlive the result.
-SimulatedRun simulate_run(const std::string& profile, std::uint64_t seed, const Model& settings);
+SimulatedRun simulate_run(const std::string& profile, std::uint64_t seed,
+                          const model::Model& settings);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

@@ -8,7 +8,7 @@
 #include "research/estimate_floor.hpp"
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 namespace {
 
 constexpr double kRow = 10;  // s
@@ -16,8 +16,8 @@ constexpr double kRow = 10;  // s
 // sensor's steps comes through than is gained in speed.
 constexpr double kDerivativeTau = 45;
 
-Eigen::VectorXd denoised(Eigen::VectorXd values, const DenoiseMethod& method) {
-  denoise({values.data(), static_cast<std::size_t>(values.size())}, method);
+Eigen::VectorXd denoised(Eigen::VectorXd values, const denoise::DenoiseMethod& method) {
+  denoise::denoise({values.data(), static_cast<std::size_t>(values.size())}, method);
   return values;
 }
 
@@ -29,21 +29,25 @@ double rms(const Eigen::VectorXd& values) {
 std::vector<DenoiserResult> judge_denoisers(const SimulatedRun& run) {
   struct Candidate {
     const char* name;
-    DenoiseBy by;
-    ThresholdRule rule;
+    denoise::DenoiseBy by;
+    denoise::ThresholdRule rule;
     bool hard;
   };
   const Candidate candidates[] = {
-      {"sym8, heursure, soft", DenoiseBy::wavelet, ThresholdRule::heursure, false},
-      {"sym8, heursure, hard", DenoiseBy::wavelet, ThresholdRule::heursure, true},
-      {"sym8, rigrsure, soft", DenoiseBy::wavelet, ThresholdRule::rigrsure, false},
-      {"sym8, sqtwolog, soft", DenoiseBy::wavelet, ThresholdRule::sqtwolog, false},
-      {"lifting, heursure, soft", DenoiseBy::lifting, ThresholdRule::heursure, false},
-      {"Kalman, ARMA noise", DenoiseBy::kalman, ThresholdRule::heursure, false},
+      {"sym8, heursure, soft", denoise::DenoiseBy::wavelet, denoise::ThresholdRule::heursure,
+       false},
+      {"sym8, heursure, hard", denoise::DenoiseBy::wavelet, denoise::ThresholdRule::heursure, true},
+      {"sym8, rigrsure, soft", denoise::DenoiseBy::wavelet, denoise::ThresholdRule::rigrsure,
+       false},
+      {"sym8, sqtwolog, soft", denoise::DenoiseBy::wavelet, denoise::ThresholdRule::sqtwolog,
+       false},
+      {"lifting, heursure, soft", denoise::DenoiseBy::lifting, denoise::ThresholdRule::heursure,
+       false},
+      {"Kalman, ARMA noise", denoise::DenoiseBy::kalman, denoise::ThresholdRule::heursure, false},
   };
   std::vector<DenoiserResult> results;
   for (const Candidate& candidate : candidates) {
-    DenoiseMethod method;
+    denoise::DenoiseMethod method;
     method.by = candidate.by;
     method.rule = candidate.rule;
     method.hard = candidate.hard;
@@ -56,7 +60,7 @@ std::vector<DenoiserResult> judge_denoisers(const SimulatedRun& run) {
 Score score(const SimulatedRun& run, const Eigen::VectorXd& predicted) {
   Score result;
   result.residual = mean_and_std(run.series.rows().drift_dph - predicted);
-  result.drift_dph = floor_removed(result.residual.std_dph, run.noise_floor_dph);
+  result.drift_dph = compare::floor_removed(result.residual.std_dph, run.noise_floor_dph);
   result.truth_rms_dph = rms(predicted - run.truth_dph);
   return result;
 }
@@ -90,9 +94,9 @@ Eigen::VectorXd Study::of_segment(const std::string& name, const Eigen::VectorXd
   return values(rows);
 }
 
-const Model& study_model() {
-  static const Model model = [] {
-    Model settings;
+const model::Model& study_model() {
+  static const model::Model model = [] {
+    model::Model settings;
     settings.average_s = kRow;
     settings.derivative_tau_s = kDerivativeTau;
     return settings;
@@ -101,11 +105,11 @@ const Model& study_model() {
 }
 
 Study run_study(const StudySettings& settings) {
-  const Model& model = study_model();
+  const model::Model& model = study_model();
   Study study{simulate_run("paper", settings.seed, model), {}, {}, {}, {}, {}, {}, 0, {}, {}};
   const Eigen::VectorXd& measured = study.run.series.rows().drift_dph;
   study.raw = mean_and_std(measured);
-  DenoiseMethod method;
+  denoise::DenoiseMethod method;
   study.denoised_dph = denoised(measured, method);
   method.hard = true;
   study.hard_dph = denoised(measured, method);
@@ -140,4 +144,4 @@ Study run_study(const StudySettings& settings) {
   return study;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

@@ -7,7 +7,7 @@
 
 #include "research/simulated_run.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// Mean and standard deviation of rows.
 struct MeanStd {
@@ -72,8 +72,8 @@ struct StudySettings {
 extern const char* const kStudyEffects;
 
 /// What all runs of a study have in common. Must outlive it.
-const Model& study_model();
+const model::Model& study_model();
 
 Study run_study(const StudySettings& settings);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

@@ -7,7 +7,7 @@
 #include "support/decompositions.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 namespace {
 
 using Eigen::Index;
@@ -20,7 +20,7 @@ constexpr double kJitter = 1e-10;  // keeps the kernel of near neighbours invert
 
 class SupportVectorComparator : public Comparator {
  public:
-  void fit(const SignalSeries& series, const VectorXd& denoised_dph) override {
+  void fit(const series::SignalSeries& series, const VectorXd& denoised_dph) override {
     const MatrixXd inputs = temperature_and_rate_of(series.rows());
     double least = HUGE_VAL;
     for (const double width : kWidths) {
@@ -38,7 +38,7 @@ class SupportVectorComparator : public Comparator {
     }
     machine_.emplace(inputs, denoised_dph, width_, price_);
   }
-  VectorXd drift_dph(const SignalSeries& series) const override {
+  VectorXd drift_dph(const series::SignalSeries& series) const override {
     return machine_->values(temperature_and_rate_of(series.rows()));
   }
   std::string chosen() const override {
@@ -98,4 +98,4 @@ std::unique_ptr<Comparator> make_support_vectors(const ComparatorSettings&) {
   return std::make_unique<SupportVectorComparator>();
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

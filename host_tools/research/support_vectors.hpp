@@ -5,7 +5,7 @@
 
 #include "research/comparator.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// Least-squares support vector regression (Suykens & Vandewalle 1999) with a Gaussian kernel. Its
 /// full system has a row per sample; here at most kMostVectors rows, evenly spread, carry the
@@ -37,4 +37,4 @@ class SupportVectors {
 /// Width and regularisation by cross-validation over a grid.
 std::unique_ptr<Comparator> make_support_vectors(const ComparatorSettings& settings);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

@@ -3,7 +3,7 @@
 #include "fit/network_training.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 namespace {
 
 constexpr double kPaperGoal = 0.0004;
@@ -12,7 +12,7 @@ class TimeNetwork : public Comparator {
  public:
   TimeNetwork(const char* trainer, const ComparatorSettings& settings) {
     settings_.hidden = settings.hidden;
-    settings_.scaling = TargetScaling::min_max;
+    settings_.scaling = fit::TargetScaling::min_max;
     settings_.trainer = trainer;
     settings_.training.seed = settings.seed;
     settings_.training.epochs = settings.epochs;
@@ -20,12 +20,12 @@ class TimeNetwork : public Comparator {
     settings_.training.goal = kPaperGoal;
   }
 
-  void fit(const SignalSeries& series, const Eigen::VectorXd& denoised_dph) override {
-    const Rows& rows = series.rows();
-    network_ =
-        train_network({time_and_temperature_of(rows), denoised_dph, rows.weights, {0}}, settings_);
+  void fit(const series::SignalSeries& series, const Eigen::VectorXd& denoised_dph) override {
+    const series::Rows& rows = series.rows();
+    network_ = fit::train_network({time_and_temperature_of(rows), denoised_dph, rows.weights, {0}},
+                                  settings_);
   }
-  Eigen::VectorXd drift_dph(const SignalSeries& series) const override {
+  Eigen::VectorXd drift_dph(const series::SignalSeries& series) const override {
     return network_.drift_dph(time_and_temperature_of(series.rows()));
   }
   std::string chosen() const override {
@@ -34,8 +34,8 @@ class TimeNetwork : public Comparator {
   }
 
  private:
-  NetworkSettings settings_;
-  TrainedNetwork network_;
+  fit::NetworkSettings settings_;
+  fit::TrainedNetwork network_;
 };
 
 }  // namespace
@@ -52,4 +52,4 @@ std::unique_ptr<Comparator> make_ga_bp(const ComparatorSettings& settings) {
   return std::make_unique<TimeNetwork>("ga-bp", settings);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

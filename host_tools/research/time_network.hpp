@@ -4,7 +4,7 @@
 
 #include "research/comparator.hpp"
 
-namespace fogcomp {
+namespace fogcomp::research {
 
 /// The reference paper's networks: inputs (time, temperature), logsig hidden neurons, a tansig
 /// output, min-max normalisation of inputs and target; trained by traingdx (BP), pso-bp or ga-bp.
@@ -12,4 +12,4 @@ std::unique_ptr<Comparator> make_bp(const ComparatorSettings& settings);
 std::unique_ptr<Comparator> make_pso_bp(const ComparatorSettings& settings);
 std::unique_ptr<Comparator> make_ga_bp(const ComparatorSettings& settings);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::research

@@ -6,12 +6,12 @@
 #include "recording/rate_resolution.hpp"
 #include "recording/row_range.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 namespace {
 
-using Means = fog::BlockMeans<RealNumbers>;
+using Means = fog::BlockMeans<model::RealNumbers>;
 
-Means means_of_row(const Recording& recording, std::size_t row) {
+Means means_of_row(const recording::Recording& recording, std::size_t row) {
   Means means;
   means.temperature = recording.temperature_degc[row];
   if (!recording.input_rate_dph.empty()) means.input_rate = recording.input_rate_dph[row];
@@ -35,7 +35,7 @@ void divide(Means& sum, double samples) {
 }
 
 // A recording whose time begins before power-on has another time than that.
-fog::InputMask inputs_of(const Recording& recording) {
+fog::InputMask inputs_of(const recording::Recording& recording) {
   fog::InputMask inputs = 0;
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     if (!recording.extension[i].empty()) inputs |= bit_of(fog::extension_input(i));
@@ -46,15 +46,16 @@ fog::InputMask inputs_of(const Recording& recording) {
 }
 
 // A gap may hide any change.
-InputRanges input_ranges_of(const Recording& recording) {
-  InputRanges ranges{};
+model::InputRanges input_ranges_of(const recording::Recording& recording) {
+  model::InputRanges ranges{};
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     const std::vector<double>& column = recording.extension[i];
     if (column.empty()) continue;
     const auto [min, max] = std::minmax_element(column.begin(), column.end());
-    InputRange& range = ranges[i].emplace(InputRange{{*min, *max}});
+    model::InputRange& range = ranges[i].emplace(model::InputRange{{*min, *max}});
     for (std::size_t row = 1; row < column.size(); ++row) {
-      if (is_gap(recording.time_s[row] - recording.time_s[row - 1], recording.period_s)) continue;
+      if (recording::is_gap(recording.time_s[row] - recording.time_s[row - 1], recording.period_s))
+        continue;
       range.step = std::max(range.step, std::abs(column[row] - column[row - 1]));
     }
   }
@@ -63,7 +64,7 @@ InputRanges input_ranges_of(const Recording& recording) {
 
 }  // namespace
 
-std::int64_t sample_number(const Recording& recording, std::size_t row) {
+std::int64_t sample_number(const recording::Recording& recording, std::size_t row) {
   if (row == 0) return 0;
   return std::llround((recording.time_s[row] - recording.time_s[0]) / recording.period_s);
 }
@@ -73,7 +74,7 @@ std::uint32_t samples_per_block(double period_s) {
   return one_block_each ? 1U : static_cast<std::uint32_t>(std::lround(1 / period_s));
 }
 
-BlockSeries make_blocks(const Recording& recording) {
+BlockSeries make_blocks(const recording::Recording& recording) {
   BlockSeries series;
   series.file = recording.file;
   series.period_s = recording.period_s;
@@ -81,7 +82,7 @@ BlockSeries make_blocks(const Recording& recording) {
   series.block_s = recording.period_s > 0 ? recording.period_s * series.samples_per_block : 1;
   series.inputs = inputs_of(recording);
   series.input_ranges = input_ranges_of(recording);
-  series.rounding_dph = rate_resolution(recording).rounding_dph();
+  series.rounding_dph = recording::rate_resolution(recording).rounding_dph();
   // Blocks that had passed since power-on when the recording began.
   const double earlier = recording.time_s[0] / series.block_s;
   series.first = means_of_row(recording, 0);
@@ -108,4 +109,4 @@ BlockSeries make_blocks(const Recording& recording) {
   return series;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

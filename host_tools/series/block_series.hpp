@@ -9,7 +9,7 @@
 #include "model/real_numbers.hpp"
 #include "recording/recording.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 
 /// A recording cut into the blocks in which the board would take it, with block means.
 struct BlockSeries {
@@ -22,23 +22,23 @@ struct BlockSeries {
     std::uint32_t samples = 0;
     double time_s = 0;    ///< mean of its samples
     double rate_dph = 0;  ///< measured
-    fog::BlockMeans<RealNumbers> means;
+    fog::BlockMeans<model::RealNumbers> means;
   };
   std::vector<Block> blocks;
-  fog::BlockMeans<RealNumbers> first;  ///< the first sample: what the board starts from
-  fog::InputMask inputs = 0;           ///< that the recording has
-  InputRanges input_ranges{};          ///< of its rows
+  fog::BlockMeans<model::RealNumbers> first;  ///< the first sample: what the board starts from
+  fog::InputMask inputs = 0;                  ///< that the recording has
+  model::InputRanges input_ranges{};          ///< of its rows
   /// Standard deviation of the error that rounding makes in a sample's rate: of its digits, of the
   /// numbers that the computer holds it in.
   double rounding_dph = 0;
 };
 
 /// The number of the sample in a stream without gaps, from its time.
-std::int64_t sample_number(const Recording& recording, std::size_t row);
+std::int64_t sample_number(const recording::Recording& recording, std::size_t row);
 
 /// Samples in the board's block of 1 s, at least one.
 std::uint32_t samples_per_block(double period_s);
 
-BlockSeries make_blocks(const Recording& recording);
+BlockSeries make_blocks(const recording::Recording& recording);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

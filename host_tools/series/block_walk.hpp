@@ -8,10 +8,10 @@
 #include "recording/board_limits.hpp"
 #include "series/block_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 
 inline std::uint32_t hold_blocks(double block_s) {
-  return static_cast<std::uint32_t>(std::max(1.0, std::round(kHoldSeconds / block_s)));
+  return static_cast<std::uint32_t>(std::max(1.0, std::round(recording::kHoldSeconds / block_s)));
 }
 
 /// Leads a model (start(means), step(means)) through a recording as the board leads its own:
@@ -22,7 +22,7 @@ inline std::uint32_t hold_blocks(double block_s) {
 template <class DriftModel, class Visit>
 void walk_blocks(const BlockSeries& series, DriftModel& model, Visit visit) {
   const std::int64_t too_many = std::int64_t{hold_blocks(series.block_s)} + 1;
-  fog::BlockBridge<RealNumbers> bridge(hold_blocks(series.block_s));
+  fog::BlockBridge<model::RealNumbers> bridge(hold_blocks(series.block_s));
   model.start(series.first);
   bridge.start(series.first);
   std::int64_t before = -1;
@@ -39,4 +39,4 @@ void walk_blocks(const BlockSeries& series, DriftModel& model, Visit visit) {
   }
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

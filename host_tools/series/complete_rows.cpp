@@ -6,7 +6,7 @@
 #include "recording/columns.hpp"
 #include "recording/segments.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 namespace {
 
 // Sum over the offset from the first value, so that a mean of equal values is that value.
@@ -16,29 +16,32 @@ double mean(const double* values, std::size_t size) {
   return values[0] + sum / static_cast<double>(size);
 }
 
-RowRange longest(const std::vector<RowRange>& stretches) {
-  return *std::max_element(stretches.begin(), stretches.end(),
-                           [](RowRange a, RowRange b) { return a.size() < b.size(); });
+recording::RowRange longest(const std::vector<recording::RowRange>& stretches) {
+  return *std::max_element(
+      stretches.begin(), stretches.end(),
+      [](recording::RowRange a, recording::RowRange b) { return a.size() < b.size(); });
 }
 
 }  // namespace
 
-std::size_t samples_per_row(const Recording& recording, double average_s) {
+std::size_t samples_per_row(const recording::Recording& recording, double average_s) {
   if (!(recording.period_s > 0)) return 1;
   const double samples = std::round(average_s / recording.period_s);
-  return static_cast<std::size_t>(std::clamp(samples, 1.0, static_cast<double>(kMostRows)));
+  return static_cast<std::size_t>(
+      std::clamp(samples, 1.0, static_cast<double>(recording::kMostRows)));
 }
 
-CompleteRows complete_rows(const Recording& recording, double average_s) {
-  const std::vector<RowRange> all = stretches_of(recording, {0, recording.rows()});
+CompleteRows complete_rows(const recording::Recording& recording, double average_s) {
+  const std::vector<recording::RowRange> all =
+      recording::stretches_of(recording, {0, recording.rows()});
   CompleteRows rows;
   rows.samples_per_row = samples_per_row(recording, average_s);
-  std::vector<RowRange> stretches = all;
+  std::vector<recording::RowRange> stretches = all;
   if (longest(all).size() < rows.samples_per_row) {
     stretches = {longest(all)};
     rows.samples_per_row = stretches.front().size();
   }
-  for (const RowRange& stretch : stretches) {
+  for (const recording::RowRange& stretch : stretches) {
     const std::size_t count = stretch.size() / rows.samples_per_row;
     if (count > 0) rows.means.stretch_starts.push_back(rows.first_samples.size());
     for (std::size_t i = 0; i < count; ++i) {
@@ -47,7 +50,7 @@ CompleteRows complete_rows(const Recording& recording, double average_s) {
   }
   rows.means.file = recording.file;
   rows.means.period_s = recording.period_s * static_cast<double>(rows.samples_per_row);
-  for (const ColumnInfo& column : kColumns) {
+  for (const recording::ColumnInfo& column : recording::kColumns) {
     const std::vector<double>& values = recording[column.column];
     if (values.empty()) continue;
     std::vector<double>& means = rows.means[column.column];
@@ -59,4 +62,4 @@ CompleteRows complete_rows(const Recording& recording, double average_s) {
   return rows;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

@@ -3,7 +3,7 @@
 #include "model/catalogue.hpp"
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 namespace {
 
 std::string remedy(fog::Input input) {
@@ -27,15 +27,15 @@ void require(const std::string& who, fog::InputMask needs, const BlockSeries& se
 
 }  // namespace
 
-void require_inputs(const std::vector<EffectTerm>& terms, const BlockSeries& series) {
-  for (const EffectTerm& term : terms) {
-    require(term.name, info_of(term).needs, series);
+void require_inputs(const std::vector<model::EffectTerm>& terms, const BlockSeries& series) {
+  for (const model::EffectTerm& term : terms) {
+    require(term.name, model::info_of(term).needs, series);
   }
 }
 
-void require_inputs(const Model& model, const BlockSeries& series) {
+void require_inputs(const model::Model& model, const BlockSeries& series) {
   require_inputs(model.terms, series);
   require("the network", model.network.needs(), series);
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace fogcomp {
+namespace fogcomp::series {
 namespace {
 
 // Where rows are as far apart as the board's blocks this is fog::FirstOrderLag; but rows may lie
@@ -32,4 +32,4 @@ Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double
   return result;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

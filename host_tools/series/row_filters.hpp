@@ -2,7 +2,7 @@
 
 #include "series/rows.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 
 /// A first-order lag of `values` (one per row), stepped by the time between rows. Every recording
 /// begins with it settled at its first value.
@@ -11,4 +11,4 @@ Eigen::VectorXd lagged(const Rows& rows, const Eigen::VectorXd& values, double t
 /// The same once forward and once backward: rounder corners, no delay.
 Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double tau_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fogcomp {
+namespace fogcomp::series {
 namespace {
 
-using Means = fog::BlockMeans<RealNumbers>;
-using Signals = fog::Signals<RealNumbers>;
+using Means = fog::BlockMeans<model::RealNumbers>;
+using Signals = fog::Signals<model::RealNumbers>;
 
 std::int64_t blocks_per_row(double average_s, double block_s) {
   return std::max(1LL, std::llround(average_s / block_s));
@@ -28,11 +28,11 @@ void add_weighted(double weight, const Signals& signals, Signals& sum) {
   add_weighted(weight, signals.block, sum.block);
 }
 
-void widen(InputRanges& ranges, const InputRanges& by) {
+void widen(model::InputRanges& ranges, const model::InputRanges& by) {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (!by[i]) continue;
     if (!ranges[i]) ranges[i] = by[i];
-    InputRange& range = *ranges[i];
+    model::InputRange& range = *ranges[i];
     range.range.least = std::min(range.range.least, by[i]->range.least);
     range.range.most = std::max(range.range.most, by[i]->range.most);
     range.step = std::max(range.step, by[i]->step);
@@ -41,8 +41,8 @@ void widen(InputRanges& ranges, const InputRanges& by) {
 
 }  // namespace
 
-std::vector<RowRange> Rows::runs() const {
-  std::vector<RowRange> runs;
+std::vector<recording::RowRange> Rows::runs() const {
+  std::vector<recording::RowRange> runs;
   for (const std::size_t start : run_starts) {
     if (!runs.empty()) runs.back().end = start;
     runs.push_back({start, static_cast<std::size_t>(size())});
@@ -60,11 +60,11 @@ bool Rows::starts_run(std::size_t row) const {
 }
 
 bool Rows::follows(std::size_t row) const {
-  return row > 0 && !starts_run(row) && !is_gap(time_s[row] - time_s[row - 1], row_s);
+  return row > 0 && !starts_run(row) && !recording::is_gap(time_s[row] - time_s[row - 1], row_s);
 }
 
-std::vector<RowRange> Rows::stretches() const {
-  std::vector<RowRange> stretches;
+std::vector<recording::RowRange> Rows::stretches() const {
+  std::vector<recording::RowRange> stretches;
   for (std::size_t row = 0; row < time_s.size(); ++row) {
     if (!follows(row)) stretches.push_back({row, row});
     ++stretches.back().end;
@@ -74,7 +74,7 @@ std::vector<RowRange> Rows::stretches() const {
 
 double Rows::longest_run_s() const {
   double longest_s = 0;
-  for (const RowRange& run : runs()) {
+  for (const recording::RowRange& run : runs()) {
     longest_s = std::max(longest_s, time_s[run.end - 1] - time_s[run.first]);
   }
   return longest_s;
@@ -147,4 +147,4 @@ double row_length_s(double average_s, double block_s) {
   return static_cast<double>(blocks_per_row(average_s, block_s)) * block_s;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

@@ -10,7 +10,7 @@
 #include "recording/row_range.hpp"
 #include "series/block_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 
 /// What is fitted, compared and diagnosed: means over `average_s` of the blocks of one or more
 /// recordings, or over one block where blocks are longer.
@@ -21,21 +21,22 @@ struct Rows {
   double row_s = 0;           ///< of a full row; the longest where recordings differ
   double rounding_dph = 0;    ///< standard deviation that the rate's rounding makes in a full row
   std::vector<double> time_s;
-  std::vector<fog::Signals<RealNumbers>> signals;    ///< means, as late as the board has them
-  std::vector<fog::BlockMeans<RealNumbers>> inputs;  ///< means of what was measured meanwhile
-  std::vector<std::size_t> run_starts;               ///< first row of each recording
-  InputRanges input_ranges{};                        ///< of all recordings together
+  std::vector<fog::Signals<model::RealNumbers>> signals;  ///< means, as late as the board has them
+  std::vector<fog::BlockMeans<model::RealNumbers>>
+      inputs;                           ///< means of what was measured meanwhile
+  std::vector<std::size_t> run_starts;  ///< first row of each recording
+  model::InputRanges input_ranges{};    ///< of all recordings together
 
   Eigen::Index size() const { return drift_dph.size(); }
   /// The rows of each recording.
-  std::vector<RowRange> runs() const;
+  std::vector<recording::RowRange> runs() const;
   /// Which of them a row is part of, and whether it is its first.
   std::size_t run_at(std::size_t row) const;
   bool starts_run(std::size_t row) const;
   /// Whether a row comes right after the one before it: of the same recording, without a gap.
   bool follows(std::size_t row) const;
   /// Rows without a gap.
-  std::vector<RowRange> stretches() const;
+  std::vector<recording::RowRange> stretches() const;
   /// From the first row to the last, of the longest recording.
   double longest_run_s() const;
 
@@ -51,7 +52,8 @@ class RowAverager {
 
   /// Counts a block, in order of time, with the signals that the board has by then and `further`
   /// values. Returns its row.
-  std::int32_t take(const BlockSeries::Block& block, const fog::Signals<RealNumbers>& signals,
+  std::int32_t take(const BlockSeries::Block& block,
+                    const fog::Signals<model::RealNumbers>& signals,
                     const double* further = nullptr);
   /// Ends the last row. To be called once.
   void finish();
@@ -64,8 +66,8 @@ class RowAverager {
     double samples = 0;
     double time = 0;
     double drift = 0;
-    fog::Signals<RealNumbers> signals;
-    fog::BlockMeans<RealNumbers> inputs;
+    fog::Signals<model::RealNumbers> signals;
+    fog::BlockMeans<model::RealNumbers> inputs;
     Eigen::RowVectorXd further;
   };
 
@@ -81,4 +83,4 @@ class RowAverager {
 /// The length of a row, seconds: a whole number of blocks, at least one.
 double row_length_s(double average_s, double block_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

@@ -11,31 +11,32 @@
 #include "series/required_inputs.hpp"
 #include "series/zero_phase.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 
 // Stands where walk_blocks expects a drift model, and keeps what one would see.
 class SignalSeries::Recorder {
  public:
-  Recorder(const Model& model, Run& run)
-      : thermal_(unclamped(thermal_parameters(model, run.block_s))), run_(run) {}
+  Recorder(const model::Model& model, Run& run)
+      : thermal_(unclamped(model::thermal_parameters(model, run.block_s))), run_(run) {}
 
-  void start(const RealBlock& block) { keep(thermal_.reset(block), true); }
-  void step(const RealBlock& block) { keep(thermal_.step(block), false); }
+  void start(const model::RealBlock& block) { keep(thermal_.reset(block), true); }
+  void step(const model::RealBlock& block) { keep(thermal_.step(block), false); }
 
   /// The block that the signals kept last are valid for.
   Block& current() { return run_.blocks.back(); }
 
  private:
-  static fog::ThermalParameters<RealNumbers> unclamped(fog::ThermalParameters<RealNumbers> p) {
+  static fog::ThermalParameters<model::RealNumbers> unclamped(
+      fog::ThermalParameters<model::RealNumbers> p) {
     p.least = -std::numeric_limits<double>::infinity();
     p.most = std::numeric_limits<double>::infinity();
     return p;
   }
-  void keep(const fog::Signals<RealNumbers>& signals, bool restart) {
+  void keep(const fog::Signals<model::RealNumbers>& signals, bool restart) {
     run_.blocks.push_back({signals, restart, kNoRow, 0});
   }
 
-  fog::ThermalState<RealNumbers> thermal_;
+  fog::ThermalState<model::RealNumbers> thermal_;
   Run& run_;
 };
 
@@ -88,7 +89,7 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading) const
     const bool smoothed = reading == Reading::smoothed && !run.smoothed.empty();
     for (std::size_t i = 0; i < run.blocks.size(); ++i) {
       const Block& block = run.blocks[i];
-      const fog::Signals<RealNumbers>& signals = smoothed ? run.smoothed[i] : block.signals;
+      const fog::Signals<model::RealNumbers>& signals = smoothed ? run.smoothed[i] : block.signals;
       if (block.restart) part.reset(signals);
       part.step(signals, values.data());
       if (block.row == kNoRow) continue;
@@ -99,9 +100,9 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading) const
   return samples.cwiseInverse().asDiagonal() * sums;
 }
 
-Eigen::VectorXd SignalSeries::drift_dph(const std::vector<EffectTerm>& terms) const {
+Eigen::VectorXd SignalSeries::drift_dph(const std::vector<model::EffectTerm>& terms) const {
   Eigen::VectorXd drift = Eigen::VectorXd::Zero(rows_.size());
-  for (const EffectTerm& term : terms) {
+  for (const model::EffectTerm& term : terms) {
     drift += regressors(term) * Eigen::Map<const Eigen::VectorXd>(
                                     term.coefficients_dph.data(),
                                     static_cast<Eigen::Index>(term.coefficients_dph.size()));
@@ -109,26 +110,28 @@ Eigen::VectorXd SignalSeries::drift_dph(const std::vector<EffectTerm>& terms) co
   return drift;
 }
 
-Eigen::MatrixXd SignalSeries::regressors(const EffectTerm& term, Reading reading) const {
+Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading reading) const {
   struct Part {
-    std::unique_ptr<RealEffect> effect;
+    std::unique_ptr<model::RealEffect> effect;
     std::size_t size() const { return effect->regressor_count(); }
-    void reset(const fog::Signals<RealNumbers>& signals) { effect->reset(signals); }
-    void step(const fog::Signals<RealNumbers>& signals, double* values) {
+    void reset(const fog::Signals<model::RealNumbers>& signals) { effect->reset(signals); }
+    void step(const fog::Signals<model::RealNumbers>& signals, double* values) {
       effect->step(signals, values);
     }
   };
-  return row_means([&](double block_s) { return Part{make_effect(term, block_s)}; }, reading);
+  return row_means([&](double block_s) { return Part{model::make_effect(term, block_s)}; },
+                   reading);
 }
 
-SignalRanges SignalSeries::signal_ranges() const {
+model::SignalRanges SignalSeries::signal_ranges() const {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  SignalRanges ranges;
+  model::SignalRanges ranges;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     ranges[i] = {kInfinite, -kInfinite};
     for (const Run& run : runs_) {
       for (const Block& block : run.blocks) {
-        const double value = value_of(static_cast<fog::Input>(i), block.signals, run.block_s);
+        const double value =
+            model::value_of(static_cast<fog::Input>(i), block.signals, run.block_s);
         ranges[i] = {std::min(ranges[i].least, value), std::max(ranges[i].most, value)};
       }
     }
@@ -136,10 +139,10 @@ SignalRanges SignalSeries::signal_ranges() const {
   return ranges;
 }
 
-Eigen::MatrixXd SignalSeries::network_inputs(const std::vector<RealInput>& inputs) const {
-  struct Part : NetworkSignals {
+Eigen::MatrixXd SignalSeries::network_inputs(const std::vector<model::RealInput>& inputs) const {
+  struct Part : model::NetworkSignals {
     using NetworkSignals::NetworkSignals;
-    void step(const fog::Signals<RealNumbers>& signals, double* values) {
+    void step(const fog::Signals<model::RealNumbers>& signals, double* values) {
       const Eigen::VectorXd& now = NetworkSignals::step(signals);
       std::copy(now.begin(), now.end(), values);
     }
@@ -147,4 +150,4 @@ Eigen::MatrixXd SignalSeries::network_inputs(const std::vector<RealInput>& input
   return row_means([&](double block_s) { return Part(inputs, block_s); });
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

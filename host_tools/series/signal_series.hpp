@@ -8,7 +8,7 @@
 #include "series/block_series.hpp"
 #include "series/rows.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 
 /// How a temperature becomes the signals that effects see.
 enum class Phase : std::uint8_t {
@@ -28,7 +28,7 @@ class SignalSeries {
  public:
   /// `model` gives the derivative's time constant and the averaging. Temperature is not clamped: a
   /// fit has no trained range yet.
-  explicit SignalSeries(const Model& model, Phase phase = Phase::board)
+  explicit SignalSeries(const model::Model& model, Phase phase = Phase::board)
       : model_(model), phase_(phase) {}
 
   /// Adds a recording. Throws InputError where it lacks a column that one of the model's effects
@@ -39,24 +39,25 @@ class SignalSeries {
 
   /// The row means of an effect's regressors, rows x regressors of the effect. In Phase::zero both
   /// readings are one.
-  Eigen::MatrixXd regressors(const EffectTerm& term, Reading reading = Reading::of_sensor) const;
+  Eigen::MatrixXd regressors(const model::EffectTerm& term,
+                             Reading reading = Reading::of_sensor) const;
   Phase phase() const { return phase_; }
   /// The row means of what the terms make together with their coefficients, deg/h.
-  Eigen::VectorXd drift_dph(const std::vector<EffectTerm>& terms) const;
+  Eigen::VectorXd drift_dph(const std::vector<model::EffectTerm>& terms) const;
 
   /// Least and most of each signal that an expression can have, over all blocks.
-  SignalRanges signal_ranges() const;
+  model::SignalRanges signal_ranges() const;
 
   /// The row means of what a network would see, rows x inputs, in the inputs' units: what it is
   /// trained on. Normalisation is not used. The recordings must have what the inputs need, which
   /// add() has seen to where the model's network already lists them.
-  Eigen::MatrixXd network_inputs(const std::vector<RealInput>& inputs) const;
+  Eigen::MatrixXd network_inputs(const std::vector<model::RealInput>& inputs) const;
 
  private:
   static constexpr std::int32_t kNoRow = -1;
   // The state of the thermal stage during one block.
   struct Block {
-    fog::Signals<RealNumbers> signals;
+    fog::Signals<model::RealNumbers> signals;
     bool restart = false;
     std::int32_t row = kNoRow;  // none where the board's drift is not valid
     double samples = 0;
@@ -64,7 +65,7 @@ class SignalSeries {
   struct Run {
     double block_s = 0;
     std::vector<Block> blocks;
-    std::vector<fog::Signals<RealNumbers>> smoothed;  ///< per block; none in Phase::zero
+    std::vector<fog::Signals<model::RealNumbers>> smoothed;  ///< per block; none in Phase::zero
   };
   class Recorder;
 
@@ -75,10 +76,10 @@ class SignalSeries {
   template <class Make>
   Eigen::MatrixXd row_means(const Make& make, Reading reading = Reading::of_sensor) const;
 
-  const Model& model_;
+  const model::Model& model_;
   Phase phase_;
   std::vector<Run> runs_;
   Rows rows_;
 };
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

@@ -5,7 +5,7 @@
 
 #include "model/model.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 
 /// Consecutive columns of a matrix.
 struct ColumnRange {
@@ -15,6 +15,6 @@ struct ColumnRange {
 
 /// Where each term's regressors stand among those of all, which begin with the first one's.
 /// `block_s`: of the effects' steps; it does not change how many there are.
-std::vector<ColumnRange> columns_of(const std::vector<EffectTerm>& terms, double block_s);
+std::vector<ColumnRange> columns_of(const std::vector<model::EffectTerm>& terms, double block_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

@@ -8,7 +8,7 @@
 #include "core/thermal/first_order_lag.hpp"
 #include "series/block_walk.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 namespace {
 
 // After as many time constants nothing of how the filter was started is left.
@@ -16,7 +16,7 @@ constexpr double kRunInTaus = 10;
 
 // Temperatures of a stretch, one per block number, gaps bridged.
 std::vector<double> bridged(const BlockSeries& series, std::size_t first, std::size_t end) {
-  fog::BlockBridge<RealNumbers> bridge(UINT32_MAX);
+  fog::BlockBridge<model::RealNumbers> bridge(UINT32_MAX);
   bridge.start(series.blocks[first].means);
   std::vector<double> values{series.blocks[first].means.temperature};
   for (std::size_t i = first + 1; i < end; ++i) {
@@ -42,7 +42,7 @@ std::vector<double> extended(const std::vector<double>& values, std::size_t beyo
 }
 
 template <class Iterator>
-void pass(Iterator first, Iterator end, fog::FirstOrderLag<RealNumbers> lag) {
+void pass(Iterator first, Iterator end, fog::FirstOrderLag<model::RealNumbers> lag) {
   lag.reset(*first);
   std::transform(first, end, first, [&](double value) { return lag.step(value); });
 }
@@ -51,7 +51,7 @@ void pass(Iterator first, Iterator end, fog::FirstOrderLag<RealNumbers> lag) {
 std::vector<double> smoothed(const std::vector<double>& temperature_degc, std::size_t beyond,
                              double block_s, double tau_s) {
   std::vector<double> smooth = extended(temperature_degc, beyond);
-  const fog::FirstOrderLag<RealNumbers> lag(RealNumbers::decay(block_s / tau_s));
+  const fog::FirstOrderLag<model::RealNumbers> lag(model::RealNumbers::decay(block_s / tau_s));
   pass(smooth.begin(), smooth.end(), lag);
   pass(smooth.rbegin(), smooth.rend(), lag);
   return smooth;
@@ -120,4 +120,4 @@ BlockSeries with_smooth_temperature(BlockSeries series, double tau_s) {
   return series;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

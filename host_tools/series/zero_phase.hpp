@@ -5,13 +5,13 @@
 #include "core/thermal/signals.hpp"
 #include "series/block_series.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 
 /// What the coil saw during each block, without the board's delay: temperature as measured, its
 /// rate from a filter that looks both ways.
 struct ZeroPhaseSignals {
-  std::vector<fog::Signals<RealNumbers>> signals;  ///< one per block of the series
-  std::vector<bool> restart;                       ///< the first block, and after long gaps
+  std::vector<fog::Signals<model::RealNumbers>> signals;  ///< one per block of the series
+  std::vector<bool> restart;                              ///< the first block, and after long gaps
 };
 
 /// The board's derivative is late by two time constants and a block, which is nothing against a
@@ -25,4 +25,4 @@ ZeroPhaseSignals zero_phase_signals(const BlockSeries& series, double derivative
 /// forward and backward.
 BlockSeries with_smooth_temperature(BlockSeries series, double tau_s);
 
-}  // namespace fogcomp
+}  // namespace fogcomp::series

@@ -9,7 +9,7 @@ namespace fogcomp::simulation {
 
 /// What a gyro on a chamber programme would have sent, and what made it so.
 struct SimulatedRecording {
-  Recording recording;  ///< every column, one stretch
+  recording::Recording recording;  ///< every column, one stretch
   /// One series per Simulation::effect_names(), deg/h, as long as the recording.
   std::vector<std::vector<double>> effects_dph;
 };

@@ -20,7 +20,7 @@ struct SimulationOptions {
 };
 
 /// Rows of a run: all columns of a recording, and the truth. Times are those of the rows' starts.
-struct RowChunk : Recording {
+struct RowChunk : recording::Recording {
   /// True temperatures, then each effect and noise source by name; all as long as the columns.
   std::vector<double> coil_degc;
   std::vector<double> chamber_degc;

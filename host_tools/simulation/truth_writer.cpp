@@ -34,10 +34,10 @@ TruthWriter::TruthWriter(const std::string& path, const std::string& origin,
 
 void TruthWriter::append(const RowChunk& chunk) {
   std::string line;
-  std::array<char, kLongestDecimal> digits;
+  std::array<char, recording::kLongestDecimal> digits;
   const auto add = [&](double value, int decimals) {
     if (!line.empty()) line += ',';
-    line.append(digits.data(), print_fixed(value, decimals, digits.data()));
+    line.append(digits.data(), recording::print_fixed(value, decimals, digits.data()));
   };
   for (std::size_t row = 0; row < chunk.rows(); ++row) {
     line.clear();

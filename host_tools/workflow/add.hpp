@@ -16,13 +16,13 @@ struct AddRequest {
   std::optional<std::string> expression;  ///< `NAME = EXPRESSION` instead of effects
   std::vector<std::string> runs;          ///< recordings to fit to
   std::vector<std::string> hold_outs;     ///< to judge by, instead of leaving parts out
-  ReadOptions reading;                    ///< model_scale_factor is the model's
+  recording::ReadOptions reading;         ///< model_scale_factor is the model's
   bool run_offsets = false;               ///< every recording has a bias of its own
   std::uint64_t seed = 1;                 ///< of the network's first weights
 };
 
 /// Whether the effects are worth it is in the outcome, with the refitted model; nothing is written.
 /// Throws InputError as change_effects(), read_holdouts() and add_effect() do.
-Addition add(const AddRequest& request, const Observer& observer = {});
+fit::Addition add(const AddRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

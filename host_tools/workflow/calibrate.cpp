@@ -16,46 +16,49 @@ using Figures = std::vector<std::pair<std::string, double>>;
 // A figure of each hold-out; the worst counts.
 struct HoldOutFigure {
   const char* name;
-  std::optional<double> (*value)(const Comparison&);
+  std::optional<double> (*value)(const compare::Comparison&);
 };
 
 const HoldOutFigure kHoldOutFigures[] = {
     {"holdout_raw_std_dph",
-     [](const Comparison& run) { return std::optional(run.whole.raw_std_dph); }},
-    {"holdout_rms_dph", [](const Comparison& run) { return std::optional(run.whole.rms_dph); }},
-    {"holdout_floor_dph", [](const Comparison& run) { return run.noise_floor_dph; }},
+     [](const compare::Comparison& run) { return std::optional(run.whole.raw_std_dph); }},
+    {"holdout_rms_dph",
+     [](const compare::Comparison& run) { return std::optional(run.whole.rms_dph); }},
+    {"holdout_floor_dph", [](const compare::Comparison& run) { return run.noise_floor_dph; }},
     {"holdout_drift_dph",
-     [](const Comparison& run) -> std::optional<double> {
+     [](const compare::Comparison& run) -> std::optional<double> {
        if (!run.noise_floor_dph) return std::nullopt;
-       return floor_removed(run.whole.rms_dph, *run.noise_floor_dph);
+       return compare::floor_removed(run.whole.rms_dph, *run.noise_floor_dph);
      }},
     {"holdout_offset_dph",
-     [](const Comparison& run) { return std::optional(std::fabs(run.whole.mean_dph)); }},
+     [](const compare::Comparison& run) { return std::optional(std::fabs(run.whole.mean_dph)); }},
     {"holdout_outliers",
-     [](const Comparison& run) { return std::optional(static_cast<double>(run.outliers)); }},
+     [](const compare::Comparison& run) {
+       return std::optional(static_cast<double>(run.outliers));
+     }},
     {"holdout_outside",
-     [](const Comparison& run) { return std::optional(run.outside.temperature); }},
+     [](const compare::Comparison& run) { return std::optional(run.outside.temperature); }},
 };
 
 void add_fit_figures(Figures& figures, const FitOutcome& fit) {
-  const Model& model = fit.model;
+  const model::Model& model = fit.model;
   figures.emplace_back("rows", static_cast<double>(fit.rows));
   figures.emplace_back("noise_dprh", model.noise_dph_rthz / std::sqrt(kSecondsPerHour));
   figures.emplace_back("fit_raw_std_dph", fit.result.raw_std_dph);
   figures.emplace_back("fit_rms_dph", model.residual_rms_dph);
   if (const auto floor = model.history.back().noise_floor_dph) {
     figures.emplace_back("fit_floor_dph", *floor);
-    figures.emplace_back("fit_drift_dph", floor_removed(model.residual_rms_dph, *floor));
+    figures.emplace_back("fit_drift_dph", compare::floor_removed(model.residual_rms_dph, *floor));
   }
   figures.emplace_back("fit_misfit", fit.result.identified.misfit);
   figures.emplace_back("fit_outliers", static_cast<double>(fit.result.identified.outliers));
   figures.emplace_back("network_hidden", static_cast<double>(model.network.hidden.biases.size()));
 }
 
-void add_hold_out_figures(Figures& figures, const ModelOnRuns& hold_outs) {
+void add_hold_out_figures(Figures& figures, const compare::ModelOnRuns& hold_outs) {
   for (const HoldOutFigure& figure : kHoldOutFigures) {
     std::optional<double> worst;
-    for (const ModelOnRun& run : hold_outs.runs) {
+    for (const compare::ModelOnRun& run : hold_outs.runs) {
       const auto value = figure.value(run.comparison);
       if (value) worst = std::max(worst.value_or(*value), *value);
     }
@@ -64,16 +67,16 @@ void add_hold_out_figures(Figures& figures, const ModelOnRuns& hold_outs) {
 }
 
 // What a line watches from gyro to gyro: "temperature_rate.K", in the catalogue's units.
-void add_coefficients(Figures& figures, const Model& model) {
-  for (const EffectTerm& term : model.terms) {
-    if (is_event(term)) continue;
-    const TermInfo info = info_of(term);
+void add_coefficients(Figures& figures, const model::Model& model) {
+  for (const model::EffectTerm& term : model.terms) {
+    if (model::is_event(term)) continue;
+    const model::TermInfo info = model::info_of(term);
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
       figures.emplace_back(term.name + "." + info.parameters[i].name, term.parameters[i]);
     }
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
       figures.emplace_back(term.name + "." + info.coefficients[i].symbol,
-                           natural_coefficient(term, i));
+                           model::natural_coefficient(term, i));
     }
   }
 }
@@ -85,16 +88,17 @@ void add_board_figures(Figures& figures, const ExportOutcome& board) {
   }
 }
 
-ModelOnRuns on_hold_outs(const CalibrationRequest& request, const FitOutcome& fit,
-                         const Observer& observer) {
-  ReadOptions reading = observer.heard(request.fit.reading);
+compare::ModelOnRuns on_hold_outs(const CalibrationRequest& request, const FitOutcome& fit,
+                                  const Observer& observer) {
+  recording::ReadOptions reading = observer.heard(request.fit.reading);
   reading.model_scale_factor = fit.model.scale_factor;
   reading.model_limits = fit.model.limits;
-  ModelOnRuns model{request.model_file, fit.model, {}};
-  const Holdouts hold_outs =
-      read_holdouts(request.hold_outs, reading, fit.model.average_s, fit.runs);
+  compare::ModelOnRuns model{request.model_file, fit.model, {}};
+  const fit::Holdouts hold_outs =
+      fit::read_holdouts(request.hold_outs, reading, fit.model.average_s, fit.runs);
   observer.say(hold_outs.notes);
-  for (const RunInBlocks& run : hold_outs.runs) model.runs.push_back(try_model(fit.model, run));
+  for (const compare::RunInBlocks& run : hold_outs.runs)
+    model.runs.push_back(compare::try_model(fit.model, run));
   return model;
 }
 
@@ -104,7 +108,7 @@ CalibrationOutcome calibrate(const CalibrationRequest& request, const Calibratio
                              const Observer& observer) {
   CalibrationOutcome outcome;
   outcome.fit = fit(request.fit, observer);
-  const Model& model = outcome.fit.model;
+  const model::Model& model = outcome.fit.model;
   if (events.fitted) events.fitted(model);
   outcome.hold_outs = on_hold_outs(request, outcome.fit, observer);
   if (events.judged) events.judged(outcome.hold_outs);
@@ -129,8 +133,8 @@ std::vector<std::string> figure_names(const FitRequest& fit) {
                                  "quantization_error_dph",
                                  "network_error_dph"};
   for (const HoldOutFigure& figure : kHoldOutFigures) names.emplace_back(figure.name);
-  for (const EffectTerm& term : wanted_terms(fit)) {
-    const TermInfo info = info_of(term);
+  for (const model::EffectTerm& term : wanted_terms(fit)) {
+    const model::TermInfo info = model::info_of(term);
     for (const auto& parameter : info.parameters) names.push_back(term.name + "." + parameter.name);
     for (const auto& coefficient : info.coefficients) {
       names.push_back(term.name + "." + coefficient.symbol);

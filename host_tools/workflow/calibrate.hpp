@@ -14,19 +14,19 @@ namespace fogcomp::workflow {
 struct CalibrationRequest {
   FitRequest fit;
   std::vector<std::string> hold_outs;  ///< recordings to judge by: the fit never sees them
-  BoardSettings board;
+  board::BoardSettings board;
   std::string model_file;  ///< where the model will be, for the header and for errors
 };
 
 /// What is known before the end, to be kept whatever a later step refuses. Either may be empty.
 struct CalibrationEvents {
-  std::function<void(const Model&)> fitted{};
-  std::function<void(const ModelOnRuns&)> judged{};  ///< on the hold-outs
+  std::function<void(const model::Model&)> fitted{};
+  std::function<void(const compare::ModelOnRuns&)> judged{};  ///< on the hold-outs
 };
 
 struct CalibrationOutcome {
   FitOutcome fit;
-  ModelOnRuns hold_outs;
+  compare::ModelOnRuns hold_outs;
   ExportOutcome board;
   /// What a line watches from gyro to gyro, by name.
   std::vector<std::pair<std::string, double>> figures;

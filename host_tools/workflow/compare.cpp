@@ -7,12 +7,12 @@
 namespace fogcomp::workflow {
 namespace {
 
-std::vector<ModelOnRuns> load_models(const CompareRequest& request) {
-  std::vector<ModelOnRuns> models;
+std::vector<compare::ModelOnRuns> load_models(const CompareRequest& request) {
+  std::vector<compare::ModelOnRuns> models;
   for (const std::string& file : request.models) {
-    models.push_back({file, load_model(file), {}});
-    Model& model = models.back().model;
-    if (request.physics_alone) model.network = RealNetwork();
+    models.push_back({file, model::load_model(file), {}});
+    model::Model& model = models.back().model;
+    if (request.physics_alone) model.network = model::RealNetwork();
     if (!request.reading.scale_factor && model.scale_factor != models[0].model.scale_factor) {
       throw InputError(file,
                        "has another scale factor than " + models[0].file + "; give --scale-factor");
@@ -23,25 +23,27 @@ std::vector<ModelOnRuns> load_models(const CompareRequest& request) {
 
 }  // namespace
 
-std::vector<ModelOnRuns> compare(const CompareRequest& request, const Observer& observer) {
-  std::vector<ModelOnRuns> models = load_models(request);
+std::vector<compare::ModelOnRuns> compare(const CompareRequest& request, const Observer& observer) {
+  std::vector<compare::ModelOnRuns> models = load_models(request);
   const double row_s = request.average_s.value_or(models[0].model.average_s);
-  ReadOptions reading = observer.heard(request.reading);
+  recording::ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = models[0].model.scale_factor;
   reading.model_limits = models[0].model.limits;
-  KnownRows known;
+  recording::KnownRows known;
   for (std::size_t i = 0; i < request.runs.size(); ++i) {
     const std::string& file = request.runs[i];
     observer.tell("comparing", static_cast<double>(i) / static_cast<double>(request.runs.size()));
-    const RunInBlocks run = run_in_blocks(read_recording(file, reading), row_s);
+    const compare::RunInBlocks run =
+        compare::run_in_blocks(recording::read_recording(file, reading), row_s);
     const std::string same = known.file_with(run.rows_hash);
     if (!same.empty()) {
-      observer.say({same_rows_words(run.file, same)});
+      observer.say({recording::same_rows_words(run.file, same)});
       continue;
     }
     known.add(run.rows_hash, run.file);
     observer.say(run.notes);
-    for (ModelOnRuns& model : models) model.runs.push_back(try_model(model.model, run));
+    for (compare::ModelOnRuns& model : models)
+      model.runs.push_back(compare::try_model(model.model, run));
   }
   return models;
 }

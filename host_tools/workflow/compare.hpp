@@ -13,7 +13,7 @@ namespace fogcomp::workflow {
 struct CompareRequest {
   std::vector<std::string> models;  ///< files; at least one
   std::vector<std::string> runs;    ///< recordings
-  ReadOptions reading;              ///< model_scale_factor is the models'
+  recording::ReadOptions reading;   ///< model_scale_factor is the models'
   std::optional<double> average_s;  ///< rows of the residual; nothing: as the first was fitted
   bool physics_alone = false;       ///< without the models' networks
 };
@@ -21,6 +21,7 @@ struct CompareRequest {
 /// Every model on every run, in the same rows; a run with the rows of one before it is left out,
 /// and noted. Throws InputError where a run lacks what a model needs, and for models of different
 /// scale factors where reading has none.
-std::vector<ModelOnRuns> compare(const CompareRequest& request, const Observer& observer = {});
+std::vector<compare::ModelOnRuns> compare(const CompareRequest& request,
+                                          const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

@@ -9,7 +9,8 @@
 namespace fogcomp::workflow {
 namespace {
 
-DenoiseOutcome::MeanAndStd statistics(const std::vector<double>& values, const RowRange& rows) {
+DenoiseOutcome::MeanAndStd statistics(const std::vector<double>& values,
+                                      const recording::RowRange& rows) {
   const auto count = static_cast<double>(rows.size());
   DenoiseOutcome::MeanAndStd result;
   for (std::size_t i = rows.first; i < rows.end; ++i) result.mean_dph += values[i] / count;
@@ -21,28 +22,31 @@ DenoiseOutcome::MeanAndStd statistics(const std::vector<double>& values, const R
 }
 
 // Between its gaps, each part by itself.
-DenoiseReport denoise_bias(const Recording& recording, const DenoiseMethod& method,
-                           std::vector<double>& bias) {
+denoise::DenoiseReport denoise_bias(const recording::Recording& recording,
+                                    const denoise::DenoiseMethod& method,
+                                    std::vector<double>& bias) {
   std::vector<fog::Span<double>> parts;
-  for (const RowRange& stretch : stretches_of(recording, {0, recording.rows()})) {
+  for (const recording::RowRange& stretch :
+       recording::stretches_of(recording, {0, recording.rows()})) {
     parts.push_back({bias.data() + stretch.first, stretch.size()});
   }
-  return denoise_parts(parts, method, recording.file);
+  return denoise::denoise_parts(parts, method, recording.file);
 }
 
 }  // namespace
 
 DenoiseOutcome denoise(const DenoiseRequest& request, const Observer& observer) {
-  DenoiseOutcome outcome{read_recording(request.run, observer.heard(request.reading)), {}, {}};
-  Recording& recording = outcome.recording;
-  const std::vector<double> before = bias_dph(recording);
+  DenoiseOutcome outcome{
+      recording::read_recording(request.run, observer.heard(request.reading)), {}, {}};
+  recording::Recording& recording = outcome.recording;
+  const std::vector<double> before = recording::bias_dph(recording);
   std::vector<double> after = before;
   outcome.report = denoise_bias(recording, request.method, after);
   for (std::size_t i = 0; i < after.size(); ++i) {
     const double input_dph = recording.input_rate_dph.empty() ? 0 : recording.input_rate_dph[i];
     recording.rate_dph[i] = after[i] + input_dph;
   }
-  for (const Segment& segment : find_segments(recording)) {
+  for (const recording::Segment& segment : recording::find_segments(recording)) {
     outcome.segments.push_back(
         {segment.name, statistics(before, segment.rows), statistics(after, segment.rows)});
   }

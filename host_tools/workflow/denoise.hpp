@@ -11,8 +11,8 @@ namespace fogcomp::workflow {
 
 struct DenoiseRequest {
   std::string run;  ///< recording
-  ReadOptions reading;
-  DenoiseMethod method;
+  recording::ReadOptions reading;
+  denoise::DenoiseMethod method;
 };
 
 struct DenoiseOutcome {
@@ -25,8 +25,8 @@ struct DenoiseOutcome {
     MeanAndStd raw;
     MeanAndStd denoised;
   };
-  Recording recording;  ///< denoised; what the gyro really turned is in it untouched
-  DenoiseReport report;
+  recording::Recording recording;  ///< denoised; what the gyro really turned is in it untouched
+  denoise::DenoiseReport report;
   std::vector<SegmentBias> segments;
 };
 

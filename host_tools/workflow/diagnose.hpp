@@ -13,7 +13,7 @@ namespace fogcomp::workflow {
 struct DiagnoseRequest {
   std::string model;                     ///< file
   std::vector<std::string> runs;         ///< recordings
-  ReadOptions reading;                   ///< model_scale_factor is the model's
+  recording::ReadOptions reading;        ///< model_scale_factor is the model's
   std::vector<std::string> expressions;  ///< `NAME = EXPRESSION`: candidates beside the catalogue
   std::optional<std::string> at_rest;    ///< recording that the noise is taken from
   int max_effects = 0;                   ///< of the loop; 0: only say what is missing
@@ -22,10 +22,10 @@ struct DiagnoseRequest {
 };
 
 struct DiagnoseOutcome {
-  std::unique_ptr<const Model> model;  ///< as given; data refers to it
-  DiagnosisData data;
+  std::unique_ptr<const model::Model> model;  ///< as given; data refers to it
+  diagnosis::DiagnosisData data;
   std::vector<std::string> runs;  ///< that counted: none twice
-  Ladder ladder;                  ///< without steps where max_effects is 0
+  diagnosis::Ladder ladder;       ///< without steps where max_effects is 0
 };
 
 /// Throws InputError as DiagnosisData::add(), noise_of_static() and walk_ladder() do.

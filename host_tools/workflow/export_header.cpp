@@ -16,15 +16,16 @@ std::string file_name(const std::string& path) {
   return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
-std::uint32_t data_hash(const Model& model) {
+std::uint32_t data_hash(const model::Model& model) {
   return model.history.empty() ? 0 : model.history.back().data_hash;
 }
 
 // What the board does without, a sentence each.
-std::vector<std::string> left_out(const Model& model, const fog::ModelParameters& parameters) {
+std::vector<std::string> left_out(const model::Model& model,
+                                  const fog::ModelParameters& parameters) {
   std::vector<std::string> notes;
-  for (const EffectTerm& term : model.terms) {
-    const char* reason = info_of(term).host_only;
+  for (const model::EffectTerm& term : model.terms) {
+    const char* reason = model::info_of(term).host_only;
     if (reason != nullptr) notes.push_back(term.name + " is left out: " + reason);
   }
   const fog::AcquisitionParameters& board = parameters.acquisition;
@@ -42,7 +43,7 @@ std::vector<std::string> left_out(const Model& model, const fog::ModelParameters
 
 }  // namespace
 
-BoardErrors verify_board(const Model& model, const fog::ModelParameters& parameters,
+BoardErrors verify_board(const model::Model& model, const fog::ModelParameters& parameters,
                          const std::string& file, bool allow_error) {
   if (model.uncertain && !allow_error) {
     throw InputError(
@@ -51,37 +52,38 @@ BoardErrors verify_board(const Model& model, const fog::ModelParameters& paramet
                      "compensate; fit fewer effects or more data, or give --allow-error",
                      model.uncertain->sigma_dph, model.uncertain->drift_dph));
   }
-  const BoardErrors errors{verify_quantization(model, parameters),
-                           verify_network(model, parameters)};
+  const BoardErrors errors{board::verify_quantization(model, parameters),
+                           board::verify_network(model, parameters)};
   const auto& [error, network] = errors;
-  if (network.worst_dph > kQuantizationLimitDph && !allow_error) {
+  if (network.worst_dph > board::kQuantizationLimitDph && !allow_error) {
     throw InputError(
         file,
         format("the network's integers would be %.4f deg/h off somewhere among its inputs (limit "
                "%.4f); train it with fewer neurons or another --seed, or give --allow-error",
-               network.worst_dph, kQuantizationLimitDph));
+               network.worst_dph, board::kQuantizationLimitDph));
   }
-  if (error.worst_dph > kQuantizationLimitDph && !allow_error) {
+  if (error.worst_dph > board::kQuantizationLimitDph && !allow_error) {
     throw InputError(
         file, format("the board's integers would be %.4f deg/h off at %.1f degC, %.1f degC/min "
                      "(limit %.4f); lower the drift's size or give --allow-error",
                      error.worst_dph, error.at_temperature_degc, error.at_temperature_rate,
-                     kQuantizationLimitDph));
+                     board::kQuantizationLimitDph));
   }
   return errors;
 }
 
-ExportOutcome board_header(const Model& model, const std::string& file, const BoardSettings& board,
-                           bool allow_error) {
-  const BoardTable table = make_board_table(model, board);
-  const fog::ModelParameters parameters = read_board_table(table, file);
+ExportOutcome board_header(const model::Model& model, const std::string& file,
+                           const board::BoardSettings& board, bool allow_error) {
+  const board::BoardTable table = board::make_board_table(model, board);
+  const fog::ModelParameters parameters = board::read_board_table(table, file);
   const BoardErrors errors = verify_board(model, parameters, file, allow_error);
-  return {header_text(table, file_name(file), data_hash(model)), table.words.size(),
+  return {board::header_text(table, file_name(file), data_hash(model)), table.words.size(),
           errors.quantization, errors.network, left_out(model, parameters)};
 }
 
 ExportOutcome export_header(const ExportRequest& request) {
-  return board_header(load_model(request.model), request.model, request.board, request.allow_error);
+  return board_header(model::load_model(request.model), request.model, request.board,
+                      request.allow_error);
 }
 
 }  // namespace fogcomp::workflow

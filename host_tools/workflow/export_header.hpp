@@ -11,7 +11,7 @@ namespace fogcomp::workflow {
 
 struct ExportRequest {
   std::string model;  ///< file
-  BoardSettings board;
+  board::BoardSettings board;
   bool allow_error = false;  ///< even with integers too far off, or too uncertain a fit
 };
 
@@ -19,8 +19,8 @@ struct ExportRequest {
 struct ExportOutcome {
   std::string header;     ///< C99 and C++17
   std::size_t words = 0;  ///< of the table
-  QuantizationError quantization;
-  NetworkError network;
+  board::QuantizationError quantization;
+  board::NetworkError network;
   std::vector<std::string> notes;  ///< what the board does without, a sentence each
 };
 
@@ -29,16 +29,16 @@ struct ExportOutcome {
 ExportOutcome export_header(const ExportRequest& request);
 
 /// The same for a model at hand; `file` is its file, for the header and for errors.
-ExportOutcome board_header(const Model& model, const std::string& file, const BoardSettings& board,
-                           bool allow_error);
+ExportOutcome board_header(const model::Model& model, const std::string& file,
+                           const board::BoardSettings& board, bool allow_error);
 
 /// How far the integers of `parameters` are from `model`. Throws InputError as export_header()
 /// does; `file` is the model's.
 struct BoardErrors {
-  QuantizationError quantization;
-  NetworkError network;
+  board::QuantizationError quantization;
+  board::NetworkError network;
 };
-BoardErrors verify_board(const Model& model, const fog::ModelParameters& parameters,
+BoardErrors verify_board(const model::Model& model, const fog::ModelParameters& parameters,
                          const std::string& file, bool allow_error);
 
 }  // namespace fogcomp::workflow

@@ -15,9 +15,9 @@ namespace {
 const std::string kFittingEffects = "fitting effects";
 
 // Nothing where the rows are to stay as they are.
-std::optional<DenoiseMethod> row_denoising(const FitRequest& request) {
+std::optional<denoise::DenoiseMethod> row_denoising(const FitRequest& request) {
   if (!request.row_denoising) return std::nullopt;
-  DenoiseMethod method;
+  denoise::DenoiseMethod method;
   method.wavelet = request.board_denoiser.wavelet;
   method.levels = request.board_denoiser.levels;
   method.rule = *request.row_denoising;
@@ -26,9 +26,9 @@ std::optional<DenoiseMethod> row_denoising(const FitRequest& request) {
 }
 
 // The segment of a recording in which a time lies.
-std::string segment_at(const RunInBlocks& run, double time_s) {
+std::string segment_at(const compare::RunInBlocks& run, double time_s) {
   std::string name;
-  for (const Segment& segment : run.segments) {
+  for (const recording::Segment& segment : run.segments) {
     if (name.empty() || time_s >= segment.start_s) name = segment.name;
   }
   return name;
@@ -37,20 +37,20 @@ std::string segment_at(const RunInBlocks& run, double time_s) {
 // All that a request says, before any recording is read.
 struct Plan {
   WantedModel wanted;
-  FitSettings settings;
-  Model model;  // without coefficients
-  ReadOptions reading;
+  fit::FitSettings settings;
+  model::Model model;  // without coefficients
+  recording::ReadOptions reading;
 };
 
 Plan plan_of(const FitRequest& request) {
   Plan plan;
   plan.wanted = wanted_model(request);
-  FitSettings& settings = plan.settings;
+  fit::FitSettings& settings = plan.settings;
   settings.identify.run_offsets = request.run_offsets;
   settings.row_denoising = row_denoising(request);
   settings.network = plan.wanted.network;
   settings.force_network = plan.wanted.network_is_the_model || request.force_network;
-  settings.network_inputs = parse_network_inputs(request.network_inputs);
+  settings.network_inputs = fit::parse_network_inputs(request.network_inputs);
   plan.model.terms = wanted_terms(request);
   plan.model.average_s = request.average_s;
   plan.model.derivative_tau_s = request.derivative_tau_s;
@@ -60,12 +60,12 @@ Plan plan_of(const FitRequest& request) {
   // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
   plan.reading = request.reading;
   plan.model.limits = plan.reading.limits.over({});
-  plan.model.scale_factor = plan.reading.scale_factor.value_or(kDefaultScaleFactor);
+  plan.model.scale_factor = plan.reading.scale_factor.value_or(recording::kDefaultScaleFactor);
   std::swap(plan.reading.scale_factor, plan.reading.model_scale_factor);
   return plan;
 }
 
-void listen(FitSettings& settings, const Observer& observer) {
+void listen(fit::FitSettings& settings, const Observer& observer) {
   settings.identify.progress = observer.of_stage(kFittingEffects);
   if (!observer.progress) return;
   settings.network.training.go_on = [&](double done) { return observer.goes_on(kTraining, done); };
@@ -73,8 +73,8 @@ void listen(FitSettings& settings, const Observer& observer) {
 
 // What was done and what it brought: the effects, then the network.
 void write_history(FitOutcome& outcome, const FitRequest& request, const WantedModel& wanted,
-                   const TrainingRuns& training) {
-  Model& model = outcome.model;
+                   const fit::TrainingRuns& training) {
+  model::Model& model = outcome.model;
   const double effects_rms_dph = outcome.result.effects_rms_dph;
   std::string fitted = wanted.effects;
   for (const std::string& definition : request.expressions) fitted += ", " + definition;
@@ -90,7 +90,7 @@ void write_history(FitOutcome& outcome, const FitRequest& request, const WantedM
 
 std::size_t FitOutcome::refused_rows() const {
   std::size_t refused = 0;
-  for (const RunInBlocks& run : runs) refused += run.refused_rows;
+  for (const compare::RunInBlocks& run : runs) refused += run.refused_rows;
   return refused;
 }
 
@@ -103,9 +103,10 @@ bool FitOutcome::network_dropped() const {
   return result.training && !model.network.present();
 }
 
-ModelOnRuns FitOutcome::on_its_runs(const std::string& file) const {
-  ModelOnRuns judged{file, model, {}};
-  for (const RunInBlocks& run : runs) judged.runs.push_back(try_model(model, run));
+compare::ModelOnRuns FitOutcome::on_its_runs(const std::string& file) const {
+  compare::ModelOnRuns judged{file, model, {}};
+  for (const compare::RunInBlocks& run : runs)
+    judged.runs.push_back(compare::try_model(model, run));
   return judged;
 }
 
@@ -116,26 +117,26 @@ void check(const FitRequest& request) {
 FitOutcome fit(const FitRequest& request, const Observer& observer) {
   auto [wanted, settings, wanted_terms, reading] = plan_of(request);
   FitOutcome outcome;
-  Model& model = outcome.model;
+  model::Model& model = outcome.model;
   model = std::move(wanted_terms);
-  outcome.searched_steps = searches_steps(model.terms);
-  TrainingRuns training =
-      read_training_runs(request.runs, observer.heard(reading), model.average_s);
+  outcome.searched_steps = fit::searches_steps(model.terms);
+  fit::TrainingRuns training =
+      fit::read_training_runs(request.runs, observer.heard(reading), model.average_s);
   observer.say(training.notes);
   model.noise_dph_rthz = training.noise_dph_rthz;
-  SignalSeries series(model);
-  for (const RunInBlocks& run : training.runs) series.add(run.blocks);
+  series::SignalSeries series(model);
+  for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
   outcome.rows = series.rows().size();
   outcome.row_s = series.rows().row_s;
   if (wanted.order_by_validation) choose_order(model.terms, series.rows());
   observer.tell(kFittingEffects, 0);
   listen(settings, observer);
-  outcome.result = fit_model(model, series, settings);
+  outcome.result = fit::fit_model(model, series, settings);
   observer.goes_on("judging", 0);  // whoever ended the training still gets what it came to
-  outcome.delay_rms_dph = delay_error_dph(model, training.runs);
-  outcome.physical_lags = physical_lags(model, training.runs, settings.identify.run_offsets);
-  for (const FoundStep& step : outcome.result.identified.steps) {
-    const RunInBlocks& run = training.runs[step.run];
+  outcome.delay_rms_dph = compare::delay_error_dph(model, training.runs);
+  outcome.physical_lags = fit::physical_lags(model, training.runs, settings.identify.run_offsets);
+  for (const fit::FoundStep& step : outcome.result.identified.steps) {
+    const compare::RunInBlocks& run = training.runs[step.run];
     outcome.step_places.push_back(run.file + ", " + segment_at(run, step.time_s));
   }
   write_history(outcome, request, wanted, training);

@@ -16,7 +16,7 @@ namespace fogcomp::workflow {
 struct FitRequest {
   std::vector<std::string> runs;  ///< recordings
   /// scale_factor is the board's as well: it counts for recordings in deg/h, too.
-  ReadOptions reading;
+  recording::ReadOptions reading;
 
   std::optional<std::string> preset;     ///< one of preset_names(); nothing: what follows says all
   std::optional<std::string> effects;    ///< as parse_effects() takes them; nothing: the preset's
@@ -24,37 +24,37 @@ struct FitRequest {
   double average_s = 10;                 ///< rows of the fit, > 0
   double derivative_tau_s = 30;          ///< of each of the two lags behind dT/dt, > 0
   bool run_offsets = false;              ///< a bias for each recording; the model keeps the first
-  DenoiseSettings board_denoiser;
+  model::DenoiseSettings board_denoiser;
 
   std::optional<int> hidden;           ///< neurons, 0 to kMostTrainedHidden; nothing: the preset's
   std::optional<std::string> trainer;  ///< one of trainer_names(); nothing: the preset's, or lm
   fog::Activation activation = fog::Activation::logsig;
-  TrainerSettings training;  ///< go_on is the observer's
+  fit::TrainerSettings training;  ///< go_on is the observer's
   bool force_network = false;
   std::string network_inputs = "temperature,temperature_rate";
   /// Rule by which the rows that the network is trained on are denoised first, with the board's
   /// wavelet; nothing: they stay as they are.
-  std::optional<ThresholdRule> row_denoising;
+  std::optional<denoise::ThresholdRule> row_denoising;
 };
 
 /// A model fitted to recordings, and what can be said of it.
 struct FitOutcome {
-  Model model;  ///< with its history
+  model::Model model;  ///< with its history
   Eigen::Index rows = 0;
   double row_s = 0;
-  std::vector<RunInBlocks> runs;
-  FitResult result;
+  std::vector<compare::RunInBlocks> runs;
+  fit::FitResult result;
   double delay_rms_dph = 0;              ///< of the error, what the board's delay makes
   std::vector<std::string> step_places;  ///< of each step found: recording and segment
   bool searched_steps = false;
-  std::vector<PhysicalLag> physical_lags;
+  std::vector<fit::PhysicalLag> physical_lags;
 
   std::size_t refused_rows() const;  ///< of all recordings
   /// Only lm knows; nothing without a network.
   std::optional<double> determined_weights() const;
   bool network_dropped() const;  ///< one was asked for and trained, and is not kept
   /// On its own recordings as compare() would judge it; `file` is the model's.
-  ModelOnRuns on_its_runs(const std::string& file) const;
+  compare::ModelOnRuns on_its_runs(const std::string& file) const;
 };
 
 /// Throws InputError as fit() does for what can be said before a recording is read: settings that

@@ -41,7 +41,7 @@ const Preset& find_preset(const std::string& name) {
   for (const Preset& preset : kPresets) {
     if (name == preset.name) return preset;
   }
-  find_comparator(name);  // names the nearest where there is none
+  research::find_comparator(name);  // names the nearest where there is none
   throw InputError("--model " + name,
                    "no model file or board can carry it; fogcomp paper compares it with those that "
                    "can");
@@ -55,7 +55,7 @@ bool takes_effects(const std::optional<std::string>& preset) {
 
 WantedModel wanted_model(const FitRequest& request) {
   WantedModel model;
-  NetworkSettings& network = model.network;
+  fit::NetworkSettings& network = model.network;
   network.hidden = request.hidden.value_or(0);
   network.hidden_activation = request.activation;
   network.trainer = request.trainer.value_or(network.trainer);
@@ -81,9 +81,10 @@ WantedModel wanted_model(const FitRequest& request) {
   return model;
 }
 
-std::vector<EffectTerm> wanted_terms(const FitRequest& request) {
-  std::vector<EffectTerm> terms = parse_effects(wanted_model(request).effects);
-  for (const std::string& definition : request.expressions) add_expression(terms, definition);
+std::vector<model::EffectTerm> wanted_terms(const FitRequest& request) {
+  std::vector<model::EffectTerm> terms = model::parse_effects(wanted_model(request).effects);
+  for (const std::string& definition : request.expressions)
+    model::add_expression(terms, definition);
   return terms;
 }
 
@@ -93,11 +94,12 @@ std::vector<std::string> preset_names() {
   return names;
 }
 
-void choose_order(std::vector<EffectTerm>& terms, const Rows& rows) {
-  const auto found = std::find_if(terms.begin(), terms.end(), [](const EffectTerm& term) {
+void choose_order(std::vector<model::EffectTerm>& terms, const series::Rows& rows) {
+  const auto found = std::find_if(terms.begin(), terms.end(), [](const model::EffectTerm& term) {
     return term.name == "bias_temperature";
   });
-  found->parameters[0] = Polynomial::best_order(temperature_of(rows), rows.drift_dph);
+  found->parameters[0] =
+      research::Polynomial::best_order(research::temperature_of(rows), rows.drift_dph);
 }
 
 }  // namespace fogcomp::workflow

@@ -19,7 +19,7 @@ bool takes_effects(const std::optional<std::string>& preset);
 /// What a request asks for: effects and a network.
 struct WantedModel {
   std::string effects;
-  NetworkSettings network;            ///< 0 hidden neurons: none
+  fit::NetworkSettings network;       ///< 0 hidden neurons: none
   bool network_is_the_model = false;  ///< nothing to judge it against
   bool order_by_validation = false;   ///< of bias_temperature
 };
@@ -29,9 +29,9 @@ WantedModel wanted_model(const FitRequest& request);
 
 /// The terms of its effects and expressions, without coefficients. Throws InputError as
 /// wanted_model(), parse_effects() and add_expression() do.
-std::vector<EffectTerm> wanted_terms(const FitRequest& request);
+std::vector<model::EffectTerm> wanted_terms(const FitRequest& request);
 
 /// Sets the polynomial's order from 1 to 9 to the one that predicts best what it was not fitted to.
-void choose_order(std::vector<EffectTerm>& terms, const Rows& rows);
+void choose_order(std::vector<model::EffectTerm>& terms, const series::Rows& rows);
 
 }  // namespace fogcomp::workflow

@@ -11,15 +11,15 @@ constexpr double kUsualAverageSeconds = 10;
 }  // namespace
 
 InfoOutcome info(const InfoRequest& request, const Observer& observer) {
-  InfoOutcome outcome{read_recording(request.run, observer.heard(request.reading)), {}};
-  const Recording& run = outcome.recording;
+  InfoOutcome outcome{recording::read_recording(request.run, observer.heard(request.reading)), {}};
+  const recording::Recording& run = outcome.recording;
   const double length_s = static_cast<double>(run.rows()) * run.period_s;
   if (request.average_s && 2 * *request.average_s > length_s) {
     throw InputError(run.file,
                      format("lasts %g s, too short for means of %g s; give a shorter --average",
                             length_s, *request.average_s));
   }
-  outcome.summary = summarize(run, request.average_s.value_or(kUsualAverageSeconds));
+  outcome.summary = compare::summarize(run, request.average_s.value_or(kUsualAverageSeconds));
   return outcome;
 }
 

@@ -11,14 +11,14 @@ namespace fogcomp::workflow {
 
 struct InfoRequest {
   std::string run;  ///< recording
-  ReadOptions reading;
+  recording::ReadOptions reading;
   /// Length of a block mean, seconds, > 0; nothing: 10 s, however short the recording.
   std::optional<double> average_s;
 };
 
 struct InfoOutcome {
-  Recording recording;
-  RunSummary summary;
+  recording::Recording recording;
+  compare::RunSummary summary;
 };
 
 /// Throws InputError as read_recording() does, and for a recording without two means of average_s.

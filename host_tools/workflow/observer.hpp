@@ -36,7 +36,7 @@ struct Observer {
     return !progress || progress(stage, done);
   }
   /// The same options, heard by this observer, which must outlive the reading.
-  ReadOptions heard(ReadOptions reading) const {
+  recording::ReadOptions heard(recording::ReadOptions reading) const {
     reading.watch.remark = remark;
     if (progress) {
       reading.watch.progress = [this](const std::string& stage, double done) { tell(stage, done); };

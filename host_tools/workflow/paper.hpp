@@ -9,7 +9,7 @@
 namespace fogcomp::workflow {
 
 struct PaperRequest {
-  StudySettings study;
+  research::StudySettings study;
   std::size_t gyros = 1;  ///< with seeds from the study's on
 };
 
@@ -19,6 +19,6 @@ std::vector<std::string> study_models();
 /// InputError naming the nearest.
 std::vector<std::string> study_models(const std::string& list);
 
-std::vector<Study> paper(const PaperRequest& request, const Observer& observer = {});
+std::vector<research::Study> paper(const PaperRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

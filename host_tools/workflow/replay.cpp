@@ -22,38 +22,40 @@ void check_rate(const fog::ModelParameters& parameters, double period_s, const s
   }
 }
 
-StreamSource source_of(const StreamRequest& request, const BoardSource& board,
-                       const Observer& observer) {
-  ReadOptions reading = observer.heard(request.reading);
+board::StreamSource source_of(const StreamRequest& request, const board::BoardSource& board,
+                              const Observer& observer) {
+  recording::ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = board.scale_factor();
-  return StreamSource(request.run, reading, board.scale_factor(), board.needs());
+  return board::StreamSource(request.run, reading, board.scale_factor(), board.needs());
 }
 
 }  // namespace
 
-std::optional<std::size_t> stream(const StreamRequest& request, const ByteSink& sink,
+std::optional<std::size_t> stream(const StreamRequest& request, const board::ByteSink& sink,
                                   const Observer& observer) {
-  const StreamSource source = source_of(request, BoardSource(request.weights), observer);
+  const board::StreamSource source =
+      source_of(request, board::BoardSource(request.weights), observer);
   source.send([&](fog::Span<const std::uint8_t> bytes, fog::SampleTime) { sink(bytes); });
   return source.is_capture() ? std::nullopt : std::optional(source.rows());
 }
 
-ReplaySummary replay(const ReplayRequest& request, const ByteSink& sink, const Observer& observer) {
-  BoardSource board(request.weights);
-  const StreamSource source = source_of(request, board, observer);
-  BoardSettings settings = request.board;
+board::ReplaySummary replay(const ReplayRequest& request, const board::ByteSink& sink,
+                            const Observer& observer) {
+  board::BoardSource board(request.weights);
+  const board::StreamSource source = source_of(request, board, observer);
+  board::BoardSettings settings = request.board;
   if (request.rate_of_recording && !source.is_capture() && source.period_s() > 0) {
     settings.sample_rate_hz = 1 / source.period_s();
   }
-  const BoardTable& table = board.table(settings);
-  const fog::ModelParameters parameters = read_board_table(table, request.weights);
+  const board::BoardTable& table = board.table(settings);
+  const fog::ModelParameters parameters = board::read_board_table(table, request.weights);
   // What export would refuse: no board will ever send it.
-  if (const Model* model = board.model()) {
+  if (const model::Model* model = board.model()) {
     verify_board(*model, parameters, request.weights, request.allow_error);
   }
   if (!source.is_capture()) check_rate(parameters, source.period_s(), request.run);
 
-  Replay board_code(parameters);
+  board::Replay board_code(parameters);
   source.send([&](fog::Span<const std::uint8_t> bytes, fog::SampleTime time) {
     sink(board_code.feed(bytes, time));
   });

@@ -12,18 +12,18 @@
 namespace fogcomp::workflow {
 
 struct StreamRequest {
-  std::string weights;  ///< file of a model or an exported header
-  std::string run;      ///< recording
-  ReadOptions reading;  ///< model_scale_factor is the weights'
+  std::string weights;             ///< file of a model or an exported header
+  std::string run;                 ///< recording
+  recording::ReadOptions reading;  ///< model_scale_factor is the weights'
 };
 
 /// Hands the sensor stream in which a board would see the recording to `sink`, in pieces; a capture
 /// as it is. Returns the samples of a recording, nothing for a capture.
-std::optional<std::size_t> stream(const StreamRequest& request, const ByteSink& sink,
+std::optional<std::size_t> stream(const StreamRequest& request, const board::ByteSink& sink,
                                   const Observer& observer = {});
 
 struct ReplayRequest : StreamRequest {
-  BoardSettings board;            ///< for a model; a header has its own
+  board::BoardSettings board;     ///< for a model; a header has its own
   bool rate_of_recording = true;  ///< takes the place of board.sample_rate_hz, where known
   bool allow_error = false;       ///< as ExportRequest has it
 };
@@ -31,7 +31,7 @@ struct ReplayRequest : StreamRequest {
 /// Hands what the board would send to `sink`, in pieces. Throws InputError for what export_header()
 /// would refuse, for a header of another sample rate, and for a run without a good frame: what
 /// `sink` has got then counts for nothing.
-ReplaySummary replay(const ReplayRequest& request, const ByteSink& sink,
-                     const Observer& observer = {});
+board::ReplaySummary replay(const ReplayRequest& request, const board::ByteSink& sink,
+                            const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

@@ -43,7 +43,7 @@ GyroDescription gyro_of(const SimulateRequest& request) {
 }
 
 // The extra columns asked for, in the contract's order; the input rate also where there is one.
-std::vector<Column> chosen_columns(const std::string& list, bool has_input_rate) {
+std::vector<recording::Column> chosen_columns(const std::string& list, bool has_input_rate) {
   const std::vector<std::string> wanted = split(list, ',');
   std::vector<std::string> names;
   for (const fog::Input input : kExtraInputs) names.emplace_back(description_of(input).name);
@@ -56,22 +56,24 @@ std::vector<Column> chosen_columns(const std::string& list, bool has_input_rate)
   const auto asked = [&](const std::string& name) {
     return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
   };
-  std::vector<Column> chosen{Column::time_s, Column::temperature_degc, Column::rate_dph};
+  std::vector<recording::Column> chosen{
+      recording::Column::time_s, recording::Column::temperature_degc, recording::Column::rate_dph};
   for (const fog::Input input : kExtraInputs) {
     const bool natural = input == fog::Input::input_rate && has_input_rate;
     if (asked("all") || asked(description_of(input).name) || natural) {
-      chosen.push_back(column_of(input));
+      chosen.push_back(recording::column_of(input));
     }
   }
   return chosen;
 }
 
-std::vector<Column> columns_of(const SimulateRequest& request, const Programme& programme) {
-  const bool stream = request.format == RecordingFormat::sensor_stream;
+std::vector<recording::Column> columns_of(const SimulateRequest& request,
+                                          const Programme& programme) {
+  const bool stream = request.format == recording::RecordingFormat::sensor_stream;
   const bool turns = request.options.earth.latitude_deg.has_value() || programme.sets_rate;
-  std::vector<Column> columns = chosen_columns(request.columns, !stream && turns);
-  if (stream &&
-      std::find(columns.begin(), columns.end(), Column::input_rate_dph) != columns.end()) {
+  std::vector<recording::Column> columns = chosen_columns(request.columns, !stream && turns);
+  if (stream && std::find(columns.begin(), columns.end(), recording::Column::input_rate_dph) !=
+                    columns.end()) {
     throw InputError("--columns",
                      "a sensor stream carries no input rate; name the others only, or use csv");
   }

@@ -20,7 +20,7 @@ struct SimulateRequest {
   std::vector<std::string> noise;    ///< `k=v,...` or `none`
   simulation::SimulationOptions options;
   std::string columns;  ///< further ones, `NAME,...` or `all`
-  RecordingFormat format = RecordingFormat::csv;
+  recording::RecordingFormat format = recording::RecordingFormat::csv;
 };
 
 /// A gyro in its chamber, ready to run once. Refers to itself: stays where it was made.
@@ -36,7 +36,7 @@ class SimulatedChamber {
   const simulation::Simulation& simulation() const { return simulation_; }
   /// Those of the recording: time, temperature, rate, then what was asked for; the input rate also
   /// where there is one.
-  const std::vector<Column>& columns() const { return columns_; }
+  const std::vector<recording::Column>& columns() const { return columns_; }
   double duration_s() const { return programme_.duration_s(); }
 
   /// Hands the whole run to `sink`, chunk by chunk, and returns its rows. Throws InputError for a
@@ -48,7 +48,7 @@ class SimulatedChamber {
   SimulateRequest request_;
   simulation::GyroDescription gyro_;
   simulation::Programme programme_;
-  std::vector<Column> columns_;
+  std::vector<recording::Column> columns_;
   simulation::Simulation simulation_;
 };
 

@@ -37,16 +37,16 @@ BENCHMARK(thermal_step);
 
 void whiten(benchmark::State& state) {
   constexpr Eigen::Index kRows = 6000;
-  fogcomp::Rows rows;
+  fogcomp::series::Rows rows;
   for (Eigen::Index i = 0; i < kRows; ++i) rows.time_s.push_back(10 * static_cast<double>(i));
   rows.run_starts = {0};
   rows.drift_dph = Eigen::VectorXd::Zero(kRows);
-  fogcomp::NoiseModel noise;
+  fogcomp::noise::NoiseModel noise;
   noise.white_variance = 1;
   for (const double tau_s : {30.0, 100.0, 300.0, 1000.0, 3000.0, 10000.0}) {
     noise.components.push_back({tau_s, 0.1});
   }
-  const fogcomp::Whitening whitening(noise, rows, Eigen::VectorXd::Ones(kRows));
+  const fogcomp::noise::Whitening whitening(noise, rows, Eigen::VectorXd::Ones(kRows));
   const Eigen::MatrixXd columns = Eigen::MatrixXd::Random(kRows, state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(whitening.apply(columns).data());
   state.SetItemsProcessed(state.iterations() * state.range(0));  // columns

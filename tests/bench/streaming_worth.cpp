@@ -29,7 +29,7 @@ std::vector<double> streamed(const std::vector<double>& input_dph, int levels,
   const auto table =
       fog::test::denoiser_table({"sym8", levels, rule, false}, noise_dph / std::sqrt(kRateHz));
   const auto denoiser =
-      std::make_unique<Denoiser>(fogcomp::read_board_table(table, "bench").denoise);
+      std::make_unique<Denoiser>(fogcomp::board::read_board_table(table, "bench").denoise);
   std::vector<double> output;
   for (const double rate_dph : input_dph) {
     const auto raw = static_cast<std::int32_t>(std::lround(rate_dph * 1024));
@@ -49,8 +49,8 @@ std::vector<double> white_noise(std::size_t size) {
 void print_allan(const char* title, const std::vector<double>& before,
                  const std::vector<double>& after, double period_s) {
   std::printf("\n%s\n%12s %14s %14s\n", title, "tau, s", "before, deg/h", "after, deg/h");
-  const auto raw = fogcomp::allan_deviation(before, {{0, before.size()}}, period_s);
-  const auto denoised = fogcomp::allan_deviation(after, {{0, after.size()}}, period_s);
+  const auto raw = fogcomp::noise::allan_deviation(before, {{0, before.size()}}, period_s);
+  const auto denoised = fogcomp::noise::allan_deviation(after, {{0, after.size()}}, period_s);
   for (std::size_t i = 0; i < raw.size() && i < denoised.size(); ++i) {
     std::printf("%12.3f %14.5f %14.5f\n", raw[i].tau_s, raw[i].sigma, denoised[i].sigma);
   }
@@ -137,10 +137,10 @@ double noise_of(const std::vector<double>& rate_dph) {
 }
 
 void print_recording(const char* path) {
-  const fogcomp::Recording recording = fogcomp::read_recording(path, {});
+  const fogcomp::recording::Recording recording = fogcomp::recording::read_recording(path, {});
   const std::vector<double>& before = recording.rate_dph;
   std::vector<double> after = before;
-  fogcomp::denoise({after.data(), after.size()}, {});
+  fogcomp::denoise::denoise({after.data(), after.size()}, {});
   print_allan("real MEMS gyro in a chamber, offline, sym8 x 5, heursure soft", before, after,
               recording.period_s);
 

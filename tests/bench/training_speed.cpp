@@ -15,9 +15,9 @@ constexpr int kHidden = 10;
 constexpr double kGoal = 0.0004;  // the paper's, of the normalised target
 
 // As smooth as the paper's denoised run, and as long; what is left as noise is a tenth of the goal.
-fogcomp::NetworkTask paper_like_task() {
-  fogcomp::Uniform uniform(1);
-  fogcomp::NetworkTask task;
+fogcomp::fit::NetworkTask paper_like_task() {
+  fogcomp::fit::Uniform uniform(1);
+  fogcomp::fit::NetworkTask task;
   task.inputs.resize(kRows, 2);
   task.target_dph.resize(kRows);
   task.weights.setOnes(kRows);
@@ -32,25 +32,25 @@ fogcomp::NetworkTask paper_like_task() {
   return task;
 }
 
-fogcomp::NetworkSettings paper_settings(const char* trainer) {
-  fogcomp::NetworkSettings settings;
+fogcomp::fit::NetworkSettings paper_settings(const char* trainer) {
+  fogcomp::fit::NetworkSettings settings;
   settings.hidden = kHidden;
-  settings.scaling = fogcomp::TargetScaling::min_max;
+  settings.scaling = fogcomp::fit::TargetScaling::min_max;
   settings.trainer = trainer;
   return settings;
 }
 
 struct Rows {
-  fogcomp::Batch batch;
-  fogcomp::Perceptron shape;
+  fogcomp::fit::Batch batch;
+  fogcomp::fit::Perceptron shape;
   Eigen::VectorXd weights;
 };
 
 Rows paper_rows() {
-  const fogcomp::NetworkTask task = paper_like_task();
+  const fogcomp::fit::NetworkTask task = paper_like_task();
   return {{task.inputs, task.target_dph, task.weights},
           {2, kHidden, fog::Activation::logsig, fog::Activation::tansig},
-          fogcomp::Perceptron{2, kHidden}.first_weights(1)};
+          fogcomp::fit::Perceptron{2, kHidden}.first_weights(1)};
 }
 
 void epoch(benchmark::State& state) {
@@ -72,10 +72,10 @@ void swarm_iteration(benchmark::State& state) {
 }
 
 void whole_training(benchmark::State& state, const char* trainer) {
-  const fogcomp::NetworkTask task = paper_like_task();
-  const fogcomp::NetworkSettings settings = paper_settings(trainer);
-  fogcomp::TrainedNetwork network;
-  for (auto _ : state) network = train_network(task, settings);
+  const fogcomp::fit::NetworkTask task = paper_like_task();
+  const fogcomp::fit::NetworkSettings settings = paper_settings(trainer);
+  fogcomp::fit::TrainedNetwork network;
+  for (auto _ : state) network = fogcomp::fit::train_network(task, settings);
   state.counters["epochs"] = network.result.epochs;
   state.counters["mean_square"] = network.result.mean_square;
   state.counters["below_goal"] = network.result.mean_square <= kGoal ? 1 : 0;

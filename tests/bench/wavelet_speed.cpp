@@ -29,35 +29,35 @@ void report(benchmark::State& state) {
 
 void transform_and_inverse(benchmark::State& state) {
   std::vector<double> values = recording();
-  const std::vector<double>& sym8 = fogcomp::lowpass_filter("sym8");
+  const std::vector<double>& sym8 = fogcomp::denoise::lowpass_filter("sym8");
   const auto pass = [&] {
-    const auto parts = fogcomp::decompose({values.data(), values.size()}, sym8, 5);
-    fogcomp::reconstruct(parts, sym8, {values.data(), values.size()});
+    const auto parts = fogcomp::denoise::decompose({values.data(), values.size()}, sym8, 5);
+    fogcomp::denoise::reconstruct(parts, sym8, {values.data(), values.size()});
   };
   pass();  // gets the memory from the system, which is not what is measured
   for (auto _ : state) pass();
   report(state);
 }
 
-void denoise(benchmark::State& state, fogcomp::ThresholdRule rule) {
+void denoise(benchmark::State& state, fogcomp::denoise::ThresholdRule rule) {
   const std::vector<double> noisy = recording();
   std::vector<double> values = noisy;
-  fogcomp::DenoiseMethod method;
+  fogcomp::denoise::DenoiseMethod method;
   method.rule = rule;
-  fogcomp::denoise({values.data(), values.size()}, method);
+  fogcomp::denoise::denoise({values.data(), values.size()}, method);
   for (auto _ : state) {
     state.PauseTiming();
     values = noisy;
     state.ResumeTiming();
-    fogcomp::denoise({values.data(), values.size()}, method);
+    fogcomp::denoise::denoise({values.data(), values.size()}, method);
   }
   report(state);
 }
 
 BENCHMARK(transform_and_inverse)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(denoise, heursure, fogcomp::ThresholdRule::heursure)
+BENCHMARK_CAPTURE(denoise, heursure, fogcomp::denoise::ThresholdRule::heursure)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(denoise, rigrsure, fogcomp::ThresholdRule::rigrsure)
+BENCHMARK_CAPTURE(denoise, rigrsure, fogcomp::denoise::ThresholdRule::rigrsure)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # host_dependencies.sh ROOT: data goes down the folders of host_tools and nothing reaches back up: each includes the core,
-# hal and the folders before it in this list, and no other.
+# hal and the folders before it in this list, and no other. Its names are in the namespace of its name (support's in
+# fogcomp itself).
 set -euo pipefail
 cd "${1:?usage: host_dependencies.sh ROOT}/host_tools"
 status=0
@@ -8,6 +9,13 @@ order=(support recording simulation model denoise series noise compare fit diagn
 known=
 for folder in "${order[@]}"; do
   known+="${known:+|}$folder"
+  own=fogcomp::$folder
+  [[ $folder == support ]] && own=fogcomp
+  if found=$(grep -rnE '^namespace fogcomp' "$folder" | grep -vE ":namespace $own(::rules)? \{"); then
+    echo "host_tools/$folder opens another namespace than $own:" >&2
+    echo "$found" >&2
+    status=1
+  fi
   if found=$(grep -rnE '^\s*#\s*include "' "$folder" | grep -vE "#\s*include \"(core|hal|$known)/"); then
     echo "host_tools/$folder includes what comes after it:" >&2
     echo "$found" >&2
@@ -17,5 +25,5 @@ done
 for folder in */; do
   [[ " ${order[*]} " == *" ${folder%/} "* ]] || { echo "host_tools/$folder has no place in the order" >&2; status=1; }
 done
-((status == 0)) && echo "${#order[@]} folders keep their order"
+((status == 0)) && echo "${#order[@]} folders keep their order and their namespaces"
 exit "$status"

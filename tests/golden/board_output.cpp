@@ -14,9 +14,9 @@ namespace {
 constexpr std::uint32_t kPerLine = 1000;
 
 std::string describe_output() {
-  const fogcomp::BoardTable table = fog::test::stream_table();
-  const fog::ModelParameters parameters = fogcomp::read_board_table(table, "golden");
-  fogcomp::Replay replay(parameters);
+  const fogcomp::board::BoardTable table = fog::test::stream_table();
+  const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "golden");
+  fogcomp::board::Replay replay(parameters);
   std::mt19937 random(1);
   std::string text = "# CRC-32 and last 64 bytes of the output for every 1000 sensor samples\n";
   std::uint32_t crc = fog::kCrc32Initial;

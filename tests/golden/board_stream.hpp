@@ -13,8 +13,8 @@ namespace fog::test {
 /// invalid samples, a temperature that goes missing and a rotation.
 constexpr std::uint32_t kStreamSamples = 20000;  // 100 s
 
-inline fogcomp::BoardTable stream_table() {
-  return fogcomp::make_board_table(paper_like_model(), {200, fog::OutputSelection::both});
+inline fogcomp::board::BoardTable stream_table() {
+  return fogcomp::board::make_board_table(paper_like_model(), {200, fog::OutputSelection::both});
 }
 
 inline bool is_lost(std::uint32_t i) {

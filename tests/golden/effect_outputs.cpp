@@ -10,15 +10,15 @@
 
 namespace {
 
-void print_outputs(const std::string& name, const fogcomp::BoardTable& table) {
-  const fog::ModelParameters parameters = fogcomp::read_board_table(table, name);
+void print_outputs(const std::string& name, const fogcomp::board::BoardTable& table) {
+  const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, name);
   fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs> board(
       parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
       parameters.policy);
   std::printf("%s:", name.c_str());
   std::size_t block = 0;
-  for (const auto& means :
-       fogcomp::verification_programme(parameters.thermal.least, parameters.thermal.most, 1)) {
+  for (const auto& means : fogcomp::board::verification_programme(parameters.thermal.least,
+                                                                  parameters.thermal.most, 1)) {
     board.step(means);
     if (block++ % fog::test::kGoldenStride == 0)
       std::printf(" %d", static_cast<int>(board.drift().raw()));

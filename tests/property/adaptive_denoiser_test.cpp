@@ -113,10 +113,10 @@ struct Agreement {
 };
 
 Agreement compare(fog::ThresholdRule rule, std::uint32_t seed, int samples) {
-  const fogcomp::BoardTable table =
+  const fogcomp::board::BoardTable table =
       fog::test::denoiser_table({"sym8", static_cast<int>(kLevels), rule, false});
-  const fog::DenoiseParameters parameters = fogcomp::read_board_table(table, "test").denoise;
-  const std::vector<double>& low = fogcomp::lowpass_filter("sym8");
+  const fog::DenoiseParameters parameters = fogcomp::board::read_board_table(table, "test").denoise;
+  const std::vector<double>& low = fogcomp::denoise::lowpass_filter("sym8");
   const std::vector<double> bounds = fog::test::removal_bounds(low, kLevels);
   std::vector<double> expected_dph;
   for (const std::int32_t raw : parameters.thresholds) expected_dph.push_back(std::ldexp(raw, -16));

@@ -15,23 +15,23 @@
 #include "support/sample_models.hpp"
 #include "support/typical_effects.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 static void PrintTo(const EffectTerm& term, std::ostream* out) {
   *out << term.name;
 }
-}  // namespace fogcomp
+}  // namespace fogcomp::model
 
 namespace {
 
 // Largest |board - double| over so many hours of random history, in deg/h.
-double worst_difference(const fogcomp::Model& model, std::uint64_t seed, int hours) {
-  const fogcomp::BoardTable table =
-      fogcomp::make_board_table(model, {200, fog::OutputSelection::kvh, true});
-  const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
+double worst_difference(const fogcomp::model::Model& model, std::uint64_t seed, int hours) {
+  const fogcomp::board::BoardTable table =
+      fogcomp::board::make_board_table(model, {200, fog::OutputSelection::kvh, true});
+  const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
   fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs> board(
       parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
       parameters.policy);
-  fogcomp::RealDriftModel real(model, 1);
+  fogcomp::model::RealDriftModel real(model, 1);
   // Beyond the trained range too: both must clamp alike.
   fog::test::RandomHistory history(seed, -60, 100);
   double worst = 0;
@@ -39,10 +39,10 @@ double worst_difference(const fogcomp::Model& model, std::uint64_t seed, int hou
     const auto means = history.next();
     if (block == 0) {
       board.start(means);
-      real.start(fogcomp::to_real(means));
+      real.start(fogcomp::model::to_real(means));
     } else {
       board.step(means);
-      real.step(fogcomp::to_real(means));
+      real.step(fogcomp::model::to_real(means));
     }
     worst = std::max(worst, std::abs(std::ldexp(board.drift().raw(), -10) - real.drift_dph()));
   }
@@ -50,7 +50,7 @@ double worst_difference(const fogcomp::Model& model, std::uint64_t seed, int hou
 }
 
 TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleOnAnyThermalHistory) {
-  fogcomp::Model model = fog::test::paper_like_model();
+  fogcomp::model::Model model = fog::test::paper_like_model();
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     EXPECT_LE(worst_difference(model, seed, 20), 2.0 / 1024) << "seed " << seed;
   }
@@ -59,7 +59,7 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleOnAnyThermalHistory) {
 
 TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryPolynomialOrder) {
   for (int order = 1; order <= 9; ++order) {
-    fogcomp::Model model = fog::test::paper_like_model();
+    fogcomp::model::Model model = fog::test::paper_like_model();
     model.terms = {{"bias_temperature", {static_cast<double>(order)}, {false}, {0}, {}, {}}};
     for (int k = 0; k < order; ++k) {
       model.terms[0].coefficients_dph.push_back(k % 2 == 0 ? 0.9 : -1.1);
@@ -71,8 +71,8 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryPolynomialOrder) {
 }
 
 TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForAMemsSizedDrift) {
-  fogcomp::Model model = fog::test::paper_like_model();
-  for (fogcomp::EffectTerm& term : model.terms) {
+  fogcomp::model::Model model = fog::test::paper_like_model();
+  for (fogcomp::model::EffectTerm& term : model.terms) {
     for (double& coefficient : term.coefficients_dph) coefficient *= 20000;
   }
   model.network.amplitude_dph = 2000;
@@ -80,29 +80,30 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForAMemsSizedDrift) {
 }
 
 TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryInputOfANetwork) {
-  const fogcomp::RealInput temperature{fog::NetworkInput::temperature, 20, 80, 0};
-  const fogcomp::RealInput rate{fog::NetworkInput::temperature_rate, 0, 1, 0};
-  const fogcomp::RealInput fast{fog::NetworkInput::lagged_temperature, 20, 75, 30};
-  const fogcomp::RealInput slow{fog::NetworkInput::lagged_temperature, 20, 40, 20000};
-  const fogcomp::RealInput elapsed{fog::NetworkInput::elapsed, 30000, 30000, 0};
-  const fogcomp::RealInput input_rate{fog::NetworkInput::input_rate, 8.47, 12, 0};
-  const fogcomp::RealInput second{fog::network_input(fog::Input::temperature2), 20, 80, 0};
-  const fogcomp::RealInput supply{fog::network_input(fog::Input::supply), 5, 1, 0};
-  for (const std::vector<fogcomp::RealInput>& inputs :
+  const fogcomp::model::RealInput temperature{fog::NetworkInput::temperature, 20, 80, 0};
+  const fogcomp::model::RealInput rate{fog::NetworkInput::temperature_rate, 0, 1, 0};
+  const fogcomp::model::RealInput fast{fog::NetworkInput::lagged_temperature, 20, 75, 30};
+  const fogcomp::model::RealInput slow{fog::NetworkInput::lagged_temperature, 20, 40, 20000};
+  const fogcomp::model::RealInput elapsed{fog::NetworkInput::elapsed, 30000, 30000, 0};
+  const fogcomp::model::RealInput input_rate{fog::NetworkInput::input_rate, 8.47, 12, 0};
+  const fogcomp::model::RealInput second{fog::network_input(fog::Input::temperature2), 20, 80, 0};
+  const fogcomp::model::RealInput supply{fog::network_input(fog::Input::supply), 5, 1, 0};
+  for (const std::vector<fogcomp::model::RealInput>& inputs :
        {std::vector{temperature, rate, slow}, std::vector{fast, slow, temperature, elapsed},
         std::vector{slow, fast, slow, fast}, std::vector{input_rate, rate}, std::vector{elapsed},
         std::vector{second, supply}}) {
-    fogcomp::Model model = fog::test::paper_like_model();
+    fogcomp::model::Model model = fog::test::paper_like_model();
     model.least_degc = -60;
     model.most_degc = 100;
     model.network = fog::test::network_of(inputs);
-    EXPECT_LE(worst_difference(model, 13, 20), 2.0 / 1024) << fogcomp::name_of(inputs[0].signal);
+    EXPECT_LE(worst_difference(model, 13, 20), 2.0 / 1024)
+        << fogcomp::model::name_of(inputs[0].signal);
   }
   EXPECT_EQ(fog::test::overflows(), 0U);
 }
 
 TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForALinearOutput) {
-  fogcomp::Model model = fog::test::paper_like_model();
+  fogcomp::model::Model model = fog::test::paper_like_model();
   model.network.output.activation = fog::Activation::linear;
   EXPECT_LE(worst_difference(model, 17, 20), 2.0 / 1024);
   EXPECT_EQ(fog::test::overflows(), 0U);
@@ -110,14 +111,14 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForALinearOutput) {
 
 // Time is what a block counts, not how many there were.
 TEST(DriftModel, EffectsOfTimeAreTheSameWhateverTheBlock) {
-  for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
-    if (!has(fogcomp::info_of(term).needs, fog::Input::elapsed)) continue;
-    fogcomp::Model model = fog::test::paper_like_model();
+  for (const fogcomp::model::EffectTerm& term : fog::test::typical_terms()) {
+    if (!has(fogcomp::model::info_of(term).needs, fog::Input::elapsed)) continue;
+    fogcomp::model::Model model = fog::test::paper_like_model();
     model.network = {};
     model.terms = {term};
     const auto drift_after = [&](double time_s, double block_s) {
-      fogcomp::RealDriftModel real(model, block_s);
-      fogcomp::RealBlock block;
+      fogcomp::model::RealDriftModel real(model, block_s);
+      fogcomp::model::RealBlock block;
       block.elapsed = time_s / block_s;
       real.start(block);
       return real.drift_dph();
@@ -132,11 +133,11 @@ TEST(DriftModel, EffectsOfTimeAreTheSameWhateverTheBlock) {
 }
 
 // A shape at the bounds of the search: the lower one of each parameter, the upper ones, or in turn.
-std::vector<double> at_bounds(const fogcomp::CatalogueEntry& entry, bool first_upper,
+std::vector<double> at_bounds(const fogcomp::model::CatalogueEntry& entry, bool first_upper,
                               bool in_turn) {
   std::vector<double> shape;
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-    const fogcomp::ShapeBounds bounds = fogcomp::catalogue_bounds(entry, i);
+    const fogcomp::model::ShapeBounds bounds = fogcomp::model::catalogue_bounds(entry, i);
     const bool upper = first_upper != (in_turn && i % 2 == 1);
     shape.push_back(upper ? bounds.most : bounds.least);
   }
@@ -144,8 +145,8 @@ std::vector<double> at_bounds(const fogcomp::CatalogueEntry& entry, bool first_u
 }
 
 // The ends and the middle of what the formats must hold, with and without optional parts.
-std::set<std::vector<double>> shapes_of(const fogcomp::EffectTerm& example) {
-  const fogcomp::CatalogueEntry& entry = fogcomp::find_effect(example.name);
+std::set<std::vector<double>> shapes_of(const fogcomp::model::EffectTerm& example) {
+  const fogcomp::model::CatalogueEntry& entry = fogcomp::model::find_effect(example.name);
   return {example.parameters,
           fog::test::natural_term(example.name, {}, {}).parameters,
           at_bounds(entry, false, false),
@@ -155,19 +156,20 @@ std::set<std::vector<double>> shapes_of(const fogcomp::EffectTerm& example) {
 }
 
 // The example with another shape: beyond what it has coefficients for, each has 1 deg/h.
-fogcomp::EffectTerm with_shape(fogcomp::EffectTerm term, const std::vector<double>& shape) {
+fogcomp::model::EffectTerm with_shape(fogcomp::model::EffectTerm term,
+                                      const std::vector<double>& shape) {
   term.parameters = shape;
-  const std::size_t count = fogcomp::RegressorBank({term}, 1).size();
+  const std::size_t count = fogcomp::model::RegressorBank({term}, 1).size();
   term.coefficients_dph.resize(count, 1);
   term.sigma_dph.resize(count, 0);
   return term;
 }
 
-class EveryEffect : public testing::TestWithParam<fogcomp::EffectTerm> {};
+class EveryEffect : public testing::TestWithParam<fogcomp::model::EffectTerm> {};
 
 TEST_P(EveryEffect, IsWithinTwoLsbOfDoubleOver72HoursOfAnyThermalHistory) {
   for (const std::vector<double>& shape : shapes_of(GetParam())) {
-    fogcomp::Model model = fog::test::paper_like_model();
+    fogcomp::model::Model model = fog::test::paper_like_model();
     model.least_degc = -60;
     model.most_degc = 100;
     model.network = {};
@@ -185,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EveryEffect, testing::ValuesIn(fog::test::ty
                          [](const auto& test) { return test.param.name; });
 
 TEST(DriftModel, BoardIsWithinFourLsbOfDoubleWithAllEffectsAtOnce) {
-  const fogcomp::Model model = fog::test::all_effects_model();
+  const fogcomp::model::Model model = fog::test::all_effects_model();
   EXPECT_LE(worst_difference(model, 5, 72), 4.0 / 1024);
   EXPECT_EQ(fog::test::overflows(), 0U);
 }

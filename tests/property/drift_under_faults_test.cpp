@@ -97,8 +97,8 @@ TEST_P(DriftUnderAFault, IsRightWhereverTheRateIsTrusted) {
   }
 }
 
-fogcomp::Model model_with(const std::vector<fogcomp::EffectTerm>& terms) {
-  fogcomp::Model model = fog::test::paper_like_model();
+fogcomp::model::Model model_with(const std::vector<fogcomp::model::EffectTerm>& terms) {
+  fogcomp::model::Model model = fog::test::paper_like_model();
   model.network = {};
   model.terms.insert(model.terms.end(), terms.begin(), terms.end());
   return model;

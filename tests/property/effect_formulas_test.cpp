@@ -270,8 +270,8 @@ const std::vector<Formula> kFormulas{
      }},
 };
 
-fogcomp::RealBlock block_of(const History& history, std::size_t i) {
-  fogcomp::RealBlock block;
+fogcomp::model::RealBlock block_of(const History& history, std::size_t i) {
+  fogcomp::model::RealBlock block;
   block.temperature = history.mean_degc[i];
   block.input_rate = history.input_rate_dph[i];
   block.elapsed = history.time_s[i] / kBlock_s;
@@ -284,24 +284,25 @@ fogcomp::RealBlock block_of(const History& history, std::size_t i) {
 }
 
 // The same from the effect itself, as board and fit run it, and the units that it states.
-Columns columns_of(const fogcomp::CatalogueEntry& entry, const Values& shape,
+Columns columns_of(const fogcomp::model::CatalogueEntry& entry, const Values& shape,
                    const History& history) {
-  fogcomp::Model model;
+  fogcomp::model::Model model;
   model.derivative_tau_s = kDerivativeTau_s;
   model.least_degc = kMinDegc;
   model.most_degc = kMaxDegc;
-  fog::ThermalState<fogcomp::RealNumbers> thermal(fogcomp::thermal_parameters(model, kBlock_s));
-  fogcomp::RegressorBank bank({fog::test::natural_term(entry.description.name, shape, {})},
-                              kBlock_s);
+  fog::ThermalState<fogcomp::model::RealNumbers> thermal(
+      fogcomp::model::thermal_parameters(model, kBlock_s));
+  fogcomp::model::RegressorBank bank({fog::test::natural_term(entry.description.name, shape, {})},
+                                     kBlock_s);
   Columns columns(bank.size(), Values(history.size()));
   for (std::size_t i = 0; i < history.size(); ++i) {
-    const fogcomp::RealBlock block = block_of(history, i);
+    const fogcomp::model::RealBlock block = block_of(history, i);
     const auto signals = history.starts[i] ? thermal.reset(block) : thermal.step(block);
     if (history.starts[i]) bank.reset(signals);
     const Values& regressors = bank.step(signals);
     for (std::size_t column = 0; column < columns.size(); ++column) {
       columns[column][i] =
-          regressors[column] / fogcomp::in_natural_unit(1, entry.coefficients[column]);
+          regressors[column] / fogcomp::model::in_natural_unit(1, entry.coefficients[column]);
     }
   }
   return columns;
@@ -316,7 +317,7 @@ double max_abs(const Values& values) {
 TEST(EffectFormulas, ThereIsOneForEveryEffectOfTheCatalogue) {
   std::vector<std::string> known;
   for (const Formula& formula : kFormulas) known.emplace_back(formula.effect);
-  const std::vector<std::string> effects = fogcomp::effect_names();
+  const std::vector<std::string> effects = fogcomp::model::effect_names();
   for (const std::string& effect : effects) {
     EXPECT_EQ(std::count(known.begin(), known.end(), effect), 1)
         << effect << " has no equation of its own here: add it to kFormulas in "
@@ -330,7 +331,7 @@ TEST(EffectFormulas, ThereIsOneForEveryEffectOfTheCatalogue) {
 TEST(EffectFormulas, AreWhatBoardAndFitCompute) {
   const std::vector<History> all = histories();
   for (const Formula& formula : kFormulas) {
-    const fogcomp::CatalogueEntry& entry = fogcomp::find_effect(formula.effect);
+    const fogcomp::model::CatalogueEntry& entry = fogcomp::model::find_effect(formula.effect);
     ASSERT_FALSE(formula.shapes.empty()) << formula.effect;
     for (const Values& shape : formula.shapes) {
       Values largest(entry.coefficients.size());

@@ -15,7 +15,7 @@
 
 namespace {
 
-using fogcomp::EffectTerm;
+using fogcomp::model::EffectTerm;
 
 // What a fit would have seen on these histories, less than all of it so that the clamps work too.
 void set_ranges(EffectTerm& term) {
@@ -40,25 +40,26 @@ struct Outcome {
 
 // Board against double over a random history, both fed with the same blocks.
 Outcome run(const EffectTerm& term, std::uint64_t seed, int blocks) {
-  fogcomp::Model model = fog::test::paper_like_model();
+  fogcomp::model::Model model = fog::test::paper_like_model();
   model.terms.push_back(term);
-  const fogcomp::ExpressionCode code = fogcomp::compile_expression(term, model, 1);
+  const fogcomp::board::ExpressionCode code = fogcomp::board::compile_expression(term, model, 1);
   const std::int32_t one = 1 << 10;
   fog::ExpressionParameters parameters{{code.words.data(), code.words.size()}, {&one, 1}, 0};
   EXPECT_TRUE(fog::expressions_fit(parameters));
   fog::ExpressionBank<fog::kAllExpressions> board(parameters, 10);
 
-  const fogcomp::BoardTable table = fogcomp::make_board_table(
+  const fogcomp::board::BoardTable table = fogcomp::board::make_board_table(
       fog::test::paper_like_model(), {200, fog::OutputSelection::kvh, true});
   fog::ThermalState<fog::BoardNumbers> board_thermal(
-      fogcomp::read_board_table(table, "test").thermal);
-  fog::ThermalState<fogcomp::RealNumbers> real_thermal(fogcomp::thermal_parameters(model, 1));
-  const auto real = fogcomp::make_effect(term, 1);
+      fogcomp::board::read_board_table(table, "test").thermal);
+  fog::ThermalState<fogcomp::model::RealNumbers> real_thermal(
+      fogcomp::model::thermal_parameters(model, 1));
+  const auto real = fogcomp::model::make_effect(term, 1);
   fog::test::RandomHistory history(seed, -60, 100);
   Outcome outcome{code.error, 0};
   for (int i = 0; i < blocks; ++i) {
     const auto means = history.next();
-    const fogcomp::RealBlock real_means = fogcomp::to_real(means);
+    const fogcomp::model::RealBlock real_means = fogcomp::model::to_real(means);
     if (i == 0) {
       board.reset(board_thermal.reset(means));
       real->reset(real_thermal.reset(real_means));
@@ -75,10 +76,10 @@ Outcome run(const EffectTerm& term, std::uint64_t seed, int blocks) {
 
 // An expression scaled so that its regressor stays about the board's range.
 EffectTerm term_of(const std::string& text) {
-  EffectTerm term = fogcomp::expression_term("x = " + text);
+  EffectTerm term = fogcomp::model::expression_term("x = " + text);
   set_ranges(term);
-  fogcomp::Model model = fog::test::paper_like_model();
-  const double most = fogcomp::compile_expression(term, model, 1).most;
+  fogcomp::model::Model model = fog::test::paper_like_model();
+  const double most = fogcomp::board::compile_expression(term, model, 1).most;
   term.expression->scale_log2 = most > 0 ? std::ilogb(most) - 1 : 0;
   return term;
 }

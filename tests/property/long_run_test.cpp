@@ -69,10 +69,10 @@ TEST(LongRun, ALagDoesNotWanderUnderSensorNoise) {
 }
 
 TEST(LongRun, EveryEffectStandsStillAtConstantInputs) {
-  const fogcomp::Model model = fog::test::all_effects_model();
-  const fogcomp::BoardTable table =
-      fogcomp::make_board_table(model, {200, fog::OutputSelection::kvh, true});
-  const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
+  const fogcomp::model::Model model = fog::test::all_effects_model();
+  const fogcomp::board::BoardTable table =
+      fogcomp::board::make_board_table(model, {200, fog::OutputSelection::kvh, true});
+  const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
   fog::DriftModel<fog::kAllEffects, fog::kAllExpressions, fog::kAllNetworkInputs> board(
       parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
       parameters.policy);

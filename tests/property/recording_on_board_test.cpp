@@ -24,8 +24,8 @@ double on_grid(double value) {
 
 // Three hours of ramps with all inputs in motion; gaps within a block, over blocks, and longer than
 // the board holds its drift.
-fogcomp::Recording recording_with_gaps() {
-  fogcomp::Recording recording;
+fogcomp::recording::Recording recording_with_gaps() {
+  fogcomp::recording::Recording recording;
   recording.file = "gaps.csv";
   recording.period_s = kPeriodS;
   const auto missing = [](int i) {
@@ -46,22 +46,24 @@ fogcomp::Recording recording_with_gaps() {
 }
 
 // Drift of the board at the first sample of each block, by the block's number.
-std::map<std::int64_t, double> board_drift(const fogcomp::Model& model,
-                                           const fogcomp::Recording& recording) {
-  fogcomp::BoardSettings settings = fog::test::lenient_board();
+std::map<std::int64_t, double> board_drift(const fogcomp::model::Model& model,
+                                           const fogcomp::recording::Recording& recording) {
+  fogcomp::board::BoardSettings settings = fog::test::lenient_board();
   settings.sample_rate_hz = 1 / kPeriodS;
   settings.extension = true;
-  const fogcomp::BoardTable table = fogcomp::make_board_table(model, settings);
-  const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
-  fogcomp::HostCompensator board(parameters, fog::ImageProof::not_needed());
+  const fogcomp::board::BoardTable table = fogcomp::board::make_board_table(model, settings);
+  const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
+  fogcomp::board::HostCompensator board(parameters, fog::ImageProof::not_needed());
   std::array<std::uint8_t, fog::kMostOutputBytes> frames;
   std::map<std::int64_t, double> drift;
   std::size_t row = 0;
-  fogcomp::make_sensor_stream(
-      recording, model.scale_factor, needs_of(model), [&](auto bytes, fog::SampleTime) {
+  fogcomp::board::make_sensor_stream(
+      recording, model.scale_factor, fogcomp::model::needs_of(model),
+      [&](auto bytes, fog::SampleTime) {
         for (const std::uint8_t byte : bytes) {
           if (board.feed(byte, frames.data()) == 0) continue;
-          const std::int64_t block = fogcomp::sample_number(recording, row++) / kSamplesPerBlock;
+          const std::int64_t block =
+              fogcomp::series::sample_number(recording, row++) / kSamplesPerBlock;
           if (!board.last().compensated_valid()) continue;
           drift.emplace(block, std::ldexp(board.last().drift.raw(), -10));
         }
@@ -70,14 +72,14 @@ std::map<std::int64_t, double> board_drift(const fogcomp::Model& model,
 }
 
 // Largest difference between board and walk over all blocks in which the walk has a drift, deg/h.
-double worst_difference(const fogcomp::Model& model) {
-  const fogcomp::Recording recording = recording_with_gaps();
+double worst_difference(const fogcomp::model::Model& model) {
+  const fogcomp::recording::Recording recording = recording_with_gaps();
   const auto board = board_drift(model, recording);
-  const fogcomp::BlockSeries series = fogcomp::make_blocks(recording);
-  fogcomp::RealDriftModel real(model, series.block_s);
+  const fogcomp::series::BlockSeries series = fogcomp::series::make_blocks(recording);
+  fogcomp::model::RealDriftModel real(model, series.block_s);
   double worst = 0;
   std::size_t compared = 0;
-  walk_blocks(series, real, [&](const fogcomp::BlockSeries::Block& block) {
+  fogcomp::series::walk_blocks(series, real, [&](const fogcomp::series::BlockSeries::Block& block) {
     const auto found = board.find(block.number);
     ASSERT_NE(found, board.end()) << "the board has no drift in block " << block.number;
     worst = std::max(worst, std::abs(found->second - real.drift_dph()));
@@ -88,9 +90,9 @@ double worst_difference(const fogcomp::Model& model) {
 }
 
 TEST(RecordingOnBoard, HasTheDriftThatFitAndCompareSeeAlsoAroundGaps) {
-  fogcomp::Model model = fog::test::all_effects_model();
+  fogcomp::model::Model model = fog::test::all_effects_model();
   const auto sees_rate = [](const auto& term) {
-    return has(fogcomp::info_of(term).needs, fog::Input::input_rate);
+    return has(fogcomp::model::info_of(term).needs, fog::Input::input_rate);
   };
   model.terms.erase(std::remove_if(model.terms.begin(), model.terms.end(), sees_rate),
                     model.terms.end());

@@ -26,8 +26,9 @@ constexpr double kCountsPerDegPerS = 3600 * 1024;
 class SensorFaults : public testing::Test {
  protected:
   SensorFaults() {
-    parameters_ = fogcomp::read_board_table(table_, "test");
-    board_ = std::make_unique<fogcomp::HostCompensator>(parameters_, fog::ImageProof::not_needed());
+    parameters_ = fogcomp::board::read_board_table(table_, "test");
+    board_ = std::make_unique<fogcomp::board::HostCompensator>(parameters_,
+                                                               fog::ImageProof::not_needed());
   }
 
   SensorSample healthy() {
@@ -55,10 +56,10 @@ class SensorFaults : public testing::Test {
     return most + 1;
   }
 
-  fogcomp::BoardTable table_ =
-      fogcomp::make_board_table(fog::test::paper_like_model(), fog::test::lenient_board());
+  fogcomp::board::BoardTable table_ =
+      fogcomp::board::make_board_table(fog::test::paper_like_model(), fog::test::lenient_board());
   fog::ModelParameters parameters_;
-  std::unique_ptr<fogcomp::HostCompensator> board_;
+  std::unique_ptr<fogcomp::board::HostCompensator> board_;
   OutputSample last_;
   std::mt19937 random_{1};
   std::uint16_t sequence_ = 60000;

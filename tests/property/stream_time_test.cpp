@@ -22,10 +22,10 @@ namespace {
 constexpr double kDriftPerSecondDph = 0.25;
 
 // A board with blocks of one sample, 1 s, whose drift is the time on its block clock.
-fogcomp::Model clock_model() {
-  fogcomp::Model model = fog::test::paper_like_model();
+fogcomp::model::Model clock_model() {
+  fogcomp::model::Model model = fog::test::paper_like_model();
   model.network = {};
-  fogcomp::EffectTerm clock = fog::test::written_term("clock = t");
+  fogcomp::model::EffectTerm clock = fog::test::written_term("clock = t");
   clock.coefficients_dph = {std::ldexp(kDriftPerSecondDph, clock.expression->scale_log2)};
   model.terms = {clock};
   return model;
@@ -70,9 +70,9 @@ fog::SensorSample sample_of(std::uint16_t sequence) {
 
 // Seconds on the board's clock before each sample that has a place in time.
 std::vector<double> board_times(const std::vector<std::uint16_t>& arrivals) {
-  const fogcomp::BoardTable table = fogcomp::make_board_table(clock_model(), {1.0});
-  const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
-  fogcomp::HostCompensator board(parameters, fog::ImageProof::not_needed());
+  const fogcomp::board::BoardTable table = fogcomp::board::make_board_table(clock_model(), {1.0});
+  const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
+  fogcomp::board::HostCompensator board(parameters, fog::ImageProof::not_needed());
   std::vector<double> times;
   for (const std::uint16_t sequence : arrivals) {
     const double drift_dph = std::ldexp(board.process(sample_of(sequence)).drift.raw(), -10);
@@ -89,10 +89,10 @@ TEST(StreamTime, IsWhatTheBoardsBlockClockCounts) {
       const fog::SensorFrame frame = fog::encode_sensor_frame(sample_of(sequence));
       bytes.append(reinterpret_cast<const char*>(frame.data()), frame.size());
     }
-    fogcomp::ReadOptions options;
+    fogcomp::recording::ReadOptions options;
     options.stream_rate_hz = 1;
-    const fogcomp::Recording recording =
-        read_recording(fogcomp::temporary_file("arrivals.bin", bytes), options);
+    const fogcomp::recording::Recording recording = fogcomp::recording::read_recording(
+        fogcomp::recording::temporary_file("arrivals.bin", bytes), options);
 
     // The clock moves by samples in time only: each of its readings but the last is a row's.
     std::vector<double> board = board_times(arrivals);

@@ -10,8 +10,8 @@
 namespace {
 
 using namespace fog::test;
-using fogcomp::Addition;
-using fogcomp::Model;
+using fogcomp::fit::Addition;
+using fogcomp::model::Model;
 
 // An effect that stands out by about five standard deviations is accepted in most of 20 recordings,
 // one ten times as large in all.
@@ -77,7 +77,7 @@ TEST(Additions, AreJudgedRightlyOnHoldouts) {
   int useful = 0;
   Useless useless;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const std::vector<fogcomp::RunInBlocks> holdouts{run_of(truth(), 100 + seed)};
+    const std::vector<fogcomp::compare::RunInBlocks> holdouts{run_of(truth(), 100 + seed)};
     const Addition good =
         add("bias,bias_temperature:order=3", "temperature_rate", truth(), {seed}, holdouts);
     if (good.accepted) ++useful;
@@ -92,9 +92,9 @@ TEST(Additions, OfAUselessExpressionAreRefused) {
   const Model model = incomplete(kComplete);
   Useless useless;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const fogcomp::EffectChange change =
-        change_expression(model.terms, "late = lag(dTdt^2, ?tau[60,6000])");
-    useless.count(add_effect(model, change, runs_of(truth(), {seed}), {}, {}));
+    const fogcomp::fit::EffectChange change =
+        fogcomp::fit::change_expression(model.terms, "late = lag(dTdt^2, ?tau[60,6000])");
+    useless.count(fogcomp::fit::add_effect(model, change, runs_of(truth(), {seed}), {}, {}));
   }
   expect_useless(useless);
 }

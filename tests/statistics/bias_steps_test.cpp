@@ -21,14 +21,14 @@ TEST(FoundSteps, OfFiveSigmaOfARowAreWithinAFewRows) {
   int found = 0;
   int covered = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    fogcomp::Recording recording = noisy_recording(seed);
+    fogcomp::recording::Recording recording = noisy_recording(seed);
     const double at_s = 4000 + 1300 * static_cast<double>(seed);
     const double size_dph = (seed % 2 == 0 ? 5 : -5) * kWhiteDph;
     add_step(recording, at_s, size_dph);
     const FittedSteps result = fit({recording}, kStepEffects);
     if (result.identified.steps.size() != 1) continue;
     ++found;
-    const fogcomp::FoundStep& step = result.identified.steps[0];
+    const fogcomp::fit::FoundStep& step = result.identified.steps[0];
     EXPECT_NEAR(step.time_s, at_s, 30) << seed;
     EXPECT_LT(step.time_sigma_s, 20) << seed;
     covered += std::abs(step.size_dph - size_dph) <= 1.96 * step.size_sigma_dph ? 1 : 0;

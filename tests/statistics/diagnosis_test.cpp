@@ -17,26 +17,27 @@ namespace {
 using fog::test::kQuietNoise;
 using fog::test::model_of;
 using fog::test::RowNoise;
-using fogcomp::Diagnosis;
-using fogcomp::Model;
-using fogcomp::Verdict;
+using fogcomp::diagnosis::Diagnosis;
+using fogcomp::diagnosis::Verdict;
+using fogcomp::model::Model;
 
-std::vector<fogcomp::EffectTerm> basic() {
+std::vector<fogcomp::model::EffectTerm> basic() {
   return {fog::test::natural_term("bias", {}, {0.7}),
           fog::test::natural_term("bias_temperature", {2}, {-4e-4, -3e-5}),
           fog::test::natural_term("temperature_rate", {}, {0.12})};
 }
 
 // What the coil does without the board's delays, and noise.
-fogcomp::Recording recording_with(const std::vector<fogcomp::EffectTerm>& hidden,
-                                  std::uint64_t seed, const RowNoise& noise = kQuietNoise) {
-  std::vector<fogcomp::EffectTerm> terms = basic();
+fogcomp::recording::Recording recording_with(const std::vector<fogcomp::model::EffectTerm>& hidden,
+                                             std::uint64_t seed,
+                                             const RowNoise& noise = kQuietNoise) {
+  std::vector<fogcomp::model::EffectTerm> terms = basic();
   terms.insert(terms.end(), hidden.begin(), hidden.end());
   const Model model = model_of(terms);
-  fogcomp::Recording recording = fog::test::recording_of(model_of({}), noise, seed);
-  fogcomp::SignalSeries series(model, fogcomp::Phase::zero);
-  series.add(fogcomp::make_blocks(recording));
-  for (const fogcomp::EffectTerm& term : terms) {
+  fogcomp::recording::Recording recording = fog::test::recording_of(model_of({}), noise, seed);
+  fogcomp::series::SignalSeries series(model, fogcomp::series::Phase::zero);
+  series.add(fogcomp::series::make_blocks(recording));
+  for (const fogcomp::model::EffectTerm& term : terms) {
     const Eigen::MatrixXd regressors = series.regressors(term);
     for (std::size_t row = 0; row < recording.rows(); ++row) {
       for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
@@ -49,21 +50,22 @@ fogcomp::Recording recording_with(const std::vector<fogcomp::EffectTerm>& hidden
   return recording;
 }
 
-std::vector<fogcomp::EffectTerm> expressions(const std::vector<std::string>& definitions) {
-  std::vector<fogcomp::EffectTerm> terms;
-  for (const std::string& definition : definitions) fogcomp::add_expression(terms, definition);
+std::vector<fogcomp::model::EffectTerm> expressions(const std::vector<std::string>& definitions) {
+  std::vector<fogcomp::model::EffectTerm> terms;
+  for (const std::string& definition : definitions)
+    fogcomp::model::add_expression(terms, definition);
   return terms;
 }
 
-Diagnosis diagnosed(const Model& model, const fogcomp::Recording& recording,
+Diagnosis diagnosed(const Model& model, const fogcomp::recording::Recording& recording,
                     const std::vector<std::string>& offered = {}) {
-  fogcomp::DiagnosisData data(model, expressions(offered));
+  fogcomp::diagnosis::DiagnosisData data(model, expressions(offered));
   data.add(recording);
-  return fogcomp::diagnose(model, data);
+  return fogcomp::diagnosis::diagnose(model, data);
 }
-Diagnosis diagnosed(const std::string& effects, const fogcomp::Recording& recording,
+Diagnosis diagnosed(const std::string& effects, const fogcomp::recording::Recording& recording,
                     const std::vector<std::string>& offered = {}) {
-  return diagnosed(model_of(fogcomp::parse_effects(effects)), recording, offered);
+  return diagnosed(model_of(fogcomp::model::parse_effects(effects)), recording, offered);
 }
 
 constexpr const char* kBasic = "bias,bias_temperature:order=2,temperature_rate";
@@ -103,7 +105,7 @@ TEST(Diagnosis, NamesNothingWhereNothingIsMissing) {
 
 TEST(Diagnosis, NamesTheEffectThatIsMissing) {
   const struct {
-    fogcomp::EffectTerm term;
+    fogcomp::model::EffectTerm term;
     const char* declared;
   } kCases[] = {
       {fog::test::natural_term("polarization_ripple", {13, 0}, {0.012, 0.006}), kBasic},
@@ -114,10 +116,10 @@ TEST(Diagnosis, NamesTheEffectThatIsMissing) {
   for (const auto& one : kCases) {
     const bool hidden = one.term.name != "temperature_rate";
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-      const Diagnosis diagnosis =
-          diagnosed(one.declared, recording_with(hidden ? std::vector<fogcomp::EffectTerm>{one.term}
-                                                        : std::vector<fogcomp::EffectTerm>{},
-                                                 seed));
+      const Diagnosis diagnosis = diagnosed(
+          one.declared, recording_with(hidden ? std::vector<fogcomp::model::EffectTerm>{one.term}
+                                              : std::vector<fogcomp::model::EffectTerm>{},
+                                       seed));
       EXPECT_EQ(diagnosis.verdict, Verdict::missing_effect) << one.term.name << seed;
       EXPECT_EQ(diagnosis.effect, one.term.name) << seed;
       ASSERT_FALSE(diagnosis.candidates.empty());
@@ -142,7 +144,7 @@ TEST(Diagnosis, SaysWhichEffectsTheDataCannotTellApart) {
 }
 
 TEST(Diagnosis, CallsUnknownWhatNoEffectExplains) {
-  fogcomp::Recording recording = recording_with({}, 7);
+  fogcomp::recording::Recording recording = recording_with({}, 7);
   for (std::size_t i = 0; i < recording.rows(); ++i) {
     recording.rate_dph[i] += 0.03 * std::sin(recording.time_s[i] / 290);
   }
@@ -153,7 +155,7 @@ TEST(Diagnosis, CallsUnknownWhatNoEffectExplains) {
 
 TEST(Diagnosis, FindsTheMomentOfABiasStep) {
   for (const double step_s : {6005.0, 14555.0}) {  // in ramps
-    fogcomp::Recording recording = recording_with({}, 3);
+    fogcomp::recording::Recording recording = recording_with({}, 3);
     for (std::size_t row = 0; row < recording.rows(); ++row) {
       if (recording.time_s[row] >= step_s) recording.rate_dph[row] += 0.05;
     }
@@ -165,7 +167,7 @@ TEST(Diagnosis, FindsTheMomentOfABiasStep) {
 }
 
 TEST(Diagnosis, CallsJumpsBetweenTwoLevelsUnknown) {
-  fogcomp::Recording recording = recording_with({}, 4);
+  fogcomp::recording::Recording recording = recording_with({}, 4);
   for (std::size_t row = 0; row < recording.rows(); ++row) {
     // Uneven, as of a telegraph signal: some of its periods are a third of others.
     const double turn = recording.time_s[row] / 1500;
@@ -173,24 +175,24 @@ TEST(Diagnosis, CallsJumpsBetweenTwoLevelsUnknown) {
   }
   const Diagnosis diagnosis = diagnosed(kBasic, recording);
   EXPECT_EQ(diagnosis.verdict, Verdict::unknown);
-  EXPECT_EQ(diagnosis.fast_kind, fogcomp::FastKind::two_levels);
+  EXPECT_EQ(diagnosis.fast_kind, fogcomp::diagnosis::FastKind::two_levels);
   EXPECT_NEAR(diagnosis.jumps.height_dph, 0.06, 0.015);
 }
 
 TEST(Diagnosis, SaysWhatARunCannotShow) {
   const Diagnosis diagnosis = diagnosed(kBasic, recording_with({}, 1));
-  const auto magnetic =
-      std::find_if(diagnosis.untestable.begin(), diagnosis.untestable.end(),
-                   [](const fogcomp::Untestable& one) { return one.effect == "magnetic"; });
+  const auto magnetic = std::find_if(
+      diagnosis.untestable.begin(), diagnosis.untestable.end(),
+      [](const fogcomp::diagnosis::Untestable& one) { return one.effect == "magnetic"; });
   ASSERT_NE(magnetic, diagnosis.untestable.end());
   EXPECT_EQ(magnetic->needs, "magnetic_ut");
 }
 
 // Unless noise is given, as by --static.
 TEST(Diagnosis, SaysWhereSlowNoiseIsKnownFromSoaksAlone) {
-  const Model model = model_of(fogcomp::parse_effects(kBasic));
+  const Model model = model_of(fogcomp::model::parse_effects(kBasic));
   for (const bool slow : {false, true}) {
-    const fogcomp::Recording recording =
+    const fogcomp::recording::Recording recording =
         recording_with({}, 2, slow ? RowNoise{0.024, 0.02, 600} : kQuietNoise);
     const Diagnosis diagnosis = diagnosed(model, recording);
     EXPECT_EQ(diagnosis.verdict, Verdict::none);
@@ -198,16 +200,16 @@ TEST(Diagnosis, SaysWhereSlowNoiseIsKnownFromSoaksAlone) {
     for (const std::string& note : diagnosis.notes) {
       EXPECT_NE(note.find("--static"), std::string::npos) << note;
     }
-    fogcomp::DiagnosisData data(model);
+    fogcomp::diagnosis::DiagnosisData data(model);
     data.add(recording);
-    fogcomp::DiagnosisSettings settings;
+    fogcomp::diagnosis::DiagnosisSettings settings;
     settings.noise = diagnosis.noise;
-    EXPECT_TRUE(fogcomp::diagnose(model, data, settings).notes.empty());
+    EXPECT_TRUE(fogcomp::diagnosis::diagnose(model, data, settings).notes.empty());
   }
 }
 
 TEST(Diagnosis, RefusesTooFewRows) {
-  fogcomp::Recording recording = recording_with({}, 1);
+  fogcomp::recording::Recording recording = recording_with({}, 1);
   recording.time_s.resize(50);
   recording.temperature_degc.resize(50);
   recording.rate_dph.resize(50);
@@ -215,16 +217,16 @@ TEST(Diagnosis, RefusesTooFewRows) {
 }
 
 // What follows the square of a rate is no effect of the catalogue.
-fogcomp::EffectTerm late_square(double tau_s, double size_dph) {
-  fogcomp::EffectTerm term =
-      fogcomp::expression_term("truth = lag(dTdt^2, " + std::to_string(tau_s) + ")");
+fogcomp::model::EffectTerm late_square(double tau_s, double size_dph) {
+  fogcomp::model::EffectTerm term =
+      fogcomp::model::expression_term("truth = lag(dTdt^2, " + std::to_string(tau_s) + ")");
   term.coefficients_dph = {size_dph};
   return term;
 }
 constexpr const char* kLateSquare = "late = lag(dTdt^2, ?tau[60,6000])";
 
 TEST(Diagnosis, NamesAnExpressionThatIsOffered) {
-  const fogcomp::Recording recording = recording_with({late_square(1200, 0.12)}, 4);
+  const fogcomp::recording::Recording recording = recording_with({late_square(1200, 0.12)}, 4);
   EXPECT_EQ(diagnosed(kBasic, recording).verdict, Verdict::unknown);
   const Diagnosis wrong = diagnosed(kBasic, recording, {"burst = T*T*dTdt"});
   EXPECT_EQ(wrong.verdict, Verdict::unknown);
@@ -233,14 +235,15 @@ TEST(Diagnosis, NamesAnExpressionThatIsOffered) {
   const Diagnosis right = diagnosed(kBasic, recording, {"burst = T*T*dTdt", kLateSquare});
   EXPECT_EQ(right.verdict, Verdict::missing_effect);
   ASSERT_EQ(right.effect, "late");
-  const fogcomp::EffectTerm& term = right.find("late")->term();
+  const fogcomp::model::EffectTerm& term = right.find("late")->term();
   ASSERT_TRUE(term.expression.has_value());
   EXPECT_NEAR(term.parameters[0], 1200, 400);  // as finely as shapes are laid out
-  EXPECT_NEAR(fogcomp::natural_coefficient(term, 0), 0.12, 0.03);
+  EXPECT_NEAR(fogcomp::model::natural_coefficient(term, 0), 0.12, 0.03);
 }
 
 TEST(Diagnosis, SearchesTheParametersOfAnExpression) {
-  fogcomp::EffectTerm bump = fogcomp::expression_term("truth = exp(-((T - 5) / 8)^2)");
+  fogcomp::model::EffectTerm bump =
+      fogcomp::model::expression_term("truth = exp(-((T - 5) / 8)^2)");
   bump.coefficients_dph = {0.06};
   const Diagnosis diagnosis = diagnosed(kBasic, recording_with({bump}, 6),
                                         {"bump = exp(-((T - ?at[-30,50]) / ?width[2,30])^2)"});
@@ -251,7 +254,7 @@ TEST(Diagnosis, SearchesTheParametersOfAnExpression) {
 }
 
 TEST(Diagnosis, WeighsAnExpressionAgainstTheEffectThatItImitates) {
-  const fogcomp::Recording recording = recording_with({}, 3);
+  const fogcomp::recording::Recording recording = recording_with({}, 3);
   const Diagnosis diagnosis =
       diagnosed("bias,bias_temperature:order=2", recording, {"same = dTdt"});
   ASSERT_EQ(diagnosis.verdict, Verdict::ambiguous);
@@ -261,7 +264,7 @@ TEST(Diagnosis, WeighsAnExpressionAgainstTheEffectThatItImitates) {
 }
 
 TEST(Diagnosis, ProposesATestThatTellsAnExpressionFromAnEffect) {
-  const fogcomp::Recording recording = recording_with({late_square(1200, 0.12)}, 4);
+  const fogcomp::recording::Recording recording = recording_with({late_square(1200, 0.12)}, 4);
   const Diagnosis diagnosis =
       diagnosed(kBasic, recording, {kLateSquare, "near = lag(abs(dTdt), ?tau[60,6000])"});
   ASSERT_EQ(diagnosis.verdict, Verdict::ambiguous);
@@ -291,7 +294,7 @@ TEST(Diagnosis, CountsEveryExpressionAsAChanceOfAFalseAlarm) {
     offered.push_back("beat" + std::to_string(i) + " = sin(t/" + std::to_string(40 + 3 * i) + ")");
   }
   for (const std::uint64_t seed : {1U, 3U, 5U}) {
-    const fogcomp::Recording recording =
+    const fogcomp::recording::Recording recording =
         recording_with({fog::test::natural_term("polarization_ripple", {13}, {0.004, 0})}, seed);
     const double log_p = diagnosed(kBasic, recording).tests[0];
     EXPECT_LT(log_p, -2);
@@ -300,8 +303,8 @@ TEST(Diagnosis, CountsEveryExpressionAsAChanceOfAFalseAlarm) {
 }
 
 TEST(Diagnosis, DiagnosesAModelThatHoldsAnExpression) {
-  Model model = model_of(fogcomp::parse_effects(kBasic));
-  fogcomp::add_expression(model.terms, kLateSquare);
+  Model model = model_of(fogcomp::model::parse_effects(kBasic));
+  fogcomp::model::add_expression(model.terms, kLateSquare);
   int named = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const auto diagnosis = diagnosed(model, recording_with({late_square(1200, 0.12)}, seed));
@@ -315,16 +318,16 @@ TEST(Diagnosis, DiagnosesAModelThatHoldsAnExpression) {
 }
 
 TEST(Diagnosis, RefusesAnExpressionThatTheRecordingCannotHave) {
-  const fogcomp::Recording recording = recording_with({}, 1);
+  const fogcomp::recording::Recording recording = recording_with({}, 1);
   EXPECT_THROW(diagnosed(kBasic, recording, {"field = B*T"}), fogcomp::InputError);
   EXPECT_THROW(diagnosed(kBasic, recording, {"root = T^0.5"}), fogcomp::InputError);
 }
 
 TEST(Ladder, AddsAnExpression) {
-  const Model model = model_of(fogcomp::parse_effects("bias,bias_temperature:order=2"));
-  fogcomp::DiagnosisData data(model, expressions({kLateSquare}));
+  const Model model = model_of(fogcomp::model::parse_effects("bias,bias_temperature:order=2"));
+  fogcomp::diagnosis::DiagnosisData data(model, expressions({kLateSquare}));
   data.add(recording_with({late_square(1200, 0.12)}, 2));
-  const fogcomp::Ladder ladder = fogcomp::walk_ladder(model, data, 4);
+  const fogcomp::diagnosis::Ladder ladder = fogcomp::diagnosis::walk_ladder(model, data, 4);
   std::vector<std::string> added = ladder.added();
   std::sort(added.begin(), added.end());
   EXPECT_EQ(added, (std::vector<std::string>{"late", "temperature_rate"}));
@@ -333,10 +336,10 @@ TEST(Ladder, AddsAnExpression) {
 }
 
 TEST(Ladder, FindsTwoEffectsAndStops) {
-  const Model model = model_of(fogcomp::parse_effects("bias,bias_temperature:order=2"));
-  fogcomp::DiagnosisData data(model);
+  const Model model = model_of(fogcomp::model::parse_effects("bias,bias_temperature:order=2"));
+  fogcomp::diagnosis::DiagnosisData data(model);
   data.add(recording_with({fog::test::natural_term("polarization_ripple", {13, 0}, {0.02, 0})}, 2));
-  const fogcomp::Ladder ladder = fogcomp::walk_ladder(model, data, 4);
+  const fogcomp::diagnosis::Ladder ladder = fogcomp::diagnosis::walk_ladder(model, data, 4);
   std::vector<std::string> added = ladder.added();
   std::sort(added.begin(), added.end());
   EXPECT_EQ(added, (std::vector<std::string>{"polarization_ripple", "temperature_rate"}));

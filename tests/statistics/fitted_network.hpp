@@ -12,27 +12,27 @@ namespace fog::test {
 constexpr RowNoise kSlowNoise{0.024, 0.006, 2000};
 
 struct FittedNetwork {
-  fogcomp::Model model;
-  fogcomp::FitResult result;
+  fogcomp::model::Model model;
+  fogcomp::fit::FitResult result;
   Eigen::VectorXd left_dph;     // by the effects, of the drift without noise; per row
   Eigen::VectorXd network_dph;  // per row; 0 without one
 };
 
 // `gyro` fitted with the effects of truth() and 6 neurons.
-inline FittedNetwork fit_network(const fogcomp::Model& gyro, const RowNoise& noise,
+inline FittedNetwork fit_network(const fogcomp::model::Model& gyro, const RowNoise& noise,
                                  std::uint64_t seed, bool force) {
   FittedNetwork fitted;
-  fogcomp::Model& model = fitted.model;
-  model = model_of(fogcomp::parse_effects("bias,bias_temperature:order=3,temperature_rate"));
-  fogcomp::SignalSeries series(model);
-  series.add(fogcomp::make_blocks(recording_of(gyro, noise, seed)));
-  fogcomp::FitSettings settings;
+  fogcomp::model::Model& model = fitted.model;
+  model = model_of(fogcomp::model::parse_effects("bias,bias_temperature:order=3,temperature_rate"));
+  fogcomp::series::SignalSeries series(model);
+  series.add(fogcomp::series::make_blocks(recording_of(gyro, noise, seed)));
+  fogcomp::fit::FitSettings settings;
   settings.network.hidden = 6;
   settings.force_network = force;
-  fitted.result = fit_model(model, series, settings);
+  fitted.result = fogcomp::fit::fit_model(model, series, settings);
 
-  fogcomp::SignalSeries noise_free(model);
-  noise_free.add(fogcomp::make_blocks(recording_of(gyro, {}, seed)));
+  fogcomp::series::SignalSeries noise_free(model);
+  noise_free.add(fogcomp::series::make_blocks(recording_of(gyro, {}, seed)));
   fitted.left_dph = noise_free.rows().drift_dph - series.drift_dph(model.terms);
   fitted.network_dph.setZero(series.rows().size());
   if (!model.network.present()) return fitted;

@@ -14,7 +14,7 @@ struct Count {
   const char* name;
   int right = 0;
 
-  void add(const std::optional<NoiseCoefficient>& estimate, double truth) {
+  void add(const std::optional<noise::NoiseCoefficient>& estimate, double truth) {
     if (estimate && std::fabs(estimate->value - truth) <= estimate->half_width_95) ++right;
   }
 };
@@ -22,7 +22,7 @@ struct Count {
 // Three days at 1 Hz, with coefficients chosen so that each rules about a decade of averaging
 // times: Q below 10 s, N to 100 s, B to 1000 s, K to 8000 s, R beyond.
 TEST(KnownNoise, HasAllFiveCoefficientsWithinTheirStatedConfidence) {
-  NoiseTruth truth;
+  compare::NoiseTruth truth;
   truth.quantization_deg = 5e-5;
   truth.angle_random_walk_dprh = 0.0005;
   truth.bias_instability_dph = 0.006;
@@ -35,9 +35,9 @@ TEST(KnownNoise, HasAllFiveCoefficientsWithinTheirStatedConfidence) {
   Count k{"K"};
   Count r{"R"};
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    const auto rate = make_noise(truth, kSamples, 1, seed);
-    const NoiseCoefficients found =
-        fit_noise_coefficients(allan_deviation(rate, {{0, rate.size()}}, 1));
+    const auto rate = compare::make_noise(truth, kSamples, 1, seed);
+    const noise::NoiseCoefficients found =
+        noise::fit_noise_coefficients(noise::allan_deviation(rate, {{0, rate.size()}}, 1));
     q.add(found.quantization_deg, truth.quantization_deg);
     n.add(found.angle_random_walk_dprh, truth.angle_random_walk_dprh);
     b.add(found.bias_instability_dph, truth.bias_instability_dph);

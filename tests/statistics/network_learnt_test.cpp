@@ -14,24 +14,24 @@
 namespace {
 
 using fog::test::model_of;
-using fogcomp::Model;
-using fogcomp::NetworkLearnt;
+using fogcomp::diagnosis::NetworkLearnt;
+using fogcomp::model::Model;
 
 // `hidden` is in the gyro and not in the model; the network sees temperature and its rate.
-NetworkLearnt learnt_of(const fogcomp::EffectTerm& hidden) {
-  const fogcomp::Recording recording = fog::test::recording_of(
+NetworkLearnt learnt_of(const fogcomp::model::EffectTerm& hidden) {
+  const fogcomp::recording::Recording recording = fog::test::recording_of(
       model_of({fog::test::natural_term("bias", {}, {0.7}),
                 fog::test::natural_term("bias_temperature", {2}, {-4e-4, -3e-5}), hidden}),
       fog::test::kQuietNoise, 1);
-  Model model = model_of(fogcomp::parse_effects("bias,bias_temperature:order=2"));
-  fogcomp::SignalSeries series(model);
-  series.add(fogcomp::make_blocks(recording));
-  fogcomp::FitSettings settings;
+  Model model = model_of(fogcomp::model::parse_effects("bias,bias_temperature:order=2"));
+  fogcomp::series::SignalSeries series(model);
+  series.add(fogcomp::series::make_blocks(recording));
+  fogcomp::fit::FitSettings settings;
   settings.network.hidden = 6;
-  fogcomp::fit_model(model, series, settings);
-  fogcomp::DiagnosisData data(model);
+  fogcomp::fit::fit_model(model, series, settings);
+  fogcomp::diagnosis::DiagnosisData data(model);
   data.add(recording);
-  return fogcomp::diagnose(model, data).network.value();
+  return fogcomp::diagnosis::diagnose(model, data).network.value();
 }
 
 double share_of(const NetworkLearnt& learnt, const std::string& effect) {
@@ -44,17 +44,17 @@ double share_of(const NetworkLearnt& learnt, const std::string& effect) {
 TEST(NetworkLearnt, NamesTheEffectForWhichTheNetworkStandsIn) {
   const NetworkLearnt learnt = learnt_of(fog::test::natural_term("temperature_rate", {}, {0.12}));
   EXPECT_GT(learnt.rms_dph, 0.03);
-  EXPECT_GT(share_of(learnt, "temperature_rate"), fogcomp::kLearntShare);
+  EXPECT_GT(share_of(learnt, "temperature_rate"), fogcomp::diagnosis::kLearntShare);
   EXPECT_LT(learnt.effects[0].share, share_of(learnt, "temperature_rate") + 0.1);
   EXPECT_LT(share_of(learnt, "polarization_ripple"), 0.3);
 }
 
 TEST(NetworkLearnt, NamesNoneWhereTheCatalogueHasNone) {
-  fogcomp::EffectTerm hidden = fog::test::written_term("heat = abs(dTdt)");
+  fogcomp::model::EffectTerm hidden = fog::test::written_term("heat = abs(dTdt)");
   hidden.coefficients_dph = {1};  // the regressor is small, as its range is +-32 degC/min
   const NetworkLearnt learnt = learnt_of(hidden);
   EXPECT_GT(learnt.rms_dph, 0.01);
-  EXPECT_LT(learnt.effects[0].share, fogcomp::kLearntShare);
+  EXPECT_LT(learnt.effects[0].share, fogcomp::diagnosis::kLearntShare);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace {
 constexpr int kRecordings = 100;
 constexpr int kEnough = 90;
 
-NoiseCoefficients fitted(const std::vector<double>& rate) {
-  return fit_noise_coefficients(allan_deviation(rate, {{0, rate.size()}}, 1));
+noise::NoiseCoefficients fitted(const std::vector<double>& rate) {
+  return noise::fit_noise_coefficients(noise::allan_deviation(rate, {{0, rate.size()}}, 1));
 }
 
 /// How often a coefficient was found, and how often the truth lay within its stated confidence
@@ -23,7 +23,7 @@ struct Tally {
   int found = 0;
   int right = 0;
 
-  void count(const std::optional<NoiseCoefficient>& estimate, double truth) {
+  void count(const std::optional<noise::NoiseCoefficient>& estimate, double truth) {
     if (estimate) {
       ++found;
       if (std::fabs(estimate->value - truth) <= estimate->half_width_95) ++right;
@@ -37,12 +37,12 @@ struct Tallies {
   Tally q, n, b, k, r;
 };
 
-Tallies simulate(const NoiseTruth& truth) {
+Tallies simulate(const compare::NoiseTruth& truth) {
   constexpr std::size_t kSamples = 65536;
   Tallies tallies;
   for (int seed = 1; seed <= kRecordings; ++seed) {
-    const NoiseCoefficients found =
-        fitted(make_noise(truth, kSamples, 1, static_cast<std::uint64_t>(seed)));
+    const noise::NoiseCoefficients found =
+        fitted(compare::make_noise(truth, kSamples, 1, static_cast<std::uint64_t>(seed)));
     tallies.q.count(found.quantization_deg, truth.quantization_deg);
     tallies.n.count(found.angle_random_walk_dprh, truth.angle_random_walk_dprh);
     tallies.b.count(found.bias_instability_dph, truth.bias_instability_dph);
@@ -53,7 +53,7 @@ Tallies simulate(const NoiseTruth& truth) {
 }
 
 TEST(NoiseCoefficients, OfWhiteNoiseAreNAlone) {
-  NoiseTruth truth;
+  compare::NoiseTruth truth;
   truth.angle_random_walk_dprh = 0.00124;
   const Tallies tallies = simulate(truth);
   EXPECT_GE(tallies.n.right, kEnough);
@@ -63,7 +63,7 @@ TEST(NoiseCoefficients, OfWhiteNoiseAreNAlone) {
 }
 
 TEST(NoiseCoefficients, OfAFogWithFlickerNoiseAreNAndB) {
-  NoiseTruth truth;
+  compare::NoiseTruth truth;
   truth.angle_random_walk_dprh = 0.00124;
   truth.bias_instability_dph = 0.003;
   const Tallies tallies = simulate(truth);
@@ -73,7 +73,7 @@ TEST(NoiseCoefficients, OfAFogWithFlickerNoiseAreNAndB) {
 }
 
 TEST(NoiseCoefficients, AreFoundWhereFourShapesFollowEachOther) {
-  NoiseTruth truth;
+  compare::NoiseTruth truth;
   truth.quantization_deg = 3e-6;
   truth.angle_random_walk_dprh = 0.0005;
   truth.bias_instability_dph = 0.01;
@@ -86,7 +86,7 @@ TEST(NoiseCoefficients, AreFoundWhereFourShapesFollowEachOther) {
 }
 
 TEST(NoiseCoefficients, FindARateRamp) {
-  NoiseTruth truth;
+  compare::NoiseTruth truth;
   truth.angle_random_walk_dprh = 0.001;
   truth.rate_ramp_dphh = 0.05;
   const Tallies tallies = simulate(truth);
@@ -95,7 +95,7 @@ TEST(NoiseCoefficients, FindARateRamp) {
 }
 
 TEST(NoiseCoefficients, AreAbsentRatherThanWrongWhereTwoCouldStandForEachOther) {
-  NoiseTruth truth;  // a walk that the flicker floor all but hides
+  compare::NoiseTruth truth;  // a walk that the flicker floor all but hides
   truth.angle_random_walk_dprh = 0.00124;
   truth.bias_instability_dph = 0.003;
   truth.rate_random_walk_dphrh = 0.005;

@@ -27,11 +27,11 @@ TEST(NetworkOnNoise, IsNotKept) {
 }
 
 TEST(NetworkOnAnEffect, LearnsItAndIsTheSameAgainForcedOrNot) {
-  fogcomp::Model gyro = truth();
+  fogcomp::model::Model gyro = truth();
   gyro.terms.push_back(natural_term("polarization_ripple", {40, 0}, {0.03, 0.03}));
   const FittedNetwork fitted = fit_network(gyro, kQuietNoise, 1, false);
   ASSERT_TRUE(fitted.model.network.present());
-  EXPECT_GT(fitted.result.network_judged->gain, 5 * fogcomp::rules::kMinGain);
+  EXPECT_GT(fitted.result.network_judged->gain, 5 * fogcomp::fit::rules::kMinGain);
   EXPECT_LT(mean_square(fitted.left_dph - fitted.network_dph), 0.1 * mean_square(fitted.left_dph));
   EXPECT_EQ(fit_network(gyro, kQuietNoise, 1, true).network_dph, fitted.network_dph);
 }

@@ -11,8 +11,8 @@
 
 namespace {
 
-using fogcomp::EffectTerm;
-using fogcomp::Model;
+using fogcomp::model::EffectTerm;
+using fogcomp::model::Model;
 
 // How often the truth of every coefficient and every shape parameter lies in its 95 % interval,
 // over some gyros with white and slow noise.
@@ -27,10 +27,10 @@ void expect_true_intervals(const std::vector<EffectTerm>& terms, const std::stri
     const auto recording =
         fog::test::recording_of(real, {0.024, 0.006, 300}, static_cast<std::uint64_t>(seed));
     Model model = real;
-    model.terms = fogcomp::parse_effects(effects);
-    fogcomp::SignalSeries series(model);
-    series.add(fogcomp::make_blocks(recording));
-    fogcomp::identify(model, series);
+    model.terms = fogcomp::model::parse_effects(effects);
+    fogcomp::series::SignalSeries series(model);
+    series.add(fogcomp::series::make_blocks(recording));
+    fogcomp::fit::identify(model, series);
     std::vector<double> errors;
     for (std::size_t i = 0; i < terms.size(); ++i) {
       const EffectTerm& got = model.terms[i];

@@ -27,9 +27,9 @@ struct DriftVerdict {
 /// differs by from the second is what the temperature's error explains.
 class DriftUnderFaults {
  public:
-  explicit DriftUnderFaults(const fogcomp::Model& model, double most_degc_per_min = 3)
-      : table_(fogcomp::make_board_table(without_denoiser(model), {})),
-        parameters_(fogcomp::read_board_table(table_, "test")),
+  explicit DriftUnderFaults(const fogcomp::model::Model& model, double most_degc_per_min = 3)
+      : table_(fogcomp::board::make_board_table(without_denoiser(model), {})),
+        parameters_(fogcomp::board::read_board_table(table_, "test")),
         most_degc_per_min_(most_degc_per_min) {}
 
   DriftVerdict run(const std::vector<Fault>& faults, double duration_s, std::uint64_t seed) const {
@@ -58,7 +58,7 @@ class DriftUnderFaults {
   }
 
  private:
-  using HostBoard = std::unique_ptr<fogcomp::HostCompensator>;
+  using HostBoard = std::unique_ptr<fogcomp::board::HostCompensator>;
 
   // Whether the board's power came back between two times.
   static bool starts_anew(const std::vector<Fault>& faults, std::int64_t from_us,
@@ -69,12 +69,12 @@ class DriftUnderFaults {
     });
   }
   // It has no part in the drift, and costs most of the time.
-  static fogcomp::Model without_denoiser(fogcomp::Model model) {
+  static fogcomp::model::Model without_denoiser(fogcomp::model::Model model) {
     model.denoise.levels = 0;
     return model;
   }
   static HostBoard make_board(const ModelParameters& parameters) {
-    return std::make_unique<fogcomp::HostCompensator>(parameters, ImageProof::not_needed());
+    return std::make_unique<fogcomp::board::HostCompensator>(parameters, ImageProof::not_needed());
   }
   static double dph(Rate rate) { return std::ldexp(rate.raw(), -Rate::fractional_bits); }
   static std::int32_t raw(double degc) { return static_cast<std::int32_t>(degc * 65536); }
@@ -139,7 +139,7 @@ class DriftUnderFaults {
     double drift_dph_ = 0;
   };
 
-  fogcomp::BoardTable table_;
+  fogcomp::board::BoardTable table_;
   ModelParameters parameters_;
   double most_degc_per_min_;
 };

@@ -10,9 +10,10 @@
 namespace fog::test {
 
 /// Inputs -> 10 hidden neurons, spread over the range of the inputs -> 1.
-inline fogcomp::RealNetwork network_of(const std::vector<fogcomp::RealInput>& inputs) {
+inline fogcomp::model::RealNetwork network_of(
+    const std::vector<fogcomp::model::RealInput>& inputs) {
   constexpr int kHidden = 10;
-  fogcomp::RealNetwork network;
+  fogcomp::model::RealNetwork network;
   network.inputs = inputs;
   network.hidden.activation = fog::Activation::logsig;
   network.hidden.weights.resize(kHidden, static_cast<Eigen::Index>(inputs.size()));
@@ -34,8 +35,8 @@ inline fogcomp::RealNetwork network_of(const std::vector<fogcomp::RealInput>& in
 }
 
 /// Effects of the size of the reference paper's gyro, and a network of 3 neurons.
-inline fogcomp::Model paper_like_model() {
-  fogcomp::Model model;
+inline fogcomp::model::Model paper_like_model() {
+  fogcomp::model::Model model;
   model.scale_factor = 3600 * 1024;
   model.derivative_tau_s = 30;
   model.least_degc = -41;
@@ -65,19 +66,19 @@ inline fogcomp::Model paper_like_model() {
 }
 
 /// A board at 200 Hz whose rate is valid wherever a model may choose.
-inline fogcomp::BoardSettings lenient_board() {
-  fogcomp::BoardSettings settings;
+inline fogcomp::board::BoardSettings lenient_board() {
+  fogcomp::board::BoardSettings settings;
   settings.invalidating = Status::none;
   return settings;
 }
 
 /// The table of a board whose denoiser is this, for a gyro with so much white noise at 1 Hz.
-inline fogcomp::BoardTable denoiser_table(const fogcomp::DenoiseSettings& settings,
-                                          double noise_dph_rthz = 0.075) {
-  fogcomp::Model model = paper_like_model();
+inline fogcomp::board::BoardTable denoiser_table(const fogcomp::model::DenoiseSettings& settings,
+                                                 double noise_dph_rthz = 0.075) {
+  fogcomp::model::Model model = paper_like_model();
   model.denoise = settings;
   model.noise_dph_rthz = noise_dph_rthz;
-  return fogcomp::make_board_table(model, {});
+  return fogcomp::board::make_board_table(model, {});
 }
 
 }  // namespace fog::test

@@ -16,11 +16,11 @@ namespace fog::test {
 
 /// A term from coefficients in the natural units of the catalogue. Parameters that are not given
 /// have their defaults.
-inline fogcomp::EffectTerm natural_term(const std::string& name,
-                                        const std::vector<double>& parameters,
-                                        const std::vector<double>& coefficients) {
-  const fogcomp::CatalogueEntry& entry = fogcomp::find_effect(name);
-  fogcomp::EffectTerm term;
+inline fogcomp::model::EffectTerm natural_term(const std::string& name,
+                                               const std::vector<double>& parameters,
+                                               const std::vector<double>& coefficients) {
+  const fogcomp::model::CatalogueEntry& entry = fogcomp::model::find_effect(name);
+  fogcomp::model::EffectTerm term;
   term.name = name;
   term.parameters = parameters;
   while (term.parameters.size() < entry.parameters.size()) {
@@ -38,8 +38,8 @@ inline fogcomp::EffectTerm natural_term(const std::string& name,
 }
 
 /// An expression of 0.02 deg/h at its largest over usual ranges of its signals.
-inline fogcomp::EffectTerm written_term(const std::string& definition) {
-  fogcomp::EffectTerm term = fogcomp::expression_term(definition);
+inline fogcomp::model::EffectTerm written_term(const std::string& definition) {
+  fogcomp::model::EffectTerm term = fogcomp::model::expression_term(definition);
   term.expression->ranges = {{{-60, 100},
                               {-32, 32},
                               {0, 3600000},
@@ -49,15 +49,16 @@ inline fogcomp::EffectTerm written_term(const std::string& definition) {
                               {0, 5000},
                               {4, 6},
                               {0, 20}}};
-  fogcomp::Model model = paper_like_model();
-  term.expression->scale_log2 = std::ilogb(fogcomp::compile_expression(term, model, 1).most) - 1;
+  fogcomp::model::Model model = paper_like_model();
+  term.expression->scale_log2 =
+      std::ilogb(fogcomp::board::compile_expression(term, model, 1).most) - 1;
   term.coefficients_dph = {0.005};
   term.sigma_dph = {0.0001};
   return term;
 }
 
 /// An effect as the example in its description has it.
-inline fogcomp::EffectTerm example_term(const fogcomp::CatalogueEntry& entry) {
+inline fogcomp::model::EffectTerm example_term(const fogcomp::model::CatalogueEntry& entry) {
   const std::string name = entry.description.name;
   std::vector<double> parameters;
   std::vector<double> coefficients;
@@ -81,17 +82,17 @@ inline fogcomp::EffectTerm example_term(const fogcomp::CatalogueEntry& entry) {
 }
 
 /// Every effect that a board can have, as in its example.
-inline std::vector<fogcomp::EffectTerm> typical_terms() {
-  std::vector<fogcomp::EffectTerm> terms;
-  for (const fogcomp::CatalogueEntry& entry : fogcomp::catalogue()) {
+inline std::vector<fogcomp::model::EffectTerm> typical_terms() {
+  std::vector<fogcomp::model::EffectTerm> terms;
+  for (const fogcomp::model::CatalogueEntry& entry : fogcomp::model::catalogue()) {
     if (entry.description.host_only == nullptr) terms.push_back(example_term(entry));
   }
   return terms;
 }
 
 /// The sample model and expressions with most of the operations there are.
-inline fogcomp::Model expressions_model() {
-  fogcomp::Model model = paper_like_model();
+inline fogcomp::model::Model expressions_model() {
+  fogcomp::model::Model model = paper_like_model();
   for (const char* text : {"a = T^3/(2+abs(dTdt))", "b = play(lag(T,300),4)*sin(t/9)",
                            "c = exp(-T/30)-min(tanh(W),max(T,3))"}) {
     model.terms.push_back(written_term(text));
@@ -100,8 +101,8 @@ inline fogcomp::Model expressions_model() {
 }
 
 /// All typical terms, and the sample model's network.
-inline fogcomp::Model all_effects_model() {
-  fogcomp::Model model = paper_like_model();
+inline fogcomp::model::Model all_effects_model() {
+  fogcomp::model::Model model = paper_like_model();
   model.terms = typical_terms();
   return model;
 }

@@ -64,7 +64,7 @@ simulation::Programme cut(simulation::Programme programme, double length_s) {
 }
 
 // Rows in a table without the columns that a chamber log rarely has, and its gaps.
-Recording simulated(Dice& dice, const Options& options) {
+recording::Recording simulated(Dice& dice, const Options& options) {
   using namespace simulation;
   const EmbeddedFile& profile = dice.of(ready_made_profiles());
   const double period_s = dice.of(std::vector<double>{1, 10, 60});
@@ -79,7 +79,7 @@ Recording simulated(Dice& dice, const Options& options) {
   settings.seed = seed;
   settings.grid.axial_cells = 1;
   Simulation simulation(gyro, programme, settings);
-  Recording recording = record(simulation, period_s).recording;
+  recording::Recording recording = record(simulation, period_s).recording;
   recording.file = std::string(profile.name) + format(", rows of %g s", period_s);
   for (std::size_t row = 1; row < recording.rows(); ++row) {
     const double step_s = recording.time_s[row] - recording.time_s[row - 1];
@@ -97,9 +97,9 @@ void each(std::vector<double>& values, const Change& change) {
   for (double& value : values) value = change(value);
 }
 
-void cut_to(Recording& recording, std::size_t rows) {
+void cut_to(recording::Recording& recording, std::size_t rows) {
   if (recording.rows() <= rows) return;
-  for (const ColumnInfo& info : kColumns) {
+  for (const recording::ColumnInfo& info : recording::kColumns) {
     if (!recording[info.column].empty()) recording[info.column].resize(rows);
   }
   auto& starts = recording.stretch_starts;
@@ -107,7 +107,7 @@ void cut_to(Recording& recording, std::size_t rows) {
 }
 
 // What happens to recordings on their way.
-void spoil(Recording& recording, Dice& dice) {
+void spoil(recording::Recording& recording, Dice& dice) {
   std::vector<double>& rate = recording.rate_dph;
   const char* what = "";
   switch (dice.below(24)) {
@@ -175,7 +175,7 @@ void spoil(Recording& recording, Dice& dice) {
   recording.file += std::string(", ") + what;
 }
 
-std::string random_effect(Dice& dice, const CatalogueEntry& entry) {
+std::string random_effect(Dice& dice, const model::CatalogueEntry& entry) {
   std::string text = entry.description.name;
   std::string settings;
   for (const fog::ParameterDescription& parameter : entry.parameters) {
@@ -183,7 +183,7 @@ std::string random_effect(Dice& dice, const CatalogueEntry& entry) {
     if (parameter.scale == fog::Scale::whole && dice.one_in(2)) {
       const auto most = static_cast<std::size_t>(parameter.most_milli / 1000);
       settings += before + format("%s=%zu", parameter.name, 1 + dice.below(most));
-    } else if (is_optional_part(parameter) && dice.one_in(3)) {
+    } else if (model::is_optional_part(parameter) && dice.one_in(3)) {
       settings += before + parameter.name + "=?";
     }
   }
@@ -194,16 +194,16 @@ const std::vector<std::string> kExpressions{
     "x = tanh(T/?w[1e-20,2])", "x = sin(T*?w[1e-30,1e30])",  "x = play(T,?r[1e-20,1e30])",
     "x = exp(T/?w[0.01,100])", "x = lag(T,?tau[1,1e6]) - T", "x = T*T*dTdt"};
 
-std::vector<EffectTerm> random_effects(Dice& dice) {
+std::vector<model::EffectTerm> random_effects(Dice& dice) {
   std::string list = dice.one_in(8) ? "" : "bias";
   const std::size_t more = dice.one_in(3) ? 1 : 1 + dice.below(6);
   for (std::size_t i = 0; i < more; ++i) {
-    const CatalogueEntry& entry = dice.of(catalogue());
+    const model::CatalogueEntry& entry = dice.of(model::catalogue());
     if (("," + list).find("," + std::string(entry.description.name)) != std::string::npos) continue;
     list += (list.empty() ? "" : ",") + random_effect(dice, entry);
   }
-  std::vector<EffectTerm> terms = parse_effects(list);
-  if (dice.one_in(6)) add_expression(terms, dice.of(kExpressions));
+  std::vector<model::EffectTerm> terms = model::parse_effects(list);
+  if (dice.one_in(6)) model::add_expression(terms, dice.of(kExpressions));
   return terms;
 }
 
@@ -216,8 +216,8 @@ class Numbers {
   void see(const char* what, const std::vector<double>& values) {
     for (const double value : values) see(what, value);
   }
-  void see(const char* what, const std::vector<EffectTerm>& terms) {
-    for (const EffectTerm& term : terms) {
+  void see(const char* what, const std::vector<model::EffectTerm>& terms) {
+    for (const model::EffectTerm& term : terms) {
       see(what, term.parameters);
       see(what, term.parameter_sigma);
       see(what, term.coefficients_dph);
@@ -230,59 +230,59 @@ class Numbers {
   std::string bad_;
 };
 
-void see_fit(Numbers& numbers, const Model& model, const FitResult& fit) {
+void see_fit(Numbers& numbers, const model::Model& model, const fit::FitResult& fit) {
   numbers.see("model", model.terms);
   numbers.see("residual rms", model.residual_rms_dph);
   numbers.see("range", {model.least_degc, model.most_degc, fit.raw_std_dph});
   numbers.see("misfit", fit.identified.misfit);
   numbers.see("noise", {fit.identified.noise.white_dph(), fit.identified.noise.wander_dph()});
   numbers.see("visible", fit.identified.visible_dph);
-  parse_model(model_text(model), "written");
+  model::parse_model(model::model_text(model), "written");
 }
 
-void see_test(Numbers& numbers, const char* what, const ClassTest& test) {
+void see_test(Numbers& numbers, const char* what, const compare::ClassTest& test) {
   numbers.see(what, {test.score, test.variance_dph2});
 }
 
-void see_comparison(Numbers& numbers, const Comparison& comparison) {
+void see_comparison(Numbers& numbers, const compare::Comparison& comparison) {
   numbers.see("residuals", comparison.residuals_dph());
   numbers.see("comparison", {comparison.whole.raw_std_dph, comparison.whole.rms_dph,
                              comparison.whole.mean_dph, comparison.whole.std_dph});
-  const ResidualAnalysis analysis = analyse_residual(comparison);
+  const compare::ResidualAnalysis analysis = compare::analyse_residual(comparison);
   numbers.see("offset sigma", analysis.offset_sigma_dph);
   see_test(numbers, "offset", analysis.offset);
   see_test(numbers, "temperature", analysis.temperature.test);
   see_test(numbers, "rate", analysis.rate.test);
   see_test(numbers, "time", analysis.time.test);
-  for (const LagCorrelation& lag : analysis.autocorrelation) {
+  for (const compare::LagCorrelation& lag : analysis.autocorrelation) {
     numbers.see("autocorrelation", lag.correlation);
   }
-  for (const AllanPoint& point : analysis.residual_allan) {
+  for (const noise::AllanPoint& point : analysis.residual_allan) {
     numbers.see("Allan deviation", {point.sigma, point.one_sigma});
   }
 }
 
-void see_diagnosis(Numbers& numbers, const Diagnosis& diagnosis) {
+void see_diagnosis(Numbers& numbers, const diagnosis::Diagnosis& diagnosis) {
   numbers.see("diagnosis",
               {diagnosis.residual_rms_dph, diagnosis.noise_floor_dph,
                diagnosis.unexplained_fraction, diagnosis.chance, diagnosis.fast.share});
   numbers.see("gain of a term", diagnosis.term_gain);
-  for (const CandidateFinding& finding : diagnosis.candidates) {
+  for (const diagnosis::CandidateFinding& finding : diagnosis.candidates) {
     numbers.see("candidate", {finding.explained_fraction, finding.rms_after_dph, finding.evidence,
                               finding.probability});
     numbers.see("candidate's terms", finding.term().coefficients_dph);
   }
-  for (const NamedShare& segment : diagnosis.segments) {
+  for (const diagnosis::NamedShare& segment : diagnosis.segments) {
     numbers.see("segment", segment.share);
   }
 }
 
 // Whether a refusal names an effect of the list, or the recording's fault.
-bool names_its_cause(const std::string& message, const std::vector<EffectTerm>& terms) {
+bool names_its_cause(const std::string& message, const std::vector<model::EffectTerm>& terms) {
   for (const char* fault : {"rate does not move", "too few", "--effects"}) {
     if (message.find(fault) != std::string::npos) return true;
   }
-  return std::any_of(terms.begin(), terms.end(), [&](const EffectTerm& term) {
+  return std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
     return message.find(term.name) != std::string::npos;
   });
 }
@@ -294,8 +294,8 @@ struct Tally {
 
 // One command of a case: finite numbers or a refusal with its cause.
 template <class Step>
-bool run(const char* command, std::uint64_t id, const Recording& recording,
-         const std::vector<EffectTerm>& terms, Tally& tally, const Step& step) {
+bool run(const char* command, std::uint64_t id, const recording::Recording& recording,
+         const std::vector<model::EffectTerm>& terms, Tally& tally, const Step& step) {
   std::string fault;
   bool refused = false;
   try {
@@ -313,7 +313,7 @@ bool run(const char* command, std::uint64_t id, const Recording& recording,
   ++tally.counts[std::string(command) + (refused ? " refused" : " done")];
   if (fault.empty()) return !refused;
   std::string list;
-  for (const EffectTerm& term : terms) list += (list.empty() ? "" : ",") + term.name;
+  for (const model::EffectTerm& term : terms) list += (list.empty() ? "" : ",") + term.name;
   std::printf("FAILED case %llu, %s of %s on %s: %s\n", static_cast<unsigned long long>(id),
               command, list.c_str(), recording.file.c_str(), fault.c_str());
   ++tally.failures;
@@ -322,47 +322,48 @@ bool run(const char* command, std::uint64_t id, const Recording& recording,
 
 void run_case(std::uint64_t id, const Options& options, Tally& tally) {
   Dice dice(id);
-  Recording recording = simulated(dice, options);
+  recording::Recording recording = simulated(dice, options);
   spoil(recording, dice);
-  Model model;
+  model::Model model;
   model.terms = random_effects(dice);
   model.scale_factor = 1e6;
   model.derivative_tau_s = 30;
   model.average_s = std::max(recording.period_s, dice.one_in(2) ? 10.0 : 1.0);
-  std::vector<EffectTerm> terms = model.terms;
-  const std::string added = random_effect(dice, dice.of(catalogue()));
+  std::vector<model::EffectTerm> terms = model.terms;
+  const std::string added = random_effect(dice, dice.of(model::catalogue()));
   std::printf("case %llu: %s, %zu rows\n", static_cast<unsigned long long>(id),
               recording.file.c_str(), recording.rows());
   std::fflush(stdout);
 
-  TrainingRuns training;
+  fit::TrainingRuns training;
   const bool fitted = run("fit", id, recording, terms, tally, [&](Numbers& numbers) {
-    training.runs.push_back(run_in_blocks(recording, model.average_s));
+    training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
     training.noise_floor_dph = training.runs[0].noise_floor_dph;
-    SignalSeries series(model);
+    series::SignalSeries series(model);
     series.add(training.runs[0].blocks);
-    FitSettings settings;
+    fit::FitSettings settings;
     settings.network.hidden = dice.one_in(10) ? 2 : 0;
     settings.network.training.epochs = 20;
     if (settings.network.hidden > 0) model.network.inputs = settings.network_inputs;
-    const FitResult fit = fit_model(model, series, settings);
+    const fit::FitResult fit = fit::fit_model(model, series, settings);
     see_fit(numbers, model, fit);
-    for (const PhysicalLag& lag : physical_lags(model, training.runs, false)) {
+    for (const fit::PhysicalLag& lag : fit::physical_lags(model, training.runs, false)) {
       numbers.see("physical lag", {lag.value_s, lag.sigma_s});
     }
   });
   if (!fitted) return;
-  run("compare", id, recording, terms, tally,
-      [&](Numbers& numbers) { see_comparison(numbers, compare_with(model, training.runs[0])); });
-  run("diagnose", id, recording, terms, tally, [&](Numbers& numbers) {
-    DiagnosisData data(model);
-    data.add(recording);
-    see_diagnosis(numbers, diagnose(model, data));
+  run("compare", id, recording, terms, tally, [&](Numbers& numbers) {
+    see_comparison(numbers, compare::compare_with(model, training.runs[0]));
   });
-  terms.push_back(parse_effects(added)[0]);
+  run("diagnose", id, recording, terms, tally, [&](Numbers& numbers) {
+    diagnosis::DiagnosisData data(model);
+    data.add(recording);
+    see_diagnosis(numbers, diagnosis::diagnose(model, data));
+  });
+  terms.push_back(model::parse_effects(added)[0]);
   run("add", id, recording, terms, tally, [&](Numbers& numbers) {
-    const Addition addition =
-        add_effect(model, change_effect(model.terms, added), training, {}, {});
+    const fit::Addition addition =
+        fit::add_effect(model, fit::change_effect(model.terms, added), training, {}, {});
     see_fit(numbers, addition.model, addition.fit);
     numbers.see("out of sample",
                 {addition.out_of_sample.rms_before_dph, addition.out_of_sample.rms_after_dph,

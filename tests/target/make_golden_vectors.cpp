@@ -42,8 +42,8 @@ class WordFile {
 
 void write_blocks(const fog::ModelParameters& parameters, const std::string& path) {
   WordFile file(path);
-  for (const auto& means :
-       fogcomp::verification_programme(parameters.thermal.least, parameters.thermal.most, 1)) {
+  for (const auto& means : fogcomp::board::verification_programme(parameters.thermal.least,
+                                                                  parameters.thermal.most, 1)) {
     file.words({means.temperature.raw(), means.input_rate.raw(), means.elapsed.raw()});
     for (const auto& value : means.extension) file.word(value.raw());
   }
@@ -52,8 +52,8 @@ void write_blocks(const fog::ModelParameters& parameters, const std::string& pat
 void write_drift_cases(const std::string& folder) {
   WordFile cases(folder + "/drift_cases.bin");
   bool first = true;
-  fog::test::for_each_effect_case([&](std::string name, const fogcomp::BoardTable& table) {
-    const fog::ModelParameters parameters = fogcomp::read_board_table(table, name);
+  fog::test::for_each_effect_case([&](std::string name, const fogcomp::board::BoardTable& table) {
+    const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, name);
     if (first) write_blocks(parameters, folder + "/blocks.bin");  // all have one trained range
     first = false;
     name.resize(32);

@@ -16,13 +16,14 @@
 namespace {
 
 // The inputs of a network: so many of these.
-const std::vector<fogcomp::RealInput> kInputs{{fog::NetworkInput::temperature, 10, 51, 0},
-                                              {fog::NetworkInput::temperature_rate, 0, 0.6, 0},
-                                              {fog::NetworkInput::lagged_temperature, 10, 50, 600},
-                                              {fog::NetworkInput::input_rate, 8.5, 10, 0}};
+const std::vector<fogcomp::model::RealInput> kInputs{
+    {fog::NetworkInput::temperature, 10, 51, 0},
+    {fog::NetworkInput::temperature_rate, 0, 0.6, 0},
+    {fog::NetworkInput::lagged_temperature, 10, 50, 600},
+    {fog::NetworkInput::input_rate, 8.5, 10, 0}};
 
-fogcomp::EffectTerm typical_term(const std::string& name) {
-  for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
+fogcomp::model::EffectTerm typical_term(const std::string& name) {
+  for (const fogcomp::model::EffectTerm& term : fog::test::typical_terms()) {
     if (term.name == name) return term;
   }
   if (name.find('=') != std::string::npos) return fog::test::written_term(name);
@@ -30,7 +31,7 @@ fogcomp::EffectTerm typical_term(const std::string& name) {
 }
 
 void run(const std::string& output, int inputs, const std::vector<std::string>& effects) {
-  fogcomp::Model model = fog::test::all_effects_model();
+  fogcomp::model::Model model = fog::test::all_effects_model();
   model.network = {};
   if (inputs > 0) {
     model.network = fog::test::network_of({kInputs.begin(), kInputs.begin() + inputs});
@@ -41,16 +42,17 @@ void run(const std::string& output, int inputs, const std::vector<std::string>& 
       if (effect != "all") model.terms.push_back(typical_term(effect));
     }
   }
-  fogcomp::save_model(model, output);
+  fogcomp::model::save_model(model, output);
 }
 
 // The same board, whose rate is valid wherever a model may choose. The flags stand before the CRC.
 void write_lenient(const std::string& header, const std::string& output) {
-  fogcomp::BoardTable table = fogcomp::parse_header(fogcomp::read_file(header), header);
+  fogcomp::board::BoardTable table =
+      fogcomp::board::parse_header(fogcomp::read_file(header), header);
   table.words[table.words.size() - 2] = static_cast<std::int32_t>(fog::kRateInvalid);
   table.words.back() = static_cast<std::int32_t>(fog::model_table_crc(table.span()));
   table.notes = {{0, "as " + header + ", with no flags but the usual"}};
-  fogcomp::write_file(output, fogcomp::header_text(table, "lenient", 0));
+  fogcomp::write_file(output, fogcomp::board::header_text(table, "lenient", 0));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using namespace fogcomp;
 using namespace fogcomp::bench;
 
 struct Case {
-  std::vector<Recording> recordings;
+  std::vector<recording::Recording> recordings;
   std::vector<TruthFile> truths;
 
   Eigen::VectorXd rows(const Sight& sight, const std::string& effect) const {
@@ -33,7 +33,7 @@ Case read_case(const std::string& runs, const std::string& truth) {
   for (int number = 1;; ++number) {
     const std::string name = format("/run%d.csv", number);
     if (!std::filesystem::exists(runs + name)) return files;
-    files.recordings.push_back(read_recording(runs + name, {}));
+    files.recordings.push_back(recording::read_recording(runs + name, {}));
     files.truths.emplace_back(truth + name);
   }
 }
@@ -72,7 +72,7 @@ void write_facts(const std::string& runs, const std::string& truth) {
   };
   std::vector<Eigen::VectorXd> declared;
   Eigen::VectorXd all_declared = Eigen::VectorXd::Zero(sight.series.rows().size());
-  for (const EffectTerm& term : sight.model.terms) {
+  for (const model::EffectTerm& term : sight.model.terms) {
     declared.push_back(files.rows(sight, term.name));
     if (!is_hidden(term.name)) all_declared += declared.back();
   }

@@ -151,7 +151,7 @@ class Trial {
     return rows_of(sight, recordings, values);
   }
 
-  std::vector<Recording> recordings;
+  std::vector<recording::Recording> recordings;
 
  private:
   std::vector<TrialRun> runs_;
@@ -174,7 +174,7 @@ bool set_sizes(CasePlan& plan) {
   Sight sight(plan.gyro.declared, trial.recordings);
   std::vector<Eigen::VectorXd> declared;
   Eigen::VectorXd all_declared = Eigen::VectorXd::Zero(sight.series.rows().size());
-  for (const EffectTerm& term : sight.model.terms) {
+  for (const model::EffectTerm& term : sight.model.terms) {
     declared.push_back(trial.rows(sight, term.name));
     const bool is_hidden =
         std::any_of(plan.hidden.begin(), plan.hidden.end(),

@@ -11,7 +11,7 @@ namespace fogcomp::bench {
 
 /// A recording without noise, in memory, with what each of the simulator's effects contributes.
 struct TrialRun {
-  Recording recording;
+  recording::Recording recording;
   std::vector<std::string> effects;
   std::vector<std::vector<double>> contributions_dph;  ///< per effect, per row
 };

@@ -20,7 +20,7 @@ constexpr double kDependent = 1e-6;  // of a column's length: the rest is arithm
 
 // Points over the range of a shape parameter; the ripple's period needs many, as its phase runs
 // through many turns over the range of temperature.
-int grid_points(const EffectTerm& term, std::size_t parameter) {
+int grid_points(const model::EffectTerm& term, std::size_t parameter) {
   if (term.name == "polarization_ripple") return 64;
   if (term.name == "glass_transition") return parameter == 0 ? 14 : 4;
   if (term.name == "bias_step") return 40;
@@ -44,10 +44,10 @@ double fraction_explained(const Eigen::MatrixXd& regressors, const Eigen::Matrix
 }
 
 // What may be moved of a term. A fit looks for a step's time in its own way, here it is a shape.
-std::vector<ShapeParameter> shapes_of(const EffectTerm& term, double longest_s) {
-  if (is_event(term)) return {{0, 0, 0, longest_s}};
-  std::vector<ShapeParameter> shapes = shape_parameters({term});
-  for (ShapeParameter& shape : shapes) {
+std::vector<model::ShapeParameter> shapes_of(const model::EffectTerm& term, double longest_s) {
+  if (model::is_event(term)) return {{0, 0, 0, longest_s}};
+  std::vector<model::ShapeParameter> shapes = model::shape_parameters({term});
+  for (model::ShapeParameter& shape : shapes) {
     shape.most = std::min(shape.most, std::max(shape.least * 2, longest_s));
   }
   return shapes;
@@ -55,12 +55,13 @@ std::vector<ShapeParameter> shapes_of(const EffectTerm& term, double longest_s) 
 
 // Puts the shape where the fraction of the target explained is largest; returns that.
 template <class Left>
-double best_shape(const Sight& sight, EffectTerm& term, const Eigen::VectorXd& target, Left left) {
+double best_shape(const Sight& sight, model::EffectTerm& term, const Eigen::VectorXd& target,
+                  Left left) {
   const auto fraction = [&] {
     const Eigen::MatrixXd regressors = sight.series.regressors(term);
     return fraction_explained(regressors, left(regressors), target);
   };
-  const std::vector<ShapeParameter> shapes = shapes_of(term, sight.longest_s);
+  const std::vector<model::ShapeParameter> shapes = shapes_of(term, sight.longest_s);
   double best = fraction();
   std::vector<double> best_parameters = term.parameters;
   const auto keep_if_better = [&] {
@@ -88,13 +89,13 @@ double best_shape(const Sight& sight, EffectTerm& term, const Eigen::VectorXd& t
   return best;
 }
 
-int declared_order(const Model& model) {
-  const EffectTerm* term = model.find("bias_temperature");
+int declared_order(const model::Model& model) {
+  const model::EffectTerm* term = model.find("bias_temperature");
   return term == nullptr ? 0 : static_cast<int>(term->parameters[0]);
 }
 
 // Central differences within each recording; 0 at its ends.
-Eigen::MatrixXd derivatives(const Rows& rows, const Eigen::MatrixXd& columns) {
+Eigen::MatrixXd derivatives(const series::Rows& rows, const Eigen::MatrixXd& columns) {
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(columns.rows(), columns.cols());
   for (Eigen::Index row = 1; row + 1 < columns.rows(); ++row) {
     const auto at = static_cast<std::size_t>(row);
@@ -104,11 +105,11 @@ Eigen::MatrixXd derivatives(const Rows& rows, const Eigen::MatrixXd& columns) {
   return slopes;
 }
 
-Model declared_model(const std::vector<std::string>& declared) {
-  Model model;
+model::Model declared_model(const std::vector<std::string>& declared) {
+  model::Model model;
   std::string list;
   for (const std::string& effect : declared) list += (list.empty() ? "" : ",") + effect;
-  model.terms = parse_effects(list);
+  model.terms = model::parse_effects(list);
   model.average_s = kRow_s;
   model.derivative_tau_s = kDerivativeTau_s;
   return model;
@@ -116,27 +117,28 @@ Model declared_model(const std::vector<std::string>& declared) {
 
 }  // namespace
 
-Sight::Sight(const std::vector<std::string>& declared, const std::vector<Recording>& recordings)
+Sight::Sight(const std::vector<std::string>& declared,
+             const std::vector<recording::Recording>& recordings)
     : model(declared_model(declared)) {
   inputs = static_cast<fog::InputMask>(~fog::InputMask{0});
-  for (const Recording& recording : recordings) {
-    const BlockSeries blocks = make_blocks(recording);
+  for (const recording::Recording& recording : recordings) {
+    const series::BlockSeries blocks = series::make_blocks(recording);
     inputs &= blocks.inputs;
     longest_s = std::max(longest_s, recording.time_s.back());
     series.add(blocks);
   }
 }
 
-Eigen::VectorXd rows_of(const Sight& sight, const std::vector<Recording>& recordings,
+Eigen::VectorXd rows_of(const Sight& sight, const std::vector<recording::Recording>& recordings,
                         const std::vector<std::vector<double>>& contributions_dph) {
-  SignalSeries series(sight.model);
+  series::SignalSeries series(sight.model);
   for (std::size_t run = 0; run < recordings.size(); ++run) {
-    Recording contribution = recordings[run];
+    recording::Recording contribution = recordings[run];
     contribution.rate_dph = contributions_dph[run];
     for (std::size_t i = 0; i < contribution.input_rate_dph.size(); ++i) {
       contribution.rate_dph[i] += contribution.input_rate_dph[i];
     }
-    series.add(make_blocks(contribution));
+    series.add(series::make_blocks(contribution));
   }
   return series.rows().drift_dph;
 }
@@ -145,7 +147,7 @@ BesideDeclared::BesideDeclared(Sight& sight, const std::vector<Eigen::VectorXd>&
   std::vector<Eigen::MatrixXd> parts;
   Eigen::Index width = 0;
   for (std::size_t i = 0; i < sight.model.terms.size(); ++i) {
-    EffectTerm& term = sight.model.terms[i];
+    model::EffectTerm& term = sight.model.terms[i];
     if (truth_dph[i].squaredNorm() > 0) {
       // About the mean: a bias stands beside every effect.
       const Eigen::VectorXd truth = truth_dph[i].array() - truth_dph[i].mean();
@@ -185,7 +187,7 @@ double imitation_by(const std::string& effect, const Sight& sight, const BesideD
   }
   double best = 0;
   for (const std::string& form : forms) {
-    EffectTerm term = parse_effects(form).front();
+    model::EffectTerm term = model::parse_effects(form).front();
     best = std::max(
         best, best_shape(sight, term, left_of_truth,
                          [&](const Eigen::MatrixXd& columns) { return beside.left_of(columns); }));
@@ -196,8 +198,8 @@ double imitation_by(const std::string& effect, const Sight& sight, const BesideD
 std::vector<Imitation> imitations(const Sight& sight, const BesideDeclared& beside,
                                   const Eigen::VectorXd& left_of_truth) {
   std::vector<Imitation> found;
-  for (const std::string& name : effect_names()) {
-    const auto needs = find_effect(name).description.needs;
+  for (const std::string& name : model::effect_names()) {
+    const auto needs = model::find_effect(name).description.needs;
     const bool declared = name != "bias_temperature" && sight.model.find(name) != nullptr;
     if (declared || (needs & sight.inputs) != needs) continue;
     found.push_back({name, imitation_by(name, sight, beside, left_of_truth)});

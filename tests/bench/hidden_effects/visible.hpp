@@ -11,17 +11,18 @@ namespace fogcomp::bench {
 
 /// The recordings of a case as `fogcomp fit` sees them.
 struct Sight {
-  Model model;  ///< the declared effects, no coefficients; the series points to it
-  SignalSeries series{model};
+  model::Model model;  ///< the declared effects, no coefficients; the series points to it
+  series::SignalSeries series{model};
   fog::InputMask inputs = 0;  ///< that all recordings have
   double longest_s = 0;
 
-  Sight(const std::vector<std::string>& declared, const std::vector<Recording>& recordings);
+  Sight(const std::vector<std::string>& declared,
+        const std::vector<recording::Recording>& recordings);
   Sight(const Sight&) = delete;
 };
 
 /// A contribution (a vector per recording, a value per sample) in the rows of the fit.
-Eigen::VectorXd rows_of(const Sight& sight, const std::vector<Recording>& recordings,
+Eigen::VectorXd rows_of(const Sight& sight, const std::vector<recording::Recording>& recordings,
                         const std::vector<std::vector<double>>& contributions_dph);
 
 /// What a model with the declared effects cannot take up, by least squares over all rows.

@@ -38,7 +38,7 @@ std::string recording(const std::string& name) {
     text +=
         std::to_string(i) + ",20," + std::to_string(8.05 + 0.001 * ((i * 7919) % 101 - 50)) + "\n";
   }
-  return temporary_file(name, text);
+  return recording::temporary_file(name, text);
 }
 
 TEST(InfoCommand, PrintsOneJsonObjectWithEveryPromisedKey) {
@@ -75,7 +75,7 @@ TEST(InfoCommand, TellsHowManyRowsTheBoardWouldRefuse) {
   for (int i = 0; i < 100; ++i) {
     text += std::to_string(i) + (i % 30 == 20 ? ",85,1\n" : ",20,1\n");
   }
-  const std::string run = temporary_file("refused.csv", text);
+  const std::string run = recording::temporary_file("refused.csv", text);
   const std::string said = info(run).output;
   EXPECT_NE(said.find("3 rows left out: temperature 85 degC at line 22 (then 52, 82) is"),
             std::string::npos)
@@ -92,7 +92,7 @@ TEST(InfoCommand, TellsWhatADamagedCaptureHeld) {
     bytes.append(reinterpret_cast<const char*>(frame.data()), frame.size());
   }
   bytes[5 * 16 + 6] = static_cast<char>(bytes[5 * 16 + 6] + 1);  // of number 6
-  const std::string run = temporary_file("capture.bin", bytes);
+  const std::string run = recording::temporary_file("capture.bin", bytes);
   EXPECT_NE(info(run).output.find("\n  damaged bytes 16, missing samples 3, late or repeated "
                                   "samples 1, held temperatures 1\n"),
             std::string::npos)
@@ -116,7 +116,8 @@ TEST(InfoCommand, SubtractsTheEarthRateOfALatitude) {
 
 TEST(InfoCommand, EndsWithCodeTwoAndOneLineForBadInput) {
   for (const std::string& arguments :
-       {std::string("/no/such/file"), temporary_file("bad.csv", "time_s,rate_dph\n1,2\n"),
+       {std::string("/no/such/file"),
+        recording::temporary_file("bad.csv", "time_s,rate_dph\n1,2\n"),
         recording("axis.csv") + " --axis up", recording("average.csv") + " --average 0"}) {
     const Outcome outcome = info(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
@@ -126,9 +127,9 @@ TEST(InfoCommand, EndsWithCodeTwoAndOneLineForBadInput) {
 
 TEST(InfoCommand, RefusesMoreThanTwentyMillionRows) {
   std::string content = "time_s,temperature_degc,rate_dph\n";
-  content.reserve(kMostRows * 13);
-  for (std::size_t i = 0; i <= kMostRows; ++i) content += std::to_string(i) + ",2,1\n";
-  const Outcome outcome = info(temporary_file("long.csv", content));
+  content.reserve(recording::kMostRows * 13);
+  for (std::size_t i = 0; i <= recording::kMostRows; ++i) content += std::to_string(i) + ",2,1\n";
+  const Outcome outcome = info(recording::temporary_file("long.csv", content));
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(
       outcome.output.find("long.csv:20000002: more than 20 million rows; average or cut the file"),
@@ -137,7 +138,8 @@ TEST(InfoCommand, RefusesMoreThanTwentyMillionRows) {
 }
 
 TEST(InfoCommand, ReadsOneRow) {
-  const std::string run = temporary_file("one.csv", "time_s,temperature_degc,rate_dph\n0,20,0.5\n");
+  const std::string run =
+      recording::temporary_file("one.csv", "time_s,temperature_degc,rate_dph\n0,20,0.5\n");
   EXPECT_EQ(info(run).code, 0);
   EXPECT_NE(info(run + " --json").output.find("\"std_dph\":null"), std::string::npos);
 }

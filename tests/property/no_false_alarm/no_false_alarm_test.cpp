@@ -29,9 +29,9 @@ Alarms alarms_of_a_paper_run(double rate_hz, const std::string& sensor) {
   simulation::SimulationOptions options;
   options.rate_hz = rate_hz;
   simulation::Simulation run(gyro, programme, options);
-  const fogcomp::BoardTable table =
-      fogcomp::make_board_table(fog::test::paper_like_model(), {rate_hz});
-  const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
+  const fogcomp::board::BoardTable table =
+      fogcomp::board::make_board_table(fog::test::paper_like_model(), {rate_hz});
+  const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
   fog::SampleMonitor monitor(parameters.acquisition);
   constexpr Status kFaults = Status::gyro_stuck | Status::rate_out_of_range | Status::rate_jump |
                              Status::sequence_gap | Status::temperature_invalid;

@@ -9,11 +9,12 @@
 namespace fogcomp::simulation {
 namespace {
 
-Recording recording_of(const std::string& profile, double rate_hz, const std::string& sensor) {
+recording::Recording recording_of(const std::string& profile, double rate_hz,
+                                  const std::string& sensor) {
   SimulationOptions options = coarse();
   options.rate_hz = rate_hz;
   const WholeRun run = whole_run(gyro_of({sensor}, "paper"), profile_of(profile), options);
-  Recording recording;
+  recording::Recording recording;
   recording.period_s = 1 / rate_hz;
   recording.time_s = run.rows.time_s;
   recording.temperature_degc = run.rows.temperature_degc;
@@ -21,8 +22,8 @@ Recording recording_of(const std::string& profile, double rate_hz, const std::st
   return recording;
 }
 
-Recording every(std::size_t step, const Recording& recording) {
-  Recording thin;
+recording::Recording every(std::size_t step, const recording::Recording& recording) {
+  recording::Recording thin;
   thin.period_s = recording.period_s * static_cast<double>(step);
   for (std::size_t row = 0; row < recording.rows(); row += step) {
     thin.time_s.push_back(recording.time_s[row]);
@@ -37,15 +38,16 @@ TEST(RefusedRows, AreNoneInAnyReadyMadeProfile) {
   for (const EmbeddedFile& profile : ready_made_profiles()) {
     const std::string name(profile.name);
     for (const char* sensor : {"sensor", "sensor:resolution_k=1,noise_k=0,at=chamber"}) {
-      const Recording recording = recording_of(name, 0.1, sensor);
-      EXPECT_TRUE(refused_rows(recording, {}).empty()) << name << " " << sensor;
-      EXPECT_TRUE(refused_rows(every(6, recording), {}).empty()) << name << " " << sensor;
+      const recording::Recording recording = recording_of(name, 0.1, sensor);
+      EXPECT_TRUE(recording::refused_rows(recording, {}).empty()) << name << " " << sensor;
+      EXPECT_TRUE(recording::refused_rows(every(6, recording), {}).empty())
+          << name << " " << sensor;
     }
   }
   for (const char* name : {"random_steps", "power_cycles"}) {
-    const Recording recording = recording_of(name, 1, "sensor:resolution_k=1");
-    EXPECT_TRUE(refused_rows(recording, {}).empty()) << name;
-    EXPECT_TRUE(frozen_temperatures(recording).empty()) << name;
+    const recording::Recording recording = recording_of(name, 1, "sensor:resolution_k=1");
+    EXPECT_TRUE(recording::refused_rows(recording, {}).empty()) << name;
+    EXPECT_TRUE(recording::frozen_temperatures(recording).empty()) << name;
   }
 }
 

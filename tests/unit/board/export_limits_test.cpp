@@ -7,10 +7,10 @@
 #include "support/input_error.hpp"
 #include "support/typical_effects.hpp"
 
-namespace fogcomp {
+namespace fogcomp::board {
 namespace {
 
-std::string refusal(const Model& model) {
+std::string refusal(const model::Model& model) {
   try {
     make_board_table(model, {});
   } catch (const InputError& error) {
@@ -20,8 +20,8 @@ std::string refusal(const Model& model) {
 }
 
 TEST(ExportLimits, ACoefficientIsNamedWithItsUnitTheLimitAndTheRemedy) {
-  Model model = fog::test::paper_like_model();
-  EffectTerm aging = fog::test::natural_term("aging", {2e6}, {-5.9561e5});
+  model::Model model = fog::test::paper_like_model();
+  model::EffectTerm aging = fog::test::natural_term("aging", {2e6}, {-5.9561e5});
   aging.identified = {true};
   aging.parameter_sigma = {1};
   model.terms.push_back(aging);
@@ -32,7 +32,7 @@ TEST(ExportLimits, ACoefficientIsNamedWithItsUnitTheLimitAndTheRemedy) {
 }
 
 TEST(ExportLimits, ATrainedRangeInKelvinIsNamed) {
-  Model model = fog::test::paper_like_model();
+  model::Model model = fog::test::paper_like_model();
   model.least_degc = 234;
   model.most_degc = 335;
   EXPECT_EQ(refusal(model),
@@ -46,14 +46,14 @@ TEST(ExportLimits, ATrainedRangeInKelvinIsNamed) {
 }
 
 // Full scale and the largest step of a sample, deg/s.
-std::pair<double, double> rate_limits(const Model& model, const BoardSettings& settings) {
+std::pair<double, double> rate_limits(const model::Model& model, const BoardSettings& settings) {
   const BoardTable table = make_board_table(model, settings);
   const fog::RateLimits rate = read_board_table(table, "test").acquisition.rate;
   return {std::ldexp(rate.range.raw(), -10) / 3600, std::ldexp(rate.step.raw(), -9) / 3600};
 }
 
 TEST(ExportLimits, TheRateIsJudgedByTheModelsLimitsUnlessOthersAreGiven) {
-  Model model = fog::test::paper_like_model();
+  model::Model model = fog::test::paper_like_model();
   EXPECT_EQ(rate_limits(model, {}), std::pair(570.0, 100.0));
   model.limits = {200, 2000};
   EXPECT_EQ(rate_limits(model, {}), std::pair(200.0, 10.0));
@@ -66,4 +66,4 @@ TEST(ExportLimits, TheRateIsJudgedByTheModelsLimitsUnlessOthersAreGiven) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::board

@@ -6,42 +6,44 @@
 #include "board/board_table.hpp"
 #include "support/typical_effects.hpp"
 
+namespace fogcomp::board {
 namespace {
 
 // 0.01 deg/h/degC, trained with up to 3 degC/min: the drift changes by 0.0005 deg/h in a second.
-fogcomp::Model model_of(double residual_rms_dph) {
-  fogcomp::Model model = fog::test::paper_like_model();
+model::Model model_of(double residual_rms_dph) {
+  model::Model model = fog::test::paper_like_model();
   model.terms = {fog::test::natural_term("bias", {}, {0.7}),
                  fog::test::natural_term("bias_temperature", {1}, {0.01})};
   model.network = {};
   model.residual_rms_dph = residual_rms_dph;
-  model.rate_range_degc_per_min = fogcomp::Range{-1, 3};
+  model.rate_range_degc_per_min = model::Range{-1, 3};
   return model;
 }
 
 TEST(HeldAccuracy, LastsUntilTheFastestTrainedRampIsWorthTheResidual) {
-  EXPECT_EQ(fogcomp::accurate_hold_blocks(model_of(0.00501), 1, 60), 10U);
-  EXPECT_EQ(fogcomp::accurate_hold_blocks(model_of(0.00501), 2, 30), 5U);
-  EXPECT_EQ(fogcomp::accurate_hold_blocks(model_of(0.0004), 1, 60), 0U);
-  EXPECT_EQ(fogcomp::accurate_hold_blocks(model_of(1), 1, 60), 60U) << "as long as it is held";
+  EXPECT_EQ(accurate_hold_blocks(model_of(0.00501), 1, 60), 10U);
+  EXPECT_EQ(accurate_hold_blocks(model_of(0.00501), 2, 30), 5U);
+  EXPECT_EQ(accurate_hold_blocks(model_of(0.0004), 1, 60), 0U);
+  EXPECT_EQ(accurate_hold_blocks(model_of(1), 1, 60), 60U) << "as long as it is held";
 }
 
 TEST(HeldAccuracy, CountsWhatABeginningRampDoesToARateTerm) {
-  fogcomp::Model model = model_of(0.05);
+  model::Model model = model_of(0.05);
   model.terms[1] = fog::test::natural_term("temperature_rate", {}, {0.3});
   // 0.9 deg/h behind two lags of 30 s: at most 0.9 / 30 / e a second.
-  EXPECT_EQ(fogcomp::accurate_hold_blocks(model, 1, 60), 4U);
+  EXPECT_EQ(accurate_hold_blocks(model, 1, 60), 4U);
 }
 
 TEST(HeldAccuracy, IsNotKnownOfAModelThatKnowsNoRamps) {
-  fogcomp::Model model = model_of(0.0004);
+  model::Model model = model_of(0.0004);
   model.rate_range_degc_per_min.reset();
-  EXPECT_EQ(fogcomp::accurate_hold_blocks(model, 1, 60), 60U);
+  EXPECT_EQ(accurate_hold_blocks(model, 1, 60), 60U);
 }
 
 TEST(HeldAccuracy, IsInTheTableOfTheBoard) {
-  const fogcomp::BoardTable table = fogcomp::make_board_table(model_of(0.00501), {});
-  EXPECT_EQ(fogcomp::read_board_table(table, "test").policy.accurate_blocks, 10U);
+  const BoardTable table = make_board_table(model_of(0.00501), {});
+  EXPECT_EQ(read_board_table(table, "test").policy.accurate_blocks, 10U);
 }
 
 }  // namespace
+}  // namespace fogcomp::board

@@ -4,10 +4,10 @@
 #include "support/input_error.hpp"
 #include "support/sample_models.hpp"
 
+namespace fogcomp::board {
 namespace {
 
-using fogcomp::Model;
-using fogcomp::NetworkError;
+using model::Model;
 
 Model with_network(double weight) {
   Model model = fog::test::paper_like_model();
@@ -25,8 +25,8 @@ Model with_network(double weight) {
 }
 
 NetworkError error_of(const Model& exact, const Model& on_board) {
-  const fogcomp::BoardTable table = fogcomp::make_board_table(on_board, {});
-  return fogcomp::verify_network(exact, fogcomp::read_board_table(table, "test"));
+  const BoardTable table = make_board_table(on_board, {});
+  return verify_network(exact, read_board_table(table, "test"));
 }
 
 TEST(NetworkVerification, IntegersAreAsGoodAsDoubleOverTheWholeBox) {
@@ -54,7 +54,7 @@ TEST(NetworkVerification, AnyActivationsAreAsGoodAsDouble) {
       model.network.output.weights *= 0.4;  // a linear output is within +-2
       model.network.centre_dph = -0.3;
       EXPECT_LT(error_of(model, model).worst_dph, 1e-5)
-          << fogcomp::name_of(hidden) << ' ' << fogcomp::name_of(output);
+          << model::name_of(hidden) << ' ' << model::name_of(output);
     }
   }
 }
@@ -69,8 +69,8 @@ TEST(NetworkVerification, LargeWeightsAndDriftsAreWithinAMillionth) {
 TEST(NetworkVerification, WhatTheBoardCannotHoldIsRefused) {
   Model linear = with_network(1);
   linear.network.hidden.activation = fog::Activation::linear;
-  EXPECT_THROW(fogcomp::make_board_table(linear, {}), fogcomp::InputError);
-  EXPECT_THROW(fogcomp::make_board_table(with_network(1e6), {}), fogcomp::InputError);
+  EXPECT_THROW(make_board_table(linear, {}), InputError);
+  EXPECT_THROW(make_board_table(with_network(1e6), {}), InputError);
 }
 
 TEST(NetworkVerification, HasNothingToCompareWithoutANetwork) {
@@ -80,3 +80,4 @@ TEST(NetworkVerification, HasNothingToCompareWithoutANetwork) {
 }
 
 }  // namespace
+}  // namespace fogcomp::board

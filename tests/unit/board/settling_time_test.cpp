@@ -5,45 +5,45 @@
 
 #include "support/typical_effects.hpp"
 
+namespace fogcomp::board {
 namespace {
 
 using fog::test::natural_term;
 
-fogcomp::Model model_of(const std::vector<fogcomp::EffectTerm>& terms) {
-  fogcomp::Model model = fog::test::paper_like_model();
+model::Model model_of(const std::vector<model::EffectTerm>& terms) {
+  model::Model model = fog::test::paper_like_model();
   model.terms = terms;
   return model;
 }
 
 TEST(SettlingTime, IsThatOfTheDerivativeWhereNothingIsBehindIt) {
-  EXPECT_EQ(fogcomp::settling_time_s(fog::test::paper_like_model()), 7 * 30);
-  EXPECT_EQ(fogcomp::settling_time_s(model_of({natural_term("thermal_hysteresis", {3}, {1})})),
-            7 * 30);
+  EXPECT_EQ(settling_time_s(fog::test::paper_like_model()), 7 * 30);
+  EXPECT_EQ(settling_time_s(model_of({natural_term("thermal_hysteresis", {3}, {1})})), 7 * 30);
 }
 
 TEST(SettlingTime, IsAsLongAsTheSlowestLag) {
   const auto slow = natural_term("thermal_lag", {960}, {1});
   const auto slower = natural_term("shupe", {20000}, {1});
-  EXPECT_EQ(fogcomp::settling_time_s(model_of({slow})), 7 * 30 + 5 * 960);
-  EXPECT_EQ(fogcomp::settling_time_s(model_of({slower, slow})), 7 * 30 + 5 * 20000);
-  EXPECT_EQ(fogcomp::settling_time_s(model_of({natural_term("axial_gradient", {100}, {1, 1})})),
+  EXPECT_EQ(settling_time_s(model_of({slow})), 7 * 30 + 5 * 960);
+  EXPECT_EQ(settling_time_s(model_of({slower, slow})), 7 * 30 + 5 * 20000);
+  EXPECT_EQ(settling_time_s(model_of({natural_term("axial_gradient", {100}, {1, 1})})),
             7 * 30 + 5 * 100);
-  EXPECT_EQ(
-      fogcomp::settling_time_s(model_of({fog::test::written_term("a = lag(T,300)-lag(T,70)")})),
-      7 * 30 + 5 * 300);
-  fogcomp::Model network = fog::test::paper_like_model();
+  EXPECT_EQ(settling_time_s(model_of({fog::test::written_term("a = lag(T,300)-lag(T,70)")})),
+            7 * 30 + 5 * 300);
+  model::Model network = fog::test::paper_like_model();
   network.network.inputs.push_back({fog::NetworkInput::lagged_temperature, 20, 40, 4000});
-  EXPECT_EQ(fogcomp::settling_time_s(network), 7 * 30 + 5 * 4000);
+  EXPECT_EQ(settling_time_s(network), 7 * 30 + 5 * 4000);
 }
 
 TEST(SettlingTime, IsNotThatOfWhatDependsOnTimeSincePowerOnAlone) {
-  EXPECT_EQ(fogcomp::settling_time_s(model_of({natural_term("warm_up", {1200}, {1})})), 7 * 30);
+  EXPECT_EQ(settling_time_s(model_of({natural_term("warm_up", {1200}, {1})})), 7 * 30);
 }
 
 TEST(SettlingTime, IsInTheTableOfTheBoard) {
-  const fogcomp::Model model = model_of({natural_term("thermal_lag", {300}, {1})});
-  const fogcomp::BoardTable table = fogcomp::make_board_table(model, {200});
-  EXPECT_EQ(fogcomp::read_board_table(table, "test").policy.settle_blocks, 210U + 1500);
+  const model::Model model = model_of({natural_term("thermal_lag", {300}, {1})});
+  const BoardTable table = make_board_table(model, {200});
+  EXPECT_EQ(read_board_table(table, "test").policy.settle_blocks, 210U + 1500);
 }
 
 }  // namespace
+}  // namespace fogcomp::board

@@ -7,20 +7,21 @@
 #include "compare/residual_analysis.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
-Comparison compare(const Model& model, const Recording& recording) {
+Comparison compare(const model::Model& model, const recording::Recording& recording) {
   return compare_with(model, run_in_blocks(recording, 10));
 }
 
 TEST(Comparison, AConstantIsJudgedAsTheModelIs) {
-  Recording recording = fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  recording::Recording recording =
+      fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
   for (double& rate : recording.rate_dph) rate += 3;  // a turn-on bias counts against both
   const Comparison comparison = compare(fog::test::truth(), recording);
   const double constant = comparison.modelled_dph.mean();
   const std::vector<double> measured = comparison.measured_dph();
-  const auto left_by_constant = [&](RowRange range) {
+  const auto left_by_constant = [&](recording::RowRange range) {
     double square = 0;
     for (std::size_t i = range.first; i < range.end; ++i) {
       square += std::pow(measured[i] - constant, 2);
@@ -36,7 +37,8 @@ TEST(Comparison, AConstantIsJudgedAsTheModelIs) {
 }
 
 TEST(Comparison, KnowsTheInputsThatVary) {
-  Recording recording = fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  recording::Recording recording =
+      fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
   for (std::size_t i = 0; i < recording.rows(); ++i) {
     const double input = 1000 * std::sin(0.01 * static_cast<double>(i));
     recording.input_rate_dph.push_back(input);
@@ -62,4 +64,4 @@ TEST(Comparison, KnowsTheInputsThatVary) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

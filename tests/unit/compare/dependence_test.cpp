@@ -6,9 +6,8 @@
 
 #include "unit/compare/slow_noise.hpp"
 
+namespace fogcomp::compare {
 namespace {
-
-using fogcomp::ResidualRows;
 
 constexpr std::size_t kRows = 4000;
 constexpr std::size_t kBins = 20;
@@ -55,7 +54,7 @@ TEST(Dependence, MeasuresACurveAndItsVariance) {
   ASSERT_EQ(degc.size(), kRows);
   const auto line = [](std::size_t /*row*/, double t) { return 1e-3 * (t - 10); };
   const auto rows = residual_of(degc, 0, 1, line);
-  const auto found = fogcomp::dependence_on(degc, rows, kBins);
+  const auto found = dependence_on(degc, rows, kBins);
   EXPECT_TRUE(found.test.structured());
   double variance = 0;
   for (const double t : degc) variance += std::pow(line(0, t), 2);
@@ -77,8 +76,8 @@ TEST(Dependence, TakesNoiseForNoise) {
     int history = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
       const auto rows = residual_of(degc, phi, seed, no_shape);
-      if (fogcomp::dependence_on(degc, rows, kBins).test.structured()) ++temperature;
-      if (fogcomp::loop_over(degc, rows, kBins).test.structured()) ++history;
+      if (dependence_on(degc, rows, kBins).test.structured()) ++temperature;
+      if (loop_over(degc, rows, kBins).test.structured()) ++history;
     }
     std::printf("phi %.1f: temperature %d, history %d of 200 falsely structured\n", phi,
                 temperature, history);
@@ -91,7 +90,7 @@ TEST(Dependence, LeavesOutBinsWithFewRows) {
   std::vector<double> variable(100, 0);
   variable[50] = 1;
   const auto spike = [](std::size_t row, double /*degc*/) { return row == 50 ? 5.0 : 0.0; };
-  const auto found = fogcomp::dependence_on(variable, residual_of(variable, 0, 1, spike), 10);
+  const auto found = dependence_on(variable, residual_of(variable, 0, 1, spike), 10);
   ASSERT_EQ(found.bins.size(), 1U);
   EXPECT_EQ(found.bins[0].rows, 99U);
   EXPECT_FALSE(found.test.structured());
@@ -105,7 +104,7 @@ TEST(Loop, HasTheWidthOfTheHysteresis) {
     if (row < 400) return 0.0;
     return row >= 1400 && row < 3000 ? 0.015 : -0.015;
   };
-  const auto loop = fogcomp::loop_over(degc, residual_of(degc, 0, 1, hysteresis), kBins);
+  const auto loop = loop_over(degc, residual_of(degc, 0, 1, hysteresis), kBins);
   EXPECT_TRUE(loop.test.structured());
   ASSERT_NE(loop.widest(), nullptr);
   double sum = 0;
@@ -122,15 +121,16 @@ TEST(Loop, IsNotSeenInACurveOverTemperature) {
   const auto degc = chamber_cycle();
   const auto rows =
       residual_of(degc, 0, 1, [](std::size_t /*row*/, double t) { return 1e-3 * (t - 10); });
-  EXPECT_FALSE(fogcomp::loop_over(degc, rows, kBins).test.structured());
+  EXPECT_FALSE(loop_over(degc, rows, kBins).test.structured());
 }
 
 TEST(Loop, NeedsBothBranches) {
   std::vector<double> warming;
   for (int i = 0; i < 500; ++i) warming.push_back(0.1 * i);
-  const auto loop = fogcomp::loop_over(warming, residual_of(warming, 0, 1, no_shape), kBins);
+  const auto loop = loop_over(warming, residual_of(warming, 0, 1, no_shape), kBins);
   EXPECT_EQ(loop.widest(), nullptr);
   EXPECT_FALSE(loop.test.structured());
 }
 
 }  // namespace
+}  // namespace fogcomp::compare

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+namespace fogcomp::compare {
 namespace {
 
-using fogcomp::share_of;
 using Values = std::vector<double>;
 
 constexpr std::size_t kShareRows = 400;
@@ -58,3 +58,4 @@ TEST(EffectShares, GiveAConstantNoShareOfTheVariance) {
 }
 
 }  // namespace
+}  // namespace fogcomp::compare

@@ -9,7 +9,7 @@
 #include "simulation/random.hpp"
 #include "support/units.hpp"
 
-namespace fogcomp {
+namespace fogcomp::compare {
 
 /// Coefficients of IEEE Std 952, in its units.
 struct NoiseTruth {
@@ -63,4 +63,4 @@ inline std::vector<double> make_noise(const NoiseTruth& truth, std::size_t sampl
   return rate;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

@@ -6,10 +6,10 @@
 
 #include "unit/fit/simulated_gyro.hpp"
 
+namespace fogcomp::compare {
 namespace {
 
-using fogcomp::Model;
-using fogcomp::ResidualAnalysis;
+using model::Model;
 
 constexpr fog::test::RowNoise kNoise{0.024, 0.006, 300};
 
@@ -19,9 +19,8 @@ Model truth() {
   return model;
 }
 
-fogcomp::Comparison compare(const Model& model, std::uint64_t seed) {
-  return compare_with(model,
-                      fogcomp::run_in_blocks(fog::test::recording_of(truth(), kNoise, seed), 10));
+Comparison compare(const Model& model, std::uint64_t seed) {
+  return compare_with(model, run_in_blocks(fog::test::recording_of(truth(), kNoise, seed), 10));
 }
 
 // The true model leaves white and slow noise, whose size the analysis takes from the soaks itself.
@@ -84,11 +83,11 @@ TEST(ResidualAnalysis, TakesAllanDeviationsInSoaksOnly) {
 }
 
 TEST(ResidualAnalysis, OfOneRowShowsNothing) {
-  fogcomp::Recording recording = fog::test::recording_of(truth(), kNoise, 1);
+  recording::Recording recording = fog::test::recording_of(truth(), kNoise, 1);
   for (auto* column : {&recording.time_s, &recording.temperature_degc, &recording.rate_dph}) {
     column->resize(1);
   }
-  const auto comparison = compare_with(truth(), fogcomp::run_in_blocks(recording, 10));
+  const auto comparison = compare_with(truth(), run_in_blocks(recording, 10));
   const ResidualAnalysis found = analyse_residual(comparison);
   EXPECT_TRUE(found.temperature.bins.empty());
   EXPECT_EQ(found.history.widest(), nullptr);
@@ -97,3 +96,4 @@ TEST(ResidualAnalysis, OfOneRowShowsNothing) {
 }
 
 }  // namespace
+}  // namespace fogcomp::compare

@@ -6,12 +6,12 @@
 #include <random>
 #include <vector>
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
 /// One row a second at a constant temperature.
-Recording record(const std::vector<double>& rate_dph) {
-  Recording recording;
+recording::Recording record(const std::vector<double>& rate_dph) {
+  recording::Recording recording;
   recording.period_s = rate_dph.size() > 1 ? 1 : 0;
   recording.rate_dph = rate_dph;
   for (std::size_t i = 0; i < rate_dph.size(); ++i) {
@@ -23,7 +23,7 @@ Recording record(const std::vector<double>& rate_dph) {
 }
 
 TEST(RunSummary, TakesMeanFromSamplesAndStdFromRows) {
-  Recording recording = record({1, 3, 5, 7, 9, 11, 100});
+  recording::Recording recording = record({1, 3, 5, 7, 9, 11, 100});
   recording.input_rate_dph.assign(7, 1);
   const RunSummary summary = summarize(recording, 2);
   EXPECT_DOUBLE_EQ(summary.bias.mean_dph, 136.0 / 7 - 1);
@@ -45,7 +45,7 @@ TEST(RunSummary, OfOneRowHasAMeanAndNothingElse) {
 }
 
 TEST(RunSummary, HasNoAllanDeviationWithoutSoak) {
-  Recording recording = record(std::vector<double>(3600, 0.5));
+  recording::Recording recording = record(std::vector<double>(3600, 0.5));
   for (std::size_t i = 0; i < recording.rows(); ++i) {
     recording.temperature_degc[i] = static_cast<double>(i) / 60;
   }
@@ -57,7 +57,7 @@ TEST(RunSummary, StandsAnyShapeOfRecording) {
   std::normal_distribution<double> normal;
   for (int round = 0; round < 500; ++round) {
     const std::size_t rows = 1 + random() % 60;
-    Recording recording = record(std::vector<double>(rows, 0));
+    recording::Recording recording = record(std::vector<double>(rows, 0));
     double time_s = 0;
     double temperature_degc = 20;
     for (std::size_t i = 0; i < rows; ++i) {
@@ -78,4 +78,4 @@ TEST(RunSummary, StandsAnyShapeOfRecording) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

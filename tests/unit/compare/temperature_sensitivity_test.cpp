@@ -5,17 +5,17 @@
 #include <cmath>
 #include <vector>
 
-namespace fogcomp {
+namespace fogcomp::compare {
 namespace {
 
 constexpr double kHeating = 0.10;  // deg/h per degC/min
 constexpr double kCooling = 0.08;
 
 /// The paper's programme in rows of 10 s with a parabola in T and a rate term for each direction.
-Recording chamber_record(const std::vector<double>& levels_degc, double soak_min) {
+recording::Recording chamber_record(const std::vector<double>& levels_degc, double soak_min) {
   constexpr double kRampDegcPerMin = 0.5;
   constexpr double kPeriodMin = 1.0 / 6;
-  Recording rows;
+  recording::Recording rows;
   rows.period_s = 10;
   rows.stretch_starts = {0};
   const auto add = [&](double temperature, double rate) {
@@ -39,8 +39,9 @@ Recording chamber_record(const std::vector<double>& levels_degc, double soak_min
 }
 
 TEST(TemperatureSensitivity, IsRecoveredFromThePapersProgramme) {
-  const Recording rows = chamber_record({20, -40, 60, 20}, 120);
-  const TemperatureSensitivity found = temperature_sensitivity(rows, find_segments(rows));
+  const recording::Recording rows = chamber_record({20, -40, 60, 20}, 120);
+  const TemperatureSensitivity found =
+      temperature_sensitivity(rows, recording::find_segments(rows));
   ASSERT_TRUE(found.bias_dph_per_degc.has_value());
   EXPECT_NEAR(*found.bias_dph_per_degc, 3.15e-5 * 60 - 1.76e-4, 1e-5);  // worst at -40
   EXPECT_NEAR(found.reference_degc.value_or(0), 20, 0.5);
@@ -50,26 +51,29 @@ TEST(TemperatureSensitivity, IsRecoveredFromThePapersProgramme) {
 }
 
 TEST(TemperatureSensitivity, IsAbsentWhereTheRecordingCannotShowIt) {
-  const Recording still = chamber_record({20}, 60);
-  const TemperatureSensitivity at_rest = temperature_sensitivity(still, find_segments(still));
+  const recording::Recording still = chamber_record({20}, 60);
+  const TemperatureSensitivity at_rest =
+      temperature_sensitivity(still, recording::find_segments(still));
   EXPECT_FALSE(at_rest.bias_dph_per_degc.has_value());
   EXPECT_FALSE(at_rest.heating_dph_per_degc_per_min.has_value());
   EXPECT_FALSE(at_rest.hysteresis_dph.has_value());
 
-  const Recording ramp = chamber_record({-40, 60}, 0);  // offset and rate term look the same
-  const TemperatureSensitivity one_way = temperature_sensitivity(ramp, find_segments(ramp));
+  const recording::Recording ramp =
+      chamber_record({-40, 60}, 0);  // offset and rate term look the same
+  const TemperatureSensitivity one_way =
+      temperature_sensitivity(ramp, recording::find_segments(ramp));
   EXPECT_FALSE(one_way.heating_dph_per_degc_per_min.has_value());
   EXPECT_FALSE(one_way.cooling_dph_per_degc_per_min.has_value());
   EXPECT_FALSE(one_way.hysteresis_dph.has_value());
 }
 
 TEST(TemperatureSensitivity, OfOneRowIsAbsent) {
-  Recording one;
+  recording::Recording one;
   one.time_s = one.temperature_degc = one.rate_dph = {1};
   one.stretch_starts = {0};
-  const TemperatureSensitivity found = temperature_sensitivity(one, find_segments(one));
+  const TemperatureSensitivity found = temperature_sensitivity(one, recording::find_segments(one));
   EXPECT_FALSE(found.bias_dph_per_degc.has_value());
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::compare

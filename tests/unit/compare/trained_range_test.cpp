@@ -2,20 +2,21 @@
 
 #include <gtest/gtest.h>
 
+namespace fogcomp::compare {
 namespace {
 
-fogcomp::Model trained() {
-  fogcomp::Model model;
+model::Model trained() {
+  model::Model model;
   model.terms = {{"bias", {}, {}, {}, {0.7}, {0.01}}};
   model.least_degc = -41;
   model.most_degc = 61;
-  model.rate_range_degc_per_min = fogcomp::Range{-0.7, 0.9};
-  model.time_range_s = fogcomp::Range{600, 36000};
+  model.rate_range_degc_per_min = model::Range{-0.7, 0.9};
+  model.time_range_s = model::Range{600, 36000};
   return model;
 }
 
 TEST(TrainedRange, CountsRowsOutsideEachRange) {
-  fogcomp::TrainedRange range(trained(), 10);
+  TrainedRange range(trained(), 10);
   range.count(700, 20, 0);
   range.count(700, 62, 0);
   range.count(700, 20, 3);
@@ -28,21 +29,21 @@ TEST(TrainedRange, CountsRowsOutsideEachRange) {
 
 // A longer run is no reason to warn unless the model has an effect of the time since power-on.
 TEST(TrainedRange, WarnsOfLaterTimesOnlyWhereTheyCount) {
-  fogcomp::Model model = trained();
-  fogcomp::TrainedRange without(model, 10);
+  model::Model model = trained();
+  TrainedRange without(model, 10);
   without.count(50000, 20, 0);
   EXPECT_EQ(without.outside().later, 0);
   model.terms.push_back({"warm_up", {3600, 0}, {false, false}, {0, 0}, {1}, {0.1}});
-  fogcomp::TrainedRange with(model, 10);
+  TrainedRange with(model, 10);
   with.count(50000, 20, 0);
   EXPECT_EQ(with.outside().later, 1);
 }
 
 TEST(TrainedRange, OfAnOlderModelKnowsOnlyTemperature) {
-  fogcomp::Model model = trained();
+  model::Model model = trained();
   model.rate_range_degc_per_min.reset();
   model.time_range_s.reset();
-  fogcomp::TrainedRange range(model, 10);
+  TrainedRange range(model, 10);
   range.count(0, -50, 30);
   EXPECT_EQ(range.outside().temperature, 1);
   EXPECT_EQ(range.outside().temperature_rate, 0);
@@ -50,3 +51,4 @@ TEST(TrainedRange, OfAnOlderModelKnowsOnlyTemperature) {
 }
 
 }  // namespace
+}  // namespace fogcomp::compare

@@ -93,8 +93,8 @@ TEST(BlockBridge, AHoldWithoutEndIsBridgedAsFarAsABoardCounts) {
 }
 
 TEST(BlockBridge, OnTheHostIsTheSameLine) {
-  fog::BlockBridge<fogcomp::RealNumbers> bridge(10);
-  fog::BlockMeans<fogcomp::RealNumbers> means{10, 1, 5, {}};
+  fog::BlockBridge<fogcomp::model::RealNumbers> bridge(10);
+  fog::BlockMeans<fogcomp::model::RealNumbers> means{10, 1, 5, {}};
   bridge.start(means);
   means = {13, -2, 8, {}};
   ASSERT_TRUE(bridge.aim(means, 2));

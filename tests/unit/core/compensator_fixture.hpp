@@ -20,10 +20,10 @@ class CompensatorTest : public testing::Test {
   CompensatorTest() { restart(); }
 
   void restart() {
-    table_ = fogcomp::make_board_table(model_, settings_);
-    parameters_ = fogcomp::read_board_table(table_, "test");
-    pipeline_ =
-        std::make_unique<fogcomp::HostCompensator>(parameters_, fog::ImageProof::not_needed());
+    table_ = fogcomp::board::make_board_table(model_, settings_);
+    parameters_ = fogcomp::board::read_board_table(table_, "test");
+    pipeline_ = std::make_unique<fogcomp::board::HostCompensator>(parameters_,
+                                                                  fog::ImageProof::not_needed());
   }
 
   OutputSample send(SensorSample sample) { return pipeline_->process(sample); }
@@ -39,11 +39,11 @@ class CompensatorTest : public testing::Test {
     return last;
   }
 
-  fogcomp::Model model_ = paper_like_model();
-  fogcomp::BoardSettings settings_ = lenient_board();
-  fogcomp::BoardTable table_;
+  fogcomp::model::Model model_ = paper_like_model();
+  fogcomp::board::BoardSettings settings_ = lenient_board();
+  fogcomp::board::BoardTable table_;
   ModelParameters parameters_;
-  std::unique_ptr<fogcomp::HostCompensator> pipeline_;
+  std::unique_ptr<fogcomp::board::HostCompensator> pipeline_;
   std::uint16_t sequence_ = 65000;  // wraps soon
 };
 

@@ -23,7 +23,7 @@ class ExtensionTest : public CompensatorTest {
  protected:
   ExtensionTest() {
     for (const char* name : {"axial_gradient", "magnetic"}) {
-      for (const fogcomp::EffectTerm& term : fog::test::typical_terms()) {
+      for (const fogcomp::model::EffectTerm& term : fog::test::typical_terms()) {
         if (term.name == name) model_.terms.push_back(term);
       }
     }
@@ -47,8 +47,8 @@ class ExtensionTest : public CompensatorTest {
 };
 
 TEST_F(ExtensionTest, SubtractsWhatTheInputsCauseFromTheFirstSampleOn) {
-  fogcomp::RealDriftModel real(model_, 1);
-  fogcomp::RealBlock block{25};
+  fogcomp::model::RealDriftModel real(model_, 1);
+  fogcomp::model::RealBlock block{25};
   block[fog::Input::temperature2] = 26;
   block[fog::Input::magnetic] = 50;
   real.start(block);
@@ -120,8 +120,8 @@ class SecondTemperature : public ExtensionTest {
   // its sensor says.
   template <class Second>
   Run ramp(Second second) {
-    pipeline_ =
-        std::make_unique<fogcomp::HostCompensator>(parameters_, fog::ImageProof::not_needed());
+    pipeline_ = std::make_unique<fogcomp::board::HostCompensator>(parameters_,
+                                                                  fog::ImageProof::not_needed());
     Run run;
     const int seconds = static_cast<int>(parameters_.policy.settle_blocks) + 90;
     for (int i = 0; i < seconds * 200; ++i) {
@@ -175,7 +175,8 @@ TEST_F(SecondTemperature, ThatJumpsAndIsConfirmedStartsTheModelAnew) {
 class TrainedField : public ExtensionTest {
  protected:
   TrainedField() {
-    model_.input_ranges[extension_number(fog::Input::magnetic)] = fogcomp::InputRange{{0, 100}, 5};
+    model_.input_ranges[extension_number(fog::Input::magnetic)] =
+        fogcomp::model::InputRange{{0, 100}, 5};
     settings_.extension = true;
     restart();
     run_with_field(50, 400);

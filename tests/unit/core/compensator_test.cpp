@@ -22,7 +22,7 @@ using fog::test::kConfirmed;
 using fog::test::kDegree;
 
 TEST_F(CompensatorTest, SubtractsTheModelledDriftFromTheFirstSampleOn) {
-  fogcomp::RealDriftModel real(model_, 1);
+  fogcomp::model::RealDriftModel real(model_, 1);
   real.start({25});
   for (int i = 0; i < 1000; ++i) {
     const SensorSample in = sample();
@@ -35,7 +35,7 @@ TEST_F(CompensatorTest, SubtractsTheModelledDriftFromTheFirstSampleOn) {
 
 // A sensor before its first conversion says 0 degC, or whatever is in its register.
 TEST_F(CompensatorTest, ABadFirstTemperatureLeavesNoTrace) {
-  fogcomp::RealDriftModel real(model_, 1);
+  fogcomp::model::RealDriftModel real(model_, 1);
   real.start({25});
   for (const int bad : {1, 7, 99}) {
     restart();
@@ -75,7 +75,7 @@ TEST_F(CompensatorTest, ATemperatureThatIsAcceptedAfterAJumpStartsTheModelAnew) 
             Status::temperature_invalid | Status::temperature_jump | Status::drift_held);
   const OutputSample out = run_at(25, 200 * 5);
   EXPECT_EQ(out.status, Status::thermal_settling);
-  fogcomp::RealDriftModel real(model_, 1);
+  fogcomp::model::RealDriftModel real(model_, 1);
   real.start({25});
   EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), real.drift_dph(), 2.0 / 1024);
 }
@@ -198,10 +198,11 @@ TEST_F(CompensatorTest, AnswersEverySampleWithTheFramesOfItsModel) {
   const fog::SensorFrame frame = fog::encode_sensor_frame(sample());
   for (const auto selection :
        {fog::OutputSelection::kvh, fog::OutputSelection::compact, fog::OutputSelection::both}) {
-    const fogcomp::BoardTable table = fogcomp::make_board_table(model_, {200, selection});
-    const fog::ModelParameters parameters = fogcomp::read_board_table(table, "test");
-    const auto pipeline =
-        std::make_unique<fogcomp::HostCompensator>(parameters, fog::ImageProof::not_needed());
+    const fogcomp::board::BoardTable table =
+        fogcomp::board::make_board_table(model_, {200, selection});
+    const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
+    const auto pipeline = std::make_unique<fogcomp::board::HostCompensator>(
+        parameters, fog::ImageProof::not_needed());
     std::vector<std::uint8_t> out(fog::kMostOutputBytes);
     std::size_t size = 0;
     for (const std::uint8_t byte : frame) {
@@ -248,9 +249,9 @@ TEST_F(CompensatorTest, AFillingDenoiserIsRefusedByItself) {
 TEST_F(CompensatorTest, ARateIsValidWhereNoneOfTheChosenFlagsIs) {
   for (const Status chosen :
        {Status::none, Status::temperature_invalid, Status::drift_held | Status::sequence_gap,
-        Status::drift_outdated | Status::thermal_settling, fogcomp::kDefaultInvalidating}) {
+        Status::drift_outdated | Status::thermal_settling, fogcomp::board::kDefaultInvalidating}) {
     settings_.invalidating = chosen;
-    model_.rate_range_degc_per_min = fogcomp::Range{-3, 3};
+    model_.rate_range_degc_per_min = fogcomp::model::Range{-3, 3};
     restart();
     const Status refusing = chosen | fog::kRateInvalid;
     int good = 0;
@@ -273,7 +274,7 @@ TEST_F(CompensatorTest, ARateIsValidWhereNoneOfTheChosenFlagsIs) {
 }
 
 TEST_F(CompensatorTest, ADriftIsOutdatedWhenItWasHeldBeyondItsAccuracy) {
-  model_.rate_range_degc_per_min = fogcomp::Range{-3, 3};
+  model_.rate_range_degc_per_min = fogcomp::model::Range{-3, 3};
   model_.residual_rms_dph = 0.1;
   restart();
   const std::uint32_t accurate = parameters_.policy.accurate_blocks;
@@ -297,13 +298,13 @@ TEST_F(CompensatorTest, ADriftIsOutdatedWhenItWasHeldBeyondItsAccuracy) {
 
 // An image has room for its own model alone; what it leaves out must not be missed.
 template <class Image>
-void expect_same_bytes(const fogcomp::Model& model) {
-  const fogcomp::BoardTable table =
-      fogcomp::make_board_table(model, {20, fog::OutputSelection::both});
+void expect_same_bytes(const fogcomp::model::Model& model) {
+  const fogcomp::board::BoardTable table =
+      fogcomp::board::make_board_table(model, {20, fog::OutputSelection::both});
   fog::ModelParameters parameters;
   ASSERT_EQ(fog::read_model(table.span(), Image::room, parameters), fog::ModelError::none);
   Image image(parameters, fog::ImageProof::not_needed());
-  fogcomp::HostCompensator any(parameters, fog::ImageProof::not_needed());
+  fogcomp::board::HostCompensator any(parameters, fog::ImageProof::not_needed());
   std::uint8_t from_image[fog::kMostOutputBytes];
   std::uint8_t from_any[fog::kMostOutputBytes];
   std::size_t sent = 0;
@@ -339,16 +340,16 @@ void expect_room_for_its_own_frames_alone(fog::OutputSelection other) {
   using Image = fog::Compensator<kThreeEffects, 0, kTemperatureAndRate, 16, 5, kOutput>;
   fog::ModelParameters parameters;
   for (const auto refused : {other, fog::OutputSelection::both}) {
-    const fogcomp::BoardTable table =
-        fogcomp::make_board_table(fog::test::paper_like_model(), {200, refused});
+    const fogcomp::board::BoardTable table =
+        fogcomp::board::make_board_table(fog::test::paper_like_model(), {200, refused});
     EXPECT_EQ(fog::read_model(table.span(), Image::room, parameters),
               fog::ModelError::not_in_image);
   }
-  const fogcomp::BoardTable table =
-      fogcomp::make_board_table(fog::test::paper_like_model(), {200, kOutput});
+  const fogcomp::board::BoardTable table =
+      fogcomp::board::make_board_table(fog::test::paper_like_model(), {200, kOutput});
   ASSERT_EQ(fog::read_model(table.span(), Image::room, parameters), fog::ModelError::none);
   Image image(parameters, fog::ImageProof::not_needed());
-  fogcomp::HostCompensator any(parameters, fog::ImageProof::not_needed());
+  fogcomp::board::HostCompensator any(parameters, fog::ImageProof::not_needed());
   std::uint8_t from_image[fog::kMostOutputBytes];
   std::uint8_t from_any[fog::kMostOutputBytes];
   const auto frame = fog::encode_sensor_frame({1, 700, 20 * kDegree, true, true});
@@ -366,7 +367,7 @@ TEST(CompensatorOfAnImage, HasRoomForItsOwnFramesAlone) {
 }
 
 TEST(CompensatorOfAnImage, NeedsNeitherNetworkNorDenoiser) {
-  fogcomp::Model model = fog::test::paper_like_model();
+  fogcomp::model::Model model = fog::test::paper_like_model();
   model.network = {};
   model.denoise.levels = 0;
   expect_same_bytes<fog::Compensator<kThreeEffects, 0, 0, 0, 0>>(model);

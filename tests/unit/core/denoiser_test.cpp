@@ -29,9 +29,9 @@ class DenoiserTest : public testing::Test {
   std::unique_ptr<Denoiser> make(double threshold_dph, fog::ThresholdMode mode,
                                  const std::string& wavelet = "sym8", int levels = 5,
                                  fog::ThresholdRule rule = fog::ThresholdRule::fixed) {
-    filter_ = fogcomp::lowpass_filter(wavelet);
+    filter_ = fogcomp::denoise::lowpass_filter(wavelet);
     table_ = fog::test::denoiser_table({wavelet, levels, rule, false});
-    fog::DenoiseParameters parameters = fogcomp::read_board_table(table_, "test").denoise;
+    fog::DenoiseParameters parameters = fogcomp::board::read_board_table(table_, "test").denoise;
     const auto raw = static_cast<std::int32_t>(std::lround(std::ldexp(threshold_dph, 16)));
     thresholds_.assign(static_cast<std::size_t>(levels), raw);
     parameters.thresholds = {thresholds_.data(), thresholds_.size()};
@@ -54,7 +54,7 @@ class DenoiserTest : public testing::Test {
   }
 
   std::mt19937 random_{1};
-  fogcomp::BoardTable table_;
+  fogcomp::board::BoardTable table_;
   std::vector<double> filter_;
   std::vector<std::int32_t> thresholds_;
 };
@@ -194,7 +194,7 @@ TEST_F(DenoiserTest, OvershootsAStepByTheDerivedBoundAtMost) {
 
 // README.md of the denoiser states it.
 TEST_F(DenoiserTest, HasTheDocumentedBoundForSym8) {
-  EXPECT_NEAR(removal_bound(fogcomp::lowpass_filter("sym8"), 5), 8.70, 0.01);
+  EXPECT_NEAR(removal_bound(fogcomp::denoise::lowpass_filter("sym8"), 5), 8.70, 0.01);
 }
 
 TEST_F(DenoiserTest, RemovesAnOutlierOfOneSample) {
@@ -254,7 +254,7 @@ TEST_F(DenoiserTest, FollowsTheNoiseWhereItIsNotWhatTheTableExpected) {
 }
 
 TEST_F(DenoiserTest, RunsEveryShapeThatATableMayAskFor) {
-  for (const std::string& wavelet : fogcomp::wavelet_names()) {
+  for (const std::string& wavelet : fogcomp::denoise::wavelet_names()) {
     for (const int levels : {1, 2, 5, 7, 10}) {
       if (levels == 10 && wavelet != "haar" && wavelet != "coif5") continue;
       const auto denoiser = make(0, fog::ThresholdMode::soft, wavelet, levels);
@@ -270,7 +270,7 @@ TEST_F(DenoiserTest, RunsEveryShapeThatATableMayAskFor) {
 // An image runs the same kernels, only chosen when it is compiled.
 TEST_F(DenoiserTest, IsTheSameInAnImageOfExactlyItsShape) {
   auto any = make(1, fog::ThresholdMode::soft, "sym8", 5, fog::ThresholdRule::heursure);
-  fog::DenoiseParameters parameters = fogcomp::read_board_table(table_, "test").denoise;
+  fog::DenoiseParameters parameters = fogcomp::board::read_board_table(table_, "test").denoise;
   parameters.thresholds = {thresholds_.data(), thresholds_.size()};
   const auto exact = std::make_unique<fog::Denoiser<16, 5>>(parameters);
   for (const std::int32_t raw : random_input(30000, 4000)) {

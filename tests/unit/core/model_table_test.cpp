@@ -19,11 +19,11 @@ ModelError read(const std::vector<std::int32_t>& words,
 }
 
 std::vector<std::int32_t> good_words() {
-  return fogcomp::make_board_table(fog::test::paper_like_model(), {}).words;
+  return fogcomp::board::make_board_table(fog::test::paper_like_model(), {}).words;
 }
 
 std::vector<std::int32_t> words_with_expressions() {
-  return fogcomp::make_board_table(fog::test::expressions_model(), {}).words;
+  return fogcomp::board::make_board_table(fog::test::expressions_model(), {}).words;
 }
 
 void repair_crc(std::vector<std::int32_t>& words) {
@@ -115,10 +115,10 @@ TEST(ModelTable, SaysWhatAnExpressionNeedsBesideTheTemperature) {
       {"a = V", fog::bit_of(fog::Input::supply)},
       {"a = g", fog::bit_of(fog::Input::vibration)}};
   for (const auto& [text, mask] : needs) {
-    fogcomp::Model model = fog::test::paper_like_model();
+    fogcomp::model::Model model = fog::test::paper_like_model();
     model.terms.push_back(fog::test::written_term(text));
     const auto words =
-        fogcomp::make_board_table(model, {200, fog::OutputSelection::kvh, true}).words;
+        fogcomp::board::make_board_table(model, {200, fog::OutputSelection::kvh, true}).words;
     fog::ModelParameters parameters;
     ASSERT_EQ(fog::read_model({words.data(), words.size()}, fog::kAnyModel, parameters),
               ModelError::none);

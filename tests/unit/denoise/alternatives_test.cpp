@@ -8,6 +8,7 @@
 #include "denoise/kalman_arma.hpp"
 #include "denoise/lifting.hpp"
 
+namespace fogcomp::denoise {
 namespace {
 
 double rms_difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -45,8 +46,8 @@ TEST(Lifting, IsUndoneForEveryLength) {
   for (std::size_t size = 1; size < 70; ++size) {
     const std::vector<double> values = arma_noise(size, 0, 0);
     std::vector<double> again(size);
-    const auto parts = fogcomp::lift({values.data(), size}, 5);
-    fogcomp::unlift(parts, {again.data(), size});
+    const auto parts = lift({values.data(), size}, 5);
+    unlift(parts, {again.data(), size});
     EXPECT_LT(rms_difference(values, again), 1e-14) << size;
   }
 }
@@ -54,7 +55,7 @@ TEST(Lifting, IsUndoneForEveryLength) {
 TEST(Lifting, LeavesNoDetailsOfAStraightLine) {
   std::vector<double> line(64);
   for (std::size_t i = 0; i < line.size(); ++i) line[i] = 3 - 0.25 * static_cast<double>(i);
-  const auto parts = fogcomp::lift({line.data(), line.size()}, 1);
+  const auto parts = lift({line.data(), line.size()}, 1);
   // The last one has no neighbour on its right.
   for (std::size_t i = 0; i + 1 < parts.details[0].size(); ++i) {
     EXPECT_NEAR(parts.details[0][i], 0, 1e-14);
@@ -63,7 +64,7 @@ TEST(Lifting, LeavesNoDetailsOfAStraightLine) {
 
 TEST(ArmaFit, FindsTheModelThatMadeTheNoise) {
   const std::vector<double> values = arma_noise(20000, 0.6, 0.3);
-  const auto noise = fogcomp::fit_arma({values.data(), values.size()});
+  const auto noise = fit_arma({values.data(), values.size()});
   EXPECT_NEAR(noise.phi1 + noise.phi2, 0.6, 0.1);  // its running mean takes some away
   EXPECT_NEAR(noise.phi1 + noise.theta, 0.9, 0.1);
   EXPECT_NEAR(noise.variance, 1, 0.05);
@@ -71,18 +72,18 @@ TEST(ArmaFit, FindsTheModelThatMadeTheNoise) {
 
 TEST(ArmaFit, TakesShortRecordingsForWhite) {
   const std::vector<double> values = arma_noise(50, 0.6, 0.3);
-  const auto noise = fogcomp::fit_arma({values.data(), values.size()});
+  const auto noise = fit_arma({values.data(), values.size()});
   EXPECT_EQ(noise.phi1, 0);
   EXPECT_EQ(noise.theta, 0);
 }
 
-class Alternatives : public testing::TestWithParam<fogcomp::DenoiseBy> {};
+class Alternatives : public testing::TestWithParam<DenoiseBy> {};
 
 TEST_P(Alternatives, KeepTheDriftAndRemoveTheNoise) {
   const std::vector<double> truth = drift(4000);
   std::vector<double> values = arma_noise(4000, 0, 0);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = truth[i] + 0.3 * values[i];
-  fogcomp::DenoiseMethod method;
+  DenoiseMethod method;
   method.by = GetParam();
   denoise({values.data(), values.size()}, method);
   EXPECT_LT(rms_difference(values, truth), 0.1);
@@ -90,13 +91,14 @@ TEST_P(Alternatives, KeepTheDriftAndRemoveTheNoise) {
 
 TEST_P(Alternatives, LeaveAConstantAlone) {
   std::vector<double> values(100, 2.5);
-  fogcomp::DenoiseMethod method;
+  DenoiseMethod method;
   method.by = GetParam();
   denoise({values.data(), values.size()}, method);
   for (const double value : values) EXPECT_NEAR(value, 2.5, 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Denoising, Alternatives,
-                         testing::Values(fogcomp::DenoiseBy::lifting, fogcomp::DenoiseBy::kalman));
+                         testing::Values(DenoiseBy::lifting, DenoiseBy::kalman));
 
 }  // namespace
+}  // namespace fogcomp::denoise

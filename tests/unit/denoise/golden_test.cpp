@@ -8,10 +8,10 @@
 #include "unit/denoise/golden_file.hpp"
 #include "unit/denoise/view.hpp"
 
+namespace fogcomp::denoise {
 namespace {
 
 using fog::test::view;
-using fogcomp::Extension;
 
 constexpr double kTolerance = 1e-12;
 
@@ -33,9 +33,9 @@ double filter_tolerance(const std::string& name) {
 
 TEST(WaveletGolden, FiltersAreThoseOfPyWavelets) {
   const auto lines = fog::test::golden_lines("filters.txt");
-  ASSERT_EQ(lines.size(), fogcomp::wavelet_names().size());
+  ASSERT_EQ(lines.size(), wavelet_names().size());
   for (const auto& line : lines) {
-    const std::vector<double>& taps = fogcomp::lowpass_filter(line[0]);
+    const std::vector<double>& taps = lowpass_filter(line[0]);
     const std::vector<double> golden = fog::test::numbers(line, 1);
     ASSERT_EQ(taps.size(), golden.size()) << line[0];
     for (std::size_t i = 0; i < taps.size(); ++i) {
@@ -52,18 +52,18 @@ TEST(WaveletGolden, DecompositionsOfEveryFamilyAndAwkwardLengthAgree) {
     ASSERT_EQ(words[0], "case");
     const std::string what = words[1] + " " + words[2] + " " + words[3];
     const std::vector<double> signal = fog::test::golden_signal(std::stoul(words[3]));
-    const std::vector<double>& taps = fogcomp::lowpass_filter(words[1]);
+    const std::vector<double>& taps = lowpass_filter(words[1]);
     const auto extension = words[2] == "symmetric" ? Extension::symmetric : Extension::periodic;
-    const auto parts = fogcomp::decompose(view(signal), taps, std::stoi(words[4]), extension);
+    const auto parts = decompose(view(signal), taps, std::stoi(words[4]), extension);
     expect_near(parts.approximation, fog::test::numbers(lines[at++], 1), what);
     for (const std::vector<double>& detail : parts.details) {
       expect_near(detail, fog::test::numbers(lines[at++], 1), what);
     }
     std::vector<double> again(signal.size());
-    fogcomp::reconstruct(parts, taps, {again.data(), again.size()});
+    reconstruct(parts, taps, {again.data(), again.size()});
     expect_near(again, signal, what + " reconstructed");
   }
-  EXPECT_EQ(cases, fogcomp::wavelet_names().size() * 2 * 7);
+  EXPECT_EQ(cases, wavelet_names().size() * 2 * 7);
 }
 
 TEST(WaveletGolden, ThresholdRulesAgreeWithFullSorting) {
@@ -77,11 +77,11 @@ TEST(WaveletGolden, ThresholdRulesAgreeWithFullSorting) {
       continue;
     }
     if (words[0] == "noise") {
-      EXPECT_NEAR(fogcomp::noise_of(view(values)), std::stod(words[1]), kTolerance);
+      EXPECT_NEAR(noise_of(view(values)), std::stod(words[1]), kTolerance);
       continue;
     }
     const double threshold =
-        fogcomp::threshold_of(fogcomp::threshold_rule(words[0]), view(values), std::stod(words[1]));
+        threshold_of(threshold_rule(words[0]), view(values), std::stod(words[1]));
     EXPECT_NEAR(threshold, std::stod(words[2]), kTolerance)
         << words[0] << " of " << values.size() << " values, sigma " << words[1];
   }
@@ -95,14 +95,14 @@ TEST(WaveletGolden, WholeDenoisingAgrees) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i] += 4 * std::sin(static_cast<double>(i) / 60);
     }
-    fogcomp::DenoiseMethod method;
+    DenoiseMethod method;
     method.wavelet = words[1];
     method.levels = 4;
     method.extension = words[2] == "symmetric" ? Extension::symmetric : Extension::periodic;
-    method.rule = fogcomp::threshold_rule(words[3]);
+    method.rule = threshold_rule(words[3]);
     method.hard = words[4] == "hard";
     method.remove_outliers = false;
-    fogcomp::denoise({values.data(), values.size()}, method);
+    denoise({values.data(), values.size()}, method);
     std::vector<double> every_seventh;
     for (std::size_t i = 0; i < values.size(); i += 7) every_seventh.push_back(values[i]);
     expect_near(every_seventh, fog::test::numbers(lines[at + 1], 1),
@@ -111,3 +111,4 @@ TEST(WaveletGolden, WholeDenoisingAgrees) {
 }
 
 }  // namespace
+}  // namespace fogcomp::denoise

@@ -11,6 +11,7 @@
 #include "denoise/outliers.hpp"
 #include "unit/denoise/view.hpp"
 
+namespace fogcomp::denoise {
 namespace {
 
 using fog::test::view;
@@ -24,15 +25,15 @@ std::vector<double> white_noise(std::size_t size, std::uint32_t seed) {
 }
 
 TEST(WaveletFilters, AreOrthonormalWithTheMomentsOfTheirFamilyVanishing) {
-  for (const std::string& name : fogcomp::wavelet_names()) {
-    const std::vector<double>& h = fogcomp::lowpass_filter(name);
+  for (const std::string& name : wavelet_names()) {
+    const std::vector<double>& h = lowpass_filter(name);
     const std::size_t taps = h.size();
     for (std::size_t shift = 0; shift < taps; shift += 2) {
       double product = 0;
       for (std::size_t i = 0; i + shift < taps; ++i) product += h[i] * h[i + shift];
       EXPECT_NEAR(product, shift == 0 ? 1 : 0, 4e-16) << name << " shift " << shift;
     }
-    const std::vector<double> g = fogcomp::highpass_filter(h);
+    const std::vector<double> g = highpass_filter(h);
     const std::size_t moments = name.compare(0, 4, "coif") == 0 ? taps / 3 : taps / 2;
     for (std::size_t m = 0; m < moments; ++m) {
       double moment = 0;
@@ -47,14 +48,14 @@ TEST(WaveletFilters, AreOrthonormalWithTheMomentsOfTheirFamilyVanishing) {
 }
 
 TEST(WaveletTransform, IsReversibleForAnyLengthLevelAndExtension) {
-  for (const std::string& name : fogcomp::wavelet_names()) {
-    const std::vector<double>& taps = fogcomp::lowpass_filter(name);
+  for (const std::string& name : wavelet_names()) {
+    const std::vector<double>& taps = lowpass_filter(name);
     for (const std::size_t size : {1U, 2U, 3U, 29U, 511U, 512U, 513U, 1024U, 1025U, 5955U}) {
       const std::vector<double> signal = white_noise(size, 1);
-      for (const auto extension : {fogcomp::Extension::symmetric, fogcomp::Extension::periodic}) {
-        const auto parts = fogcomp::decompose(view(signal), taps, 10, extension);
+      for (const auto extension : {Extension::symmetric, Extension::periodic}) {
+        const auto parts = decompose(view(signal), taps, 10, extension);
         std::vector<double> again(size);
-        fogcomp::reconstruct(parts, taps, {again.data(), size});
+        reconstruct(parts, taps, {again.data(), size});
         for (std::size_t i = 0; i < size; ++i) ASSERT_NEAR(again[i], signal[i], 1e-12) << name;
       }
     }
@@ -62,16 +63,16 @@ TEST(WaveletTransform, IsReversibleForAnyLengthLevelAndExtension) {
 }
 
 TEST(WaveletTransform, AllowsTheLevelsThatTheLengthCarries) {
-  EXPECT_EQ(fogcomp::most_levels(1, 16), 0);
-  EXPECT_EQ(fogcomp::most_levels(29, 16), 0);
-  EXPECT_EQ(fogcomp::most_levels(30, 16), 1);
-  EXPECT_EQ(fogcomp::most_levels(480, 16), 5);
-  EXPECT_EQ(fogcomp::most_levels(1024, 2), 10);
+  EXPECT_EQ(most_levels(1, 16), 0);
+  EXPECT_EQ(most_levels(29, 16), 0);
+  EXPECT_EQ(most_levels(30, 16), 1);
+  EXPECT_EQ(most_levels(480, 16), 5);
+  EXPECT_EQ(most_levels(1024, 2), 10);
 }
 
 TEST(OfflineDenoise, LeavesAConstantAsItIs) {
   std::vector<double> values(1000, 0.7197);
-  fogcomp::denoise({values.data(), values.size()}, {});
+  denoise({values.data(), values.size()}, {});
   for (const double value : values) ASSERT_NEAR(value, 0.7197, 1e-12);
 }
 
@@ -79,7 +80,7 @@ TEST(OfflineDenoise, KeepsTheMean) {
   std::vector<double> values = white_noise(5955, 6);
   double before = 0;
   for (double& value : values) before += (value *= 0.0236) / 5955;
-  fogcomp::denoise({values.data(), values.size()}, {});
+  denoise({values.data(), values.size()}, {});
   double after = 0;
   for (const double value : values) after += value / 5955;
   EXPECT_NEAR(after, before, 1e-5);
@@ -89,7 +90,7 @@ TEST(Outliers, OfOneSampleAreReplacedWhileStepsRampsAndOscillationsStay) {
   std::vector<double> values = white_noise(2000, 7);
   values[1000] += 40;
   values[1500] -= 25;
-  EXPECT_EQ(fogcomp::remove_outliers({values.data(), values.size()}, 5), 2U);
+  EXPECT_EQ(remove_outliers({values.data(), values.size()}, 5), 2U);
   EXPECT_LT(std::abs(values[1000]), 5);
   EXPECT_LT(std::abs(values[1500]), 5);
 
@@ -99,8 +100,9 @@ TEST(Outliers, OfOneSampleAreReplacedWhileStepsRampsAndOscillationsStay) {
     motion[i] = 3.6e5 * std::sin(static_cast<double>(i - 1000) * 0.06);  // 2 Hz at 200 Hz
   }
   const std::vector<double> before = motion;
-  EXPECT_EQ(fogcomp::remove_outliers({motion.data(), motion.size()}, 5), 0U);
+  EXPECT_EQ(remove_outliers({motion.data(), motion.size()}, 5), 0U);
   EXPECT_EQ(motion, before);
 }
 
 }  // namespace
+}  // namespace fogcomp::denoise

@@ -8,18 +8,15 @@
 #include "diagnosis/model_fit.hpp"
 #include "unit/diagnosis/made_evidence.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
-
-using fogcomp::CandidateFinding;
-using fogcomp::EvidenceSpace;
-using fogcomp::Hypothesis;
 
 constexpr double kMissing_dph = 0.5;
 
 // The gyro has a hysteresis that the model lacks.
-fogcomp::Recording gyro_with_hysteresis() {
-  fogcomp::Model gyro = fog::test::truth();
-  fogcomp::EffectTerm hysteresis = fogcomp::parse_effects("thermal_hysteresis:radius=5")[0];
+recording::Recording gyro_with_hysteresis() {
+  model::Model gyro = fog::test::truth();
+  model::EffectTerm hysteresis = model::parse_effects("thermal_hysteresis:radius=5")[0];
   hysteresis.coefficients_dph = {kMissing_dph / 5};  // per degC of play
   gyro.terms.push_back(hysteresis);
   return fog::test::thinned(fog::test::recording_of(gyro, fog::test::kQuietNoise, 1), 4);
@@ -104,7 +101,7 @@ CandidateFinding finding(const std::string& effect, double lead, double probabil
 }
 
 TEST(BelieveLess, AsFarAsItsEvidenceGoesAndNoWalkExplainsIt) {
-  const double odds = fogcomp::rules::kBelievedOdds;
+  const double odds = rules::kBelievedOdds;
   std::vector<CandidateFinding> findings{finding("half", 0.6, 0.8, std::log(odds / 2)),
                                          finding("sure", 0.4, 0.5, std::log(100 * odds))};
   believe_less(findings, 0.25);
@@ -124,3 +121,4 @@ TEST(SortByLead, ThenByProbabilityThenByEvidenceAndEqualOnesStay) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

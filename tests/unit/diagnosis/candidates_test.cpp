@@ -13,20 +13,16 @@
 #include "support/least_squares.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
-
-using fogcomp::Candidate;
-using fogcomp::CandidateList;
-using fogcomp::VisiblePart;
 
 constexpr fog::InputMask kTimeOnly = bit_of(fog::Input::elapsed);
 
 // The rows of a gyro, and a model that can do nothing but a constant.
 class CandidatesTest : public testing::Test {
  protected:
-  CandidatesTest() : series_(model_, fogcomp::Phase::zero) {
-    series_.add(
-        fogcomp::make_blocks(fog::test::thinned(fog::test::recording_of(model_, {}, 1), 6)));
+  CandidatesTest() : series_(model_, series::Phase::zero) {
+    series_.add(series::make_blocks(fog::test::thinned(fog::test::recording_of(model_, {}, 1), 6)));
   }
 
   static VisiblePart without_mean(const Eigen::MatrixXd& columns) {
@@ -39,18 +35,18 @@ class CandidatesTest : public testing::Test {
     return part;
   }
   CandidateList found(const std::string& model, fog::InputMask inputs = kTimeOnly,
-                      const std::vector<fogcomp::EffectTerm>& offered = {}) const {
-    return find_candidates(series_, fogcomp::parse_effects(model), offered, inputs, without_mean,
+                      const std::vector<model::EffectTerm>& offered = {}) const {
+    return find_candidates(series_, model::parse_effects(model), offered, inputs, without_mean,
                            [](double) {});
   }
   // The whitened column of one effect alone, of so many standard deviations.
   Eigen::VectorXd residual_of(const std::string& effect, double sigmas) const {
-    const Eigen::MatrixXd columns = series_.regressors(fogcomp::parse_effects(effect)[0]);
+    const Eigen::MatrixXd columns = series_.regressors(model::parse_effects(effect)[0]);
     return sigmas * without_mean(columns.col(0)).columns.col(0).normalized();
   }
 
-  fogcomp::Model model_ = fog::test::truth();
-  fogcomp::SignalSeries series_;
+  model::Model model_ = fog::test::truth();
+  series::SignalSeries series_;
 };
 
 const Candidate* find(const CandidateList& list, const std::string& effect) {
@@ -71,14 +67,14 @@ TEST_F(CandidatesTest, AreAllEffectsThatTheModelLacksOrItIsSaidWhatTheyNeed) {
   const CandidateList list = found("bias");
   std::map<std::string, int> told{{"bias", 1}};
   for (const Candidate& candidate : list.testable) ++told[candidate.effect];
-  for (const fogcomp::Untestable& one : list.untestable) {
+  for (const Untestable& one : list.untestable) {
     ++told[one.effect];
     EXPECT_FALSE(one.needs.empty()) << one.effect;
   }
-  for (const std::string& effect : fogcomp::effect_names()) EXPECT_EQ(told[effect], 1) << effect;
+  for (const std::string& effect : model::effect_names()) EXPECT_EQ(told[effect], 1) << effect;
   const auto magnetic =
       std::find_if(list.untestable.begin(), list.untestable.end(),
-                   [](const fogcomp::Untestable& one) { return one.effect == "magnetic"; });
+                   [](const Untestable& one) { return one.effect == "magnetic"; });
   ASSERT_NE(magnetic, list.untestable.end());
   EXPECT_EQ(magnetic->needs, "magnetic_ut");
 }
@@ -97,11 +93,11 @@ TEST_F(CandidatesTest, HaveOrthonormalBasesAndShapesWithinTheirBounds) {
       ASSERT_GT(shape.basis.cols(), 0) << candidate.effect;
       const Eigen::MatrixXd product = shape.basis.transpose() * shape.basis;
       EXPECT_TRUE(product.isIdentity(1e-6)) << candidate.effect;
-      const fogcomp::CatalogueEntry& entry = fogcomp::find_effect(candidate.effect);
+      const model::CatalogueEntry& entry = model::find_effect(candidate.effect);
       for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
         const double value = shape.term.parameters[i];
         EXPECT_LE(value, entry.parameters[i].most_milli / 1000.0 + 1e-9) << candidate.effect;
-        if (value == 0 && fogcomp::is_optional_part(entry.parameters[i])) continue;
+        if (value == 0 && model::is_optional_part(entry.parameters[i])) continue;
         EXPECT_GE(value, entry.parameters[i].least_milli / 1000.0 - 1e-9) << candidate.effect;
       }
     }
@@ -111,13 +107,13 @@ TEST_F(CandidatesTest, HaveOrthonormalBasesAndShapesWithinTheirBounds) {
 // Whatever the shape is, one of those laid out explains most of what it would: here a
 // narrow bump that may be anywhere.
 TEST_F(CandidatesTest, AreLaidOutSoThatNoShapeIsFarFromOne) {
-  const CandidateList list = found(
-      "bias", kTimeOnly, {fogcomp::expression_term("bump = exp(-((T - ?at[-30,50]) / 3)^2)")});
+  const CandidateList list =
+      found("bias", kTimeOnly, {model::expression_term("bump = exp(-((T - ?at[-30,50]) / 3)^2)")});
   const Candidate* const candidate = find(list, "bump");
   ASSERT_NE(candidate, nullptr);
   for (double at = -29; at < 50; at += 0.7) {
     const auto truth = "truth = exp(-((T - " + std::to_string(at) + ") / 3)^2)";
-    const Eigen::MatrixXd column = series_.regressors(fogcomp::expression_term(truth));
+    const Eigen::MatrixXd column = series_.regressors(model::expression_term(truth));
     EXPECT_GT(best_gain(*candidate, without_mean(column).columns.col(0).normalized()), 0.85) << at;
   }
 }
@@ -138,26 +134,25 @@ TEST_F(CandidatesTest, OfWhatTheModelHasAreWhatItCouldGrowTo) {
 }
 
 TEST_F(CandidatesTest, AreExpressionsThatAreOfferedAndNotInTheModel) {
-  const std::vector<fogcomp::EffectTerm> offered{
-      fogcomp::expression_term("own = exp(-((T - 5) / 8)^2)"),
-      fogcomp::expression_term("constant = sin(T)^2 + cos(T)^2")};
+  const std::vector<model::EffectTerm> offered{
+      model::expression_term("own = exp(-((T - 5) / 8)^2)"),
+      model::expression_term("constant = sin(T)^2 + cos(T)^2")};
   const CandidateList list = found("bias", kTimeOnly, offered);
   ASSERT_NE(find(list, "own"), nullptr);
   EXPECT_TRUE(find(list, "own")->is_expression());
   EXPECT_EQ(find(list, "constant"), nullptr);  // the model's bias does that
   EXPECT_EQ(list.untestable.back().effect, "constant");
-  std::vector<fogcomp::EffectTerm> terms = fogcomp::parse_effects("bias");
+  std::vector<model::EffectTerm> terms = model::parse_effects("bias");
   terms.push_back(offered[0]);
   const CandidateList own =
       find_candidates(series_, terms, {offered[0]}, kTimeOnly, without_mean, [](double) {});
   EXPECT_EQ(find(own, "own"), nullptr);
-  EXPECT_THROW(found("bias", kTimeOnly, {fogcomp::expression_term("root = T^0.5")}),
-               fogcomp::InputError);
+  EXPECT_THROW(found("bias", kTimeOnly, {model::expression_term("root = T^0.5")}), InputError);
 }
 
 TEST_F(CandidatesTest, TellHowFarTheyAreOnTheWayFrom0To1) {
   double last = 0;
-  find_candidates(series_, fogcomp::parse_effects("bias"), {}, kTimeOnly, without_mean,
+  find_candidates(series_, model::parse_effects("bias"), {}, kTimeOnly, without_mean,
                   [&](double done) {
                     EXPECT_GE(done, last);
                     EXPECT_LE(done, 1);
@@ -170,7 +165,7 @@ TEST_F(CandidatesTest, AreSharpenedTowardsTheTruth) {
   const Eigen::VectorXd residual = residual_of("thermal_lag:tau=700", 40);
   CandidateList list = found("bias");
   const double before = best_gain(*find(list, "thermal_lag"), residual);
-  sharpen(list.testable, series_, fogcomp::parse_effects("bias"), without_mean, residual);
+  sharpen(list.testable, series_, model::parse_effects("bias"), without_mean, residual);
   const double after = best_gain(*find(list, "thermal_lag"), residual);
   EXPECT_GT(after, before);
   EXPECT_GT(after, 0.985 * residual.squaredNorm()) << before;
@@ -181,7 +176,7 @@ TEST_F(CandidatesTest, AreNotSharpenedOnWhatNoiseMightBe) {
   const Eigen::VectorXd residual = residual_of("thermal_lag:tau=700", 9);
   CandidateList list = found("bias");
   const CandidateList before = list;
-  sharpen(list.testable, series_, fogcomp::parse_effects("bias"), without_mean, residual);
+  sharpen(list.testable, series_, model::parse_effects("bias"), without_mean, residual);
   for (std::size_t i = 0; i < list.testable.size(); ++i) {
     for (std::size_t shape = 0; shape < list.testable[i].shapes.size(); ++shape) {
       EXPECT_EQ(list.testable[i].shapes[shape].term.parameters,
@@ -191,10 +186,10 @@ TEST_F(CandidatesTest, AreNotSharpenedOnWhatNoiseMightBe) {
 }
 
 TEST_F(CandidatesTest, OfAStepAreMovedToItsRow) {
-  const Eigen::VectorXd step = fogcomp::step_column(series_.rows(), 234);
+  const Eigen::VectorXd step = fit::step_column(series_.rows(), 234);
   const Eigen::VectorXd residual = 40 * without_mean(step).columns.col(0).normalized();
   CandidateList list = found("bias");
-  sharpen(list.testable, series_, fogcomp::parse_effects("bias"), without_mean, residual);
+  sharpen(list.testable, series_, model::parse_effects("bias"), without_mean, residual);
   const Candidate* const steps = find(list, "bias_step");
   ASSERT_NE(steps, nullptr);
   const auto best = std::max_element(steps->shapes.begin(), steps->shapes.end(),
@@ -207,3 +202,4 @@ TEST_F(CandidatesTest, OfAStepAreMovedToItsRow) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

@@ -4,12 +4,10 @@
 
 #include "unit/diagnosis/made_evidence.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
 
-using fogcomp::EvidenceSpace;
-using fogcomp::Hypothesis;
-
-fogcomp::Recording quiet_gyro() {
+recording::Recording quiet_gyro() {
   return fog::test::thinned(fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1),
                             4);
 }
@@ -43,7 +41,7 @@ TEST(EvidenceSpace, WithoutAHypothesisIsAtRightAnglesToItsEffects) {
     EXPECT_LT((basis.transpose() * left).norm(), 1e-6 * size);
   }
   EXPECT_LT((evidence.smooth.all.transpose() * left).norm(), 1e-6 * size);
-  std::vector<fogcomp::ColumnRange> all = ranges_of(evidence.library, hypothesis);
+  std::vector<series::ColumnRange> all = ranges_of(evidence.library, hypothesis);
   all.push_back(evidence.structure);
   EXPECT_NEAR(evidence.residual().squaredNorm() - left.squaredNorm(), evidence.space.gain(all),
               1e-6 * size * size);
@@ -51,11 +49,11 @@ TEST(EvidenceSpace, WithoutAHypothesisIsAtRightAnglesToItsEffects) {
 
 // All that competes lies in one space, in the order of the candidates, of unit length.
 TEST(EvidenceSpace, HoldsEveryShapeOfEveryCandidate) {
-  const fogcomp::Model model = fog::test::truth();
-  fogcomp::DiagnosisData data(model);
+  const model::Model model = fog::test::truth();
+  DiagnosisData data(model);
   data.add(quiet_gyro());
-  const fogcomp::NoiseWeightedFit fit =
-      fit_rows(data.series(), model.terms, Eigen::MatrixXd(data.series().rows().size(), 0));
+  const fit::NoiseWeightedFit fit =
+      fit::fit_rows(data.series(), model.terms, Eigen::MatrixXd(data.series().rows().size(), 0));
   double done = 0;
   const EvidenceSpace evidence =
       make_evidence_space(data, fit, [&](double share) { done = std::max(done, share); });
@@ -83,3 +81,4 @@ TEST(EvidenceSpace, HoldsEveryShapeOfEveryCandidate) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

@@ -5,27 +5,25 @@
 #include "support/typical_effects.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
 
-using fogcomp::Experiment;
-using fogcomp::Rival;
-
 // The model of `basic` and this effect, of which the recordings leave its own shape possible.
-Rival rival(const fogcomp::EffectTerm& effect) {
+Rival rival(const model::EffectTerm& effect) {
   return {effect.name,
           {fog::test::natural_term("bias", {}, {0.7}),
            fog::test::natural_term("bias_temperature", {2}, {-4e-4, -3e-5}), effect},
           {effect}};
 }
 
-Experiment proposed(const fogcomp::EffectTerm& a, const fogcomp::EffectTerm& b) {
-  fogcomp::NoiseModel noise;
+Experiment proposed(const model::EffectTerm& a, const model::EffectTerm& b) {
+  noise::NoiseModel noise;
   noise.row_s = 120;
   noise.white_variance = 0.007 * 0.007;
   return propose_experiment(fog::test::truth(), {rival(a), rival(b)}, noise);
 }
 
-const fogcomp::EffectTerm kRate = fog::test::natural_term("temperature_rate", {}, {0.12});
+const model::EffectTerm kRate = fog::test::natural_term("temperature_rate", {}, {0.12});
 
 TEST(Experiment, TellsApartWhatDiffersAndSaysByHowMuch) {
   const Experiment experiment =
@@ -55,3 +53,4 @@ TEST(Experiment, IsNoneForTwoNamesOfTheSame) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+namespace fogcomp::diagnosis {
 namespace {
 
 enum class Kind { plain, event, pliable };
@@ -14,19 +15,19 @@ bool is_enough(std::size_t effects, Kind kind, double left, double chi_square = 
   Eigen::VectorXd along = Eigen::VectorXd::Constant(
       last + 1, std::sqrt((1 - left) / static_cast<double>(effects) * chi_square));
   along[last] = std::sqrt(left * chi_square);
-  fogcomp::ExplainedSpace space(axes * along);
-  fogcomp::Library library;
-  fogcomp::Hypothesis hypothesis;
+  fit::ExplainedSpace space(axes * along);
+  Library library;
+  Hypothesis hypothesis;
   for (std::size_t i = 0; i < effects; ++i) {
     library.push_back({space.add(axes.col(static_cast<Eigen::Index>(i)))});
     hypothesis.parts.push_back({i, 0});
   }
-  const fogcomp::ColumnRange structure = space.add(axes.col(last));
+  const series::ColumnRange structure = space.add(axes.col(last));
   space.finish();
-  hypothesis.gain = space.gain(fogcomp::ranges_of(library, hypothesis));
+  hypothesis.gain = space.gain(ranges_of(library, hypothesis));
   hypothesis.led_by_event = kind == Kind::event;
   hypothesis.pliable = kind == Kind::pliable;
-  return fogcomp::explain(space, library, structure, {hypothesis}).enough;
+  return explain(space, library, structure, {hypothesis}).enough;
 }
 
 // The largest share that may be left, of a chi^2 that makes noise nothing beside it.
@@ -67,3 +68,4 @@ TEST(Explanation, MayLeaveWhatNoiseIs) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

@@ -10,16 +10,14 @@
 #include "support/units.hpp"
 #include "unit/diagnosis/made_evidence.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
-
-using fogcomp::FastFinding;
-using fogcomp::FastKind;
 
 constexpr double kRowNoise_dph = 0.024;
 
 // In a gyro of white noise whose rate has `more` in each row.
 FastFinding found_with(const std::function<double(double)>& more) {
-  fogcomp::Recording recording =
+  recording::Recording recording =
       fog::test::recording_of(fog::test::truth(), {kRowNoise_dph, 0, 600}, 1);
   for (std::size_t row = 0; row < recording.rate_dph.size(); ++row) {
     recording.rate_dph[row] += more(static_cast<double>(row));
@@ -32,16 +30,15 @@ TEST(FastFinding, IsNothingInWhiteNoise) {
   const FastFinding finding = found_with([](double) { return 0.0; });
   EXPECT_EQ(finding.kind, FastKind::none);
   EXPECT_EQ(finding.excess, 0);
-  EXPECT_GT(finding.log_p, fogcomp::rules::kFastLogP);
+  EXPECT_GT(finding.log_p, rules::kFastLogP);
 }
 
 // A sine of half the noise's size has an eighth of its power: of n rows chi^2 of n / 8. It swings a
 // thousand times in the run. What it is held against is the median of 33 lines, known to a quarter.
 TEST(FastFinding, IsALineWhereARateSwings) {
   constexpr double kRows = 3103;
-  const FastFinding finding = found_with([](double row) {
-    return kRowNoise_dph / 2 * std::sin(2 * fogcomp::kPi * 1000 * row / kRows);
-  });
+  const FastFinding finding = found_with(
+      [](double row) { return kRowNoise_dph / 2 * std::sin(2 * kPi * 1000 * row / kRows); });
   ASSERT_EQ(finding.kind, FastKind::line);
   EXPECT_EQ(finding.log_p, finding.spectrum.line_log_p);
   EXPECT_NEAR(finding.spectrum.line_period_s, 10 * kRows / 1000, 0.01);
@@ -82,3 +79,4 @@ TEST(FastFinding, IsTwoLevelsWhereTheBiasJumpsToAndFro) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

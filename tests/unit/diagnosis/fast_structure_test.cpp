@@ -8,10 +8,10 @@
 #include "support/chance.hpp"
 #include "unit/fit/made_rows.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
 
-using fogcomp::FastStructure;
-using fogcomp::Rows;
+using series::Rows;
 
 constexpr std::size_t kRestRows = 1500;
 
@@ -98,3 +98,4 @@ TEST(FastStructure, OfNothingAndOfTooLittleIsNone) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

@@ -10,27 +10,28 @@
 #include "diagnosis/decision_rules.hpp"
 #include "model/effect_list.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
 
 // What competes where three effects at right angles are there, the first explaining most.
-std::vector<fogcomp::Hypothesis> hypotheses_of(const std::array<const char*, 3>& effects) {
+std::vector<Hypothesis> hypotheses_of(const std::array<const char*, 3>& effects) {
   const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(50, 3);
-  fogcomp::ExplainedSpace space(axes * Eigen::Vector3d(60, 40, 40));
-  std::vector<fogcomp::Candidate> candidates;
-  fogcomp::Library library;
+  fit::ExplainedSpace space(axes * Eigen::Vector3d(60, 40, 40));
+  std::vector<Candidate> candidates;
+  Library library;
   for (const char* effect : effects) {
-    const fogcomp::EffectTerm term = fogcomp::parse_effects(effect)[0];
+    const model::EffectTerm term = model::parse_effects(effect)[0];
     const Eigen::MatrixXd basis = axes.col(static_cast<Eigen::Index>(candidates.size()));
     candidates.push_back({term.name, {{term, basis}}});
     library.push_back({space.add(basis)});
   }
   space.finish();
-  return fogcomp::find_hypotheses(space, candidates, library);
+  return find_hypotheses(space, candidates, library);
 }
 
 // Can the set of all three be bent to imitate?
 bool are_pliable(const std::array<const char*, 3>& effects) {
-  for (const fogcomp::Hypothesis& h : hypotheses_of(effects)) {
+  for (const Hypothesis& h : hypotheses_of(effects)) {
     if (h.effects() == 3) return h.pliable;
   }
   ADD_FAILURE() << "no set of three";
@@ -41,10 +42,9 @@ bool are_pliable(const std::array<const char*, 3>& effects) {
 TEST(Hypotheses, CountASetOnce) {
   std::set<std::set<std::size_t>> sets;
   double probability = 0;
-  for (const fogcomp::Hypothesis& h :
-       hypotheses_of({"thermal_hysteresis", "aging", "temperature_rate"})) {
+  for (const Hypothesis& h : hypotheses_of({"thermal_hysteresis", "aging", "temperature_rate"})) {
     std::set<std::size_t> set;
-    for (const fogcomp::Hypothesis::Part& part : h.parts) set.insert(part.candidate);
+    for (const Hypothesis::Part& part : h.parts) set.insert(part.candidate);
     EXPECT_TRUE(sets.insert(set).second) << set.size() << " effects";
     probability += h.probability;
   }
@@ -64,7 +64,7 @@ class Directions {
   explicit Directions(const Eigen::VectorXd& residual) : size_(residual.size()), space_(residual) {}
 
   void add(const std::string& effect, const std::vector<Eigen::VectorXd>& shapes) {
-    const fogcomp::EffectTerm term = fogcomp::parse_effects(effect)[0];
+    const model::EffectTerm term = model::parse_effects(effect)[0];
     candidates_.push_back({term.name, {}});
     library_.emplace_back();
     for (const Eigen::VectorXd& shape : shapes) {
@@ -74,18 +74,18 @@ class Directions {
   }
   Eigen::VectorXd axis(Eigen::Index i) const { return Eigen::VectorXd::Unit(size_, i); }
 
-  std::vector<fogcomp::Hypothesis> found() {
+  std::vector<Hypothesis> found() {
     space_.finish();
-    return fogcomp::find_hypotheses(space_, candidates_, library_);
+    return find_hypotheses(space_, candidates_, library_);
   }
-  const fogcomp::ExplainedSpace& space() const { return space_; }
-  const fogcomp::Library& library() const { return library_; }
+  const fit::ExplainedSpace& space() const { return space_; }
+  const Library& library() const { return library_; }
 
  private:
   Eigen::Index size_;
-  fogcomp::ExplainedSpace space_;
-  std::vector<fogcomp::Candidate> candidates_;
-  fogcomp::Library library_;
+  fit::ExplainedSpace space_;
+  std::vector<Candidate> candidates_;
+  Library library_;
 };
 
 Eigen::VectorXd residual_of(std::initializer_list<double> first, Eigen::Index size = 40) {
@@ -94,7 +94,7 @@ Eigen::VectorXd residual_of(std::initializer_list<double> first, Eigen::Index si
   return residual;
 }
 
-std::vector<std::size_t> candidates_of(const fogcomp::Hypothesis& h) {
+std::vector<std::size_t> candidates_of(const Hypothesis& h) {
   std::vector<std::size_t> numbers;
   for (const auto& part : h.parts) numbers.push_back(part.candidate);
   std::sort(numbers.begin(), numbers.end());
@@ -115,7 +115,7 @@ TEST(Hypotheses, NameTheSetThatExplainsWhatIsThere) {
   EXPECT_EQ(leading_candidate(two.space(), two.library(), hypotheses[0]), 0U);
   double sum = 0;
   double last = 1;
-  for (const fogcomp::Hypothesis& h : hypotheses) {
+  for (const Hypothesis& h : hypotheses) {
     EXPECT_LE(h.probability, last);
     last = h.probability;
     sum += h.probability;
@@ -140,12 +140,12 @@ TEST(Hypotheses, TakeTheShapeThatExplainsMostAndCountThatOthersWereTried) {
   ASSERT_EQ(hypotheses[0].parts.size(), 1U);
   EXPECT_EQ(hypotheses[0].parts[0].shape, 2U);
   EXPECT_NEAR(hypotheses[0].gain, 21 * 21 / 2.0, 1e-6);
-  EXPECT_LT(hypotheses[0].log_evidence, fogcomp::log_evidence(hypotheses[0].gain, 1));
+  EXPECT_LT(hypotheses[0].log_evidence, fit::log_evidence(hypotheses[0].gain, 1));
 }
 
 TEST(Hypotheses, BelieveAnEventOnlyWithFarMoreThanNoiseBrings) {
   for (const double sigmas : {0.9, 1.1}) {
-    Directions step(residual_of({sigmas * std::sqrt(fogcomp::rules::kMinStepGain)}));
+    Directions step(residual_of({sigmas * std::sqrt(rules::kMinStepGain)}));
     step.add("bias_step", {step.axis(0)});
     EXPECT_EQ(step.found().size(), sigmas > 1 ? 1U : 0U);
   }
@@ -155,10 +155,11 @@ TEST(Hypotheses, OfNothingAreFinite) {
   Directions nothing(residual_of({}));
   nothing.add("temperature_rate", {nothing.axis(0)});
   nothing.add("thermal_lag", {nothing.axis(1), nothing.axis(2)});
-  for (const fogcomp::Hypothesis& h : nothing.found()) {
+  for (const Hypothesis& h : nothing.found()) {
     EXPECT_TRUE(std::isfinite(h.probability) && std::isfinite(h.log_evidence));
     EXPECT_EQ(h.gain, 0);
   }
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

@@ -5,9 +5,9 @@
 #include "model/effect_list.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
 
-using fogcomp::Ladder;
 using Names = std::vector<std::string>;
 
 Ladder::Step step(const std::string& effect, bool removed = false) {
@@ -31,14 +31,14 @@ TEST(Ladder, ListsWhatItAddedAndKeptOnceEach) {
 
 // A rate term is missing.
 TEST(Ladder, AddsNoMoreThanItMayAndSaysWhatAStepBrought) {
-  fogcomp::Model model = fog::test::truth();
-  const fogcomp::Recording recording =
+  model::Model model = fog::test::truth();
+  const recording::Recording recording =
       fog::test::thinned(fog::test::recording_of(model, fog::test::kQuietNoise, 1), 3);
-  model.terms = fogcomp::parse_effects("bias,bias_temperature:order=3");
-  fogcomp::DiagnosisData data(model);
+  model.terms = model::parse_effects("bias,bias_temperature:order=3");
+  DiagnosisData data(model);
   data.add(recording);
   double progress = 0;
-  fogcomp::DiagnosisSettings settings;
+  DiagnosisSettings settings;
   settings.progress = [&](double done) {
     EXPECT_GE(done, progress);
     EXPECT_LE(done, 1);
@@ -57,3 +57,4 @@ TEST(Ladder, AddsNoMoreThanItMayAndSaysWhatAStepBrought) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

@@ -15,25 +15,26 @@ namespace fog::test {
 /// test chooses.
 class MadeEvidence {
  public:
-  explicit MadeEvidence(const fogcomp::Recording& recording)
-      : series_(model_, fogcomp::Phase::zero) {
-    series_.add(fogcomp::make_blocks(recording));
-    fit_ = fit_rows(series_, model_.terms, run_offset_columns(series_.rows()));
+  explicit MadeEvidence(const fogcomp::recording::Recording& recording)
+      : series_(model_, fogcomp::series::Phase::zero) {
+    series_.add(fogcomp::series::make_blocks(recording));
+    fit_ = fogcomp::fit::fit_rows(series_, model_.terms,
+                                  fogcomp::fit::run_offset_columns(series_.rows()));
   }
 
   /// `candidates`: per effect its shapes, as in "thermal_hysteresis:radius=5".
-  fogcomp::EvidenceSpace evidence(
+  fogcomp::diagnosis::EvidenceSpace evidence(
       const std::vector<std::vector<std::string>>& candidates = {}) const {
-    fogcomp::ModelRemover remover(series_.rows(), fit_);
-    fogcomp::VisibleStructure smooth = visible_structure(series_.rows(), remover);
-    fogcomp::ExplainedSpace space(remover.residual());
-    std::vector<fogcomp::Candidate> all;
-    fogcomp::Library library;
+    fogcomp::diagnosis::ModelRemover remover(series_.rows(), fit_);
+    fogcomp::diagnosis::VisibleStructure smooth = visible_structure(series_.rows(), remover);
+    fogcomp::fit::ExplainedSpace space(remover.residual());
+    std::vector<fogcomp::diagnosis::Candidate> all;
+    fogcomp::diagnosis::Library library;
     for (const std::vector<std::string>& shapes : candidates) {
       all.emplace_back();
       library.emplace_back();
       for (const std::string& shape : shapes) {
-        const fogcomp::EffectTerm term = fogcomp::parse_effects(shape)[0];
+        const fogcomp::model::EffectTerm term = fogcomp::model::parse_effects(shape)[0];
         const Eigen::MatrixXd basis =
             fogcomp::orthonormal(remover(series_.regressors(term)).columns);
         all.back().effect = term.name;
@@ -41,19 +42,19 @@ class MadeEvidence {
         library.back().push_back(space.add(basis));
       }
     }
-    const fogcomp::ColumnRange structure = space.add(smooth.all);
+    const fogcomp::series::ColumnRange structure = space.add(smooth.all);
     space.finish();
     return {std::move(remover), std::move(all),     {},        std::move(smooth),
             std::move(space),   std::move(library), structure, {}};
   }
 
-  const fogcomp::SignalSeries& series() const { return series_; }
-  const fogcomp::NoiseWeightedFit& fit() const { return fit_; }
+  const fogcomp::series::SignalSeries& series() const { return series_; }
+  const fogcomp::fit::NoiseWeightedFit& fit() const { return fit_; }
 
  private:
-  fogcomp::Model model_ = truth();
-  fogcomp::SignalSeries series_;
-  fogcomp::NoiseWeightedFit fit_;
+  fogcomp::model::Model model_ = truth();
+  fogcomp::series::SignalSeries series_;
+  fogcomp::fit::NoiseWeightedFit fit_;
 };
 
 }  // namespace fog::test

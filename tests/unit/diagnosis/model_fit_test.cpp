@@ -7,10 +7,10 @@
 #include "unit/fit/made_rows.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
 
-using fogcomp::DiagnosisData;
-using fogcomp::NoiseModel;
+using noise::NoiseModel;
 
 NoiseModel known_noise() {
   NoiseModel noise;
@@ -21,9 +21,9 @@ NoiseModel known_noise() {
 
 // Rows that do not count have no weight; those that do have the time behind them.
 TEST(ModelFit, RmsIsOverTheTimeOfTheRowsThatCount) {
-  fogcomp::Rows rows = fog::test::made_rows(4, [](double) { return 20.0; });
+  series::Rows rows = fog::test::made_rows(4, [](double) { return 20.0; });
   rows.weights << 1, 1, 0.5, 1;
-  fogcomp::NoiseWeightedFit fit;
+  fit::NoiseWeightedFit fit;
   fit.row_weights = Eigen::Vector4d(7, 7, 7, 0);
   const Eigen::Vector4d residual(1, 2, 4, 1000);
   EXPECT_DOUBLE_EQ(rms_of_rows(rows, fit, residual), std::sqrt((1 + 4 + 0.5 * 16) / 2.5));
@@ -43,14 +43,14 @@ TEST(ModelFit, ARecordingIsAtRestWhileItsTemperatureIs) {
 // The same run once more, but 0.5 deg/h off: a bias that belongs to the recording and not to the
 // model, which leaves the same of both.
 TEST(ModelFit, EachRecordingHasABiasOfItsOwn) {
-  const fogcomp::Model model = fog::test::truth();
+  const model::Model model = fog::test::truth();
   DiagnosisData data(model);
-  fogcomp::Recording recording = fog::test::recording_of(model, {}, 1);
+  recording::Recording recording = fog::test::recording_of(model, {}, 1);
   data.add(recording);
   for (double& rate : recording.rate_dph) rate += 0.5;
   recording.file = "another";
   data.add(recording);
-  const fogcomp::NoiseWeightedFit fit = fit_for_diagnosis(model, data, known_noise());
+  const fit::NoiseWeightedFit fit = fit_for_diagnosis(model, data, known_noise());
   ASSERT_EQ(fit.coefficients.size(), fit.linear());
   EXPECT_NEAR(fit.coefficients[fit.linear() - 1], 0.5, 1e-4);
   const Eigen::Index half = fit.residual_dph.size() / 2;
@@ -58,20 +58,20 @@ TEST(ModelFit, EachRecordingHasABiasOfItsOwn) {
 }
 
 TEST(ModelFit, NoiseThatIsKnownIsTakenAsItIs) {
-  const fogcomp::Model model = fog::test::truth();
+  const model::Model model = fog::test::truth();
   DiagnosisData data(model);
   data.add(fog::test::recording_of(model, fog::test::kQuietNoise, 1));
-  const fogcomp::NoiseWeightedFit fit = fit_for_diagnosis(model, data, known_noise());
+  const fit::NoiseWeightedFit fit = fit_for_diagnosis(model, data, known_noise());
   EXPECT_EQ(fit.noise.white_variance, 0.01);
   EXPECT_TRUE(fit.noise.components.empty());
   EXPECT_NEAR(fit_for_diagnosis(model, data, std::nullopt).noise.white_dph(), 0.024, 0.001);
 }
 
 TEST(ModelFit, TooFewRowsAreRefused) {
-  const fogcomp::Model model = fog::test::truth();
-  const fogcomp::Recording recording = fog::test::recording_of(model, fog::test::kQuietNoise, 1);
+  const model::Model model = fog::test::truth();
+  const recording::Recording recording = fog::test::recording_of(model, fog::test::kQuietNoise, 1);
   const auto fits = [&](std::ptrdiff_t rows) {
-    fogcomp::Recording part = recording;
+    recording::Recording part = recording;
     for (auto* column : {&part.time_s, &part.temperature_degc, &part.rate_dph}) {
       column->resize(static_cast<std::size_t>(rows));
     }
@@ -79,8 +79,9 @@ TEST(ModelFit, TooFewRowsAreRefused) {
     data.add(part);
     fit_for_diagnosis(model, data, known_noise());
   };
-  EXPECT_NO_THROW(fits(fogcomp::rules::kMinRows));
-  EXPECT_THROW(fits(fogcomp::rules::kMinRows - 1), fogcomp::InputError);
+  EXPECT_NO_THROW(fits(rules::kMinRows));
+  EXPECT_THROW(fits(rules::kMinRows - 1), InputError);
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

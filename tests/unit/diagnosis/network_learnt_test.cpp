@@ -8,16 +8,13 @@
 #include "support/least_squares.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
-
-using fogcomp::Candidate;
-using fogcomp::NetworkLearnt;
-using fogcomp::VisiblePart;
 
 // One neuron in the straight part of its curve: `size_dph` times the input, from end to end of its
 // range.
-fogcomp::RealNetwork nearly_linear(const fogcomp::RealInput& input, double size_dph) {
-  fogcomp::RealNetwork network = fog::test::network_of({input});
+model::RealNetwork nearly_linear(const model::RealInput& input, double size_dph) {
+  model::RealNetwork network = fog::test::network_of({input});
   network.hidden.weights = Eigen::MatrixXd::Constant(1, 1, 0.01);
   network.hidden.biases = Eigen::VectorXd::Zero(1);
   network.hidden.activation = fog::Activation::tansig;
@@ -31,13 +28,13 @@ fogcomp::RealNetwork nearly_linear(const fogcomp::RealInput& input, double size_
 
 class NetworkLearntTest : public testing::Test {
  protected:
-  NetworkLearntTest() : series_(model_, fogcomp::Phase::zero) {
-    series_.add(fogcomp::make_blocks(fog::test::recording_of(model_, {}, 1)));
+  NetworkLearntTest() : series_(model_, series::Phase::zero) {
+    series_.add(series::make_blocks(fog::test::recording_of(model_, {}, 1)));
     for (const char* const effect :
          {"thermal_hysteresis:radius=5", "temperature_rate", "bias_step:at=9000"}) {
-      const fogcomp::EffectTerm term = fogcomp::parse_effects(effect)[0];
+      const model::EffectTerm term = model::parse_effects(effect)[0];
       const Eigen::MatrixXd columns = without_mean(series_.regressors(term)).columns;
-      candidates_.push_back({term.name, {{term, fogcomp::orthonormal(columns)}}});
+      candidates_.push_back({term.name, {{term, orthonormal(columns)}}});
     }
   }
   static VisiblePart without_mean(const Eigen::MatrixXd& columns) {
@@ -46,12 +43,12 @@ class NetworkLearntTest : public testing::Test {
         part.columns.colwise().norm().cwiseQuotient(columns.colwise().norm()).transpose();
     return part;
   }
-  NetworkLearnt asked(const fogcomp::RealNetwork& network) const {
+  NetworkLearnt asked(const model::RealNetwork& network) const {
     return ask_network(network, series_, candidates_, without_mean);
   }
 
-  fogcomp::Model model_ = fog::test::truth();
-  fogcomp::SignalSeries series_;
+  model::Model model_ = fog::test::truth();
+  series::SignalSeries series_;
   std::vector<Candidate> candidates_;
 };
 
@@ -73,7 +70,7 @@ TEST_F(NetworkLearntTest, IsTheEffectThatTheNetworkIs) {
 
 // What the model's own effects could do is not what the network had learnt beyond them.
 TEST_F(NetworkLearntTest, IsNothingBeyondTheEffectsWhereTheseDoTheSame) {
-  fogcomp::RealNetwork constant = nearly_linear({fog::NetworkInput::temperature, 20, 1e6, 0}, 1e-3);
+  model::RealNetwork constant = nearly_linear({fog::NetworkInput::temperature, 20, 1e6, 0}, 1e-3);
   constant.centre_dph = 0.5;
   const NetworkLearnt learnt = asked(constant);
   EXPECT_NEAR(learnt.rms_dph, 0.5, 1e-3);
@@ -81,3 +78,4 @@ TEST_F(NetworkLearntTest, IsNothingBeyondTheEffectsWhereTheseDoTheSame) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

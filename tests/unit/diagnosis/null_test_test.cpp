@@ -9,12 +9,11 @@
 #include "support/chance.hpp"
 #include "support/least_squares.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
 
-using fogcomp::ColumnRange;
-using fogcomp::ExplainedSpace;
-using fogcomp::Library;
-using fogcomp::NullTest;
+using fit::ExplainedSpace;
+using series::ColumnRange;
 
 constexpr Eigen::Index kSpaceRows = 120;
 constexpr double kFreedom = 200;
@@ -36,10 +35,10 @@ NullTest tested(const Eigen::VectorXd& residual, std::size_t effects = 5, std::u
         noise_columns(1 + static_cast<Eigen::Index>(effect) % 2, 100 + effect);
     for (std::uint64_t shape = 0; shape < 4; ++shape) {
       const Eigen::MatrixXd other = noise_columns(base.cols(), 1000 + 10 * effect + shape);
-      library.back().push_back(space.add(fogcomp::orthonormal(base + other)));
+      library.back().push_back(space.add(orthonormal(base + other)));
     }
   }
-  const ColumnRange structure = space.add(fogcomp::orthonormal(noise_columns(6, 99)));
+  const ColumnRange structure = space.add(orthonormal(noise_columns(6, 99)));
   space.finish();
   return test_against_noise(space, library, structure, kFreedom, seed);
 }
@@ -74,7 +73,7 @@ TEST(NullTest, IsFailedByAnEffect) {
 }
 
 TEST(NullTest, OfSmoothStructureIsFailedByWhatNoEffectExplains) {
-  const Eigen::VectorXd smooth = fogcomp::orthonormal(noise_columns(6, 99)).col(2);
+  const Eigen::VectorXd smooth = orthonormal(noise_columns(6, 99)).col(2);
   const NullTest test = tested(noise_columns(1, 7) + 10 * smooth);
   EXPECT_LT(test.structure_log_p, std::log(1e-4));
 }
@@ -100,3 +99,4 @@ TEST(NullTest, OfARowOfZerosIsNotSurprised) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

@@ -6,10 +6,11 @@
 #include "support/typical_effects.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
 
-using fogcomp::EffectTerm;
-using fogcomp::parse_effects;
+using model::EffectTerm;
+using model::parse_effects;
 
 std::vector<std::string> names_of(const std::vector<EffectTerm>& terms) {
   std::vector<std::string> names;
@@ -18,9 +19,10 @@ std::vector<std::string> names_of(const std::vector<EffectTerm>& terms) {
 }
 
 TEST(Put, TakesTheLastPlaceAndThatOfASmallerVersion) {
-  std::vector<EffectTerm> terms = parse_effects("bias,bias_temperature:order=2,temperature_rate");
-  fogcomp::put(terms, parse_effects("aging")[0]);
-  fogcomp::put(terms, parse_effects("bias_temperature:order=4")[0]);
+  std::vector<EffectTerm> terms =
+      model::parse_effects("bias,bias_temperature:order=2,temperature_rate");
+  put(terms, model::parse_effects("aging")[0]);
+  put(terms, model::parse_effects("bias_temperature:order=4")[0]);
   EXPECT_EQ(names_of(terms),
             (std::vector<std::string>{"bias", "temperature_rate", "aging", "bias_temperature"}));
   EXPECT_EQ(terms.back().parameters[0], 4);
@@ -28,19 +30,20 @@ TEST(Put, TakesTheLastPlaceAndThatOfASmallerVersion) {
 
 // Two recordings of one gyro without noise, the second with a bias of its own.
 TEST(Refit, FindsTheCoefficientsBesideABiasOfEachRecording) {
-  const fogcomp::Model truth =
+  const model::Model truth =
       fog::test::model_of({fog::test::natural_term("bias", {}, {0.7}),
                            fog::test::natural_term("temperature_rate", {}, {0.12}),
                            fog::test::natural_term("thermal_lag", {600}, {0.08})});
-  fogcomp::SignalSeries series(truth);
+  series::SignalSeries series(truth);
   for (const double offset_dph : {0.0, 0.3}) {
-    fogcomp::Recording recording = fog::test::recording_of(truth, {}, 1);
+    recording::Recording recording = fog::test::recording_of(truth, {}, 1);
     for (double& rate : recording.rate_dph) rate += offset_dph;
-    series.add(fogcomp::make_blocks(recording));
+    series.add(series::make_blocks(recording));
   }
-  const auto fit = fit_rows(series, parse_effects("bias"), run_offset_columns(series.rows()));
-  const fogcomp::Refit result =
-      refit(parse_effects("bias,temperature_rate,thermal_lag:tau=600"), series, fit);
+  const auto fit =
+      fit::fit_rows(series, model::parse_effects("bias"), fit::run_offset_columns(series.rows()));
+  const Refit result =
+      refit(model::parse_effects("bias,temperature_rate,thermal_lag:tau=600"), series, fit);
   ASSERT_EQ(result.terms.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(result.terms[i].coefficients_dph.at(0), truth.terms[i].coefficients_dph[0], 1e-6)
@@ -49,7 +52,9 @@ TEST(Refit, FindsTheCoefficientsBesideABiasOfEachRecording) {
   EXPECT_EQ(result.terms[2].parameters[0], 600);
   EXPECT_LT(result.residual_dph.cwiseAbs().maxCoeff(), 1e-6);
   // Without an effect that the gyro has, what it does is left.
-  EXPECT_GT(refit(parse_effects("bias,temperature_rate"), series, fit).residual_dph.norm(), 1);
+  EXPECT_GT(refit(model::parse_effects("bias,temperature_rate"), series, fit).residual_dph.norm(),
+            1);
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

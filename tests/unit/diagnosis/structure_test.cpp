@@ -9,10 +9,11 @@
 #include "unit/fit/made_rows.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
 
 using fog::test::made_rows;
-using fogcomp::Rows;
+using series::Rows;
 
 // Up and down twice, with soaks between: no input is a function of another.
 Rows cycle() {
@@ -23,11 +24,11 @@ Rows cycle() {
 
 // Share of `values` (about their mean) that a group's columns and a constant describe.
 double described_by(const Rows& rows, const std::string& variable, const Eigen::VectorXd& values) {
-  for (const fogcomp::StructureGroup& group : structure_groups(rows)) {
+  for (const StructureGroup& group : structure_groups(rows)) {
     if (group.variable != variable) continue;
     const Eigen::MatrixXd columns =
-        fogcomp::side_by_side({Eigen::MatrixXd::Ones(rows.size(), 1), group.columns}, rows.size());
-    const double left = fogcomp::solve_linear(columns, values).residual.squaredNorm();
+        side_by_side({Eigen::MatrixXd::Ones(rows.size(), 1), group.columns}, rows.size());
+    const double left = solve_linear(columns, values).residual.squaredNorm();
     return 1 - left / (values.array() - values.mean()).matrix().squaredNorm();
   }
   return 0;
@@ -92,12 +93,12 @@ TEST(Structure, IsFiniteWhereNothingVaries) {
 }
 
 TEST(Structure, BehindAModelIsOrthonormalAndNothingThatTheModelDoes) {
-  const fogcomp::Model model = fog::test::truth();
-  fogcomp::SignalSeries series(model, fogcomp::Phase::zero);
-  series.add(fogcomp::make_blocks(fog::test::recording_of(model, fog::test::kQuietNoise, 1)));
-  const auto fit = fit_rows(series, model.terms, Eigen::MatrixXd(series.rows().size(), 0));
-  const fogcomp::ModelRemover remover(series.rows(), fit);
-  const fogcomp::VisibleStructure structure = visible_structure(series.rows(), remover);
+  const model::Model model = fog::test::truth();
+  series::SignalSeries series(model, series::Phase::zero);
+  series.add(series::make_blocks(fog::test::recording_of(model, fog::test::kQuietNoise, 1)));
+  const auto fit = fit::fit_rows(series, model.terms, Eigen::MatrixXd(series.rows().size(), 0));
+  const ModelRemover remover(series.rows(), fit);
+  const VisibleStructure structure = visible_structure(series.rows(), remover);
   ASSERT_EQ(structure.variables.size(), structure.groups.size());
   std::vector<Eigen::MatrixXd> bases = structure.groups;
   bases.push_back(structure.all);
@@ -108,7 +109,7 @@ TEST(Structure, BehindAModelIsOrthonormalAndNothingThatTheModelDoes) {
         (product - Eigen::MatrixXd::Identity(basis.cols(), basis.cols())).cwiseAbs().maxCoeff(),
         1e-6);
   }
-  for (const fogcomp::EffectTerm& term : model.terms) {
+  for (const model::EffectTerm& term : model.terms) {
     const Eigen::MatrixXd own = remover.whitening().apply(series.regressors(term));
     const Eigen::MatrixXd seen = structure.all.topRows(own.rows()).transpose() * own;
     EXPECT_LT(seen.norm(), 0.05 * own.norm()) << term.name;
@@ -116,3 +117,4 @@ TEST(Structure, BehindAModelIsOrthonormalAndNothingThatTheModelDoes) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+namespace fogcomp::diagnosis {
 namespace {
 
 constexpr double kWhite_dph = 0.03;
@@ -39,25 +40,24 @@ std::vector<Eigen::VectorXd> soaks(Process process, double height_dph, std::uint
 TEST(TwoLevels, AreToldFromWanderOfTheSameSpectrum) {
   constexpr double kHeight_dph = 0.05;
   for (const std::uint32_t seed : {1U, 2U, 3U, 4U, 5U}) {
-    const fogcomp::TwoLevels jumps =
-        fogcomp::find_two_levels(soaks(Process::two_levels, kHeight_dph, seed), kWhite_dph, kRow_s);
+    const TwoLevels jumps =
+        find_two_levels(soaks(Process::two_levels, kHeight_dph, seed), kWhite_dph, kRow_s);
     EXPECT_GT(jumps.log_odds, 8) << seed;
     EXPECT_NEAR(jumps.height_dph, kHeight_dph, 0.2 * kHeight_dph) << seed;
     EXPECT_GT(jumps.dwell_s, kDwell_rows * kRow_s / 3) << seed;
     EXPECT_LT(jumps.dwell_s, kDwell_rows * kRow_s * 3) << seed;
-    const fogcomp::TwoLevels wander =
-        fogcomp::find_two_levels(soaks(Process::wander, kHeight_dph, seed), kWhite_dph, kRow_s);
+    const TwoLevels wander =
+        find_two_levels(soaks(Process::wander, kHeight_dph, seed), kWhite_dph, kRow_s);
     EXPECT_LT(wander.log_odds, 0) << seed;
   }
 }
 
 TEST(TwoLevels, AreNotSeenInWhiteNoise) {
   for (const std::uint32_t seed : {1U, 2U, 3U, 4U, 5U}) {
-    EXPECT_LT(
-        fogcomp::find_two_levels(soaks(Process::wander, 0, seed), kWhite_dph, kRow_s).log_odds, 3)
+    EXPECT_LT(find_two_levels(soaks(Process::wander, 0, seed), kWhite_dph, kRow_s).log_odds, 3)
         << seed;
   }
-  EXPECT_EQ(fogcomp::find_two_levels({}, kWhite_dph, kRow_s).log_odds, 0);
+  EXPECT_EQ(find_two_levels({}, kWhite_dph, kRow_s).log_odds, 0);
 }
 
 // A row that is left out is no level of its own, and does not hide levels that are there.
@@ -66,10 +66,9 @@ TEST(TwoLevels, ArePassedOverByRowsThatDoNotCount) {
   for (Eigen::VectorXd& stretch : stretches) {
     for (Eigen::Index row = 3; row < stretch.size(); row += 50) stretch[row] = std::nan("");
   }
-  EXPECT_GT(fogcomp::find_two_levels(stretches, kWhite_dph, kRow_s).log_odds, 8);
+  EXPECT_GT(find_two_levels(stretches, kWhite_dph, kRow_s).log_odds, 8);
   EXPECT_EQ(
-      fogcomp::find_two_levels({Eigen::VectorXd::Constant(700, std::nan(""))}, kWhite_dph, kRow_s)
-          .log_odds,
+      find_two_levels({Eigen::VectorXd::Constant(700, std::nan(""))}, kWhite_dph, kRow_s).log_odds,
       0);
 }
 
@@ -77,9 +76,10 @@ TEST(TwoLevels, ArePassedOverByRowsThatDoNotCount) {
 TEST(TwoLevels, ComeAndGo) {
   std::vector<Eigen::VectorXd> stretches = soaks(Process::wander, 0, 1);
   for (Eigen::VectorXd& stretch : stretches) stretch.tail(40).array() += 5 * kWhite_dph;
-  EXPECT_EQ(fogcomp::find_two_levels(stretches, kWhite_dph, kRow_s).log_odds, 0);
+  EXPECT_EQ(find_two_levels(stretches, kWhite_dph, kRow_s).log_odds, 0);
   for (Eigen::VectorXd& stretch : stretches) stretch.segment(200, 40).array() += 5 * kWhite_dph;
-  EXPECT_GT(fogcomp::find_two_levels(stretches, kWhite_dph, kRow_s).log_odds, 8);
+  EXPECT_GT(find_two_levels(stretches, kWhite_dph, kRow_s).log_odds, 8);
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

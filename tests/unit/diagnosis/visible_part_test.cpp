@@ -8,25 +8,24 @@
 #include "support/typical_effects.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
-
-using fogcomp::VisiblePart;
 
 class Fitted : public testing::Test {
  protected:
-  Fitted() : series_(model_, fogcomp::Phase::zero) {
-    series_.add(fogcomp::make_blocks(fog::test::recording_of(model_, fog::test::kQuietNoise, 1)));
-    fit_ = fit_rows(series_, model_.terms, Eigen::MatrixXd(series_.rows().size(), 0));
+  Fitted() : series_(model_, series::Phase::zero) {
+    series_.add(series::make_blocks(fog::test::recording_of(model_, fog::test::kQuietNoise, 1)));
+    fit_ = fit::fit_rows(series_, model_.terms, Eigen::MatrixXd(series_.rows().size(), 0));
     remover_.emplace(series_.rows(), fit_);
   }
   VisiblePart visible(const std::string& effect) const {
-    return (*remover_)(series_.regressors(fogcomp::parse_effects(effect)[0]));
+    return (*remover_)(series_.regressors(model::parse_effects(effect)[0]));
   }
 
-  fogcomp::Model model_ = fog::test::truth();
-  fogcomp::SignalSeries series_;
-  fogcomp::NoiseWeightedFit fit_;
-  std::optional<fogcomp::ModelRemover> remover_;
+  model::Model model_ = fog::test::truth();
+  series::SignalSeries series_;
+  fit::NoiseWeightedFit fit_;
+  std::optional<ModelRemover> remover_;
 };
 using VisiblePartTest = Fitted;
 
@@ -54,8 +53,8 @@ TEST_F(VisiblePartTest, IsAtRightAnglesToTheResidualsModel) {
 }
 
 TEST_F(VisiblePartTest, DoesNotDependOnTheColumnsSizeAndIsAdditive) {
-  const Eigen::MatrixXd a = series_.regressors(fogcomp::parse_effects("warm_up:tau=2000")[0]);
-  const Eigen::MatrixXd b = series_.regressors(fogcomp::parse_effects("thermal_lag:tau=1500")[0]);
+  const Eigen::MatrixXd a = series_.regressors(model::parse_effects("warm_up:tau=2000")[0]);
+  const Eigen::MatrixXd b = series_.regressors(model::parse_effects("thermal_lag:tau=1500")[0]);
   const VisiblePart once = (*remover_)(a);
   const VisiblePart thrice = (*remover_)(3 * a);
   EXPECT_NEAR(thrice.visible[0], once.visible[0], 1e-9);
@@ -91,3 +90,4 @@ TEST_F(VisiblePartTest, OfTheMeasurementIsNoise) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

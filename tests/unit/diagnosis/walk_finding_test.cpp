@@ -7,11 +7,10 @@
 
 #include "unit/diagnosis/made_evidence.hpp"
 
+namespace fogcomp::diagnosis {
 namespace {
 
-using fogcomp::EvidenceSpace;
-using fogcomp::NoiseModel;
-using fogcomp::WalkFinding;
+using noise::NoiseModel;
 
 constexpr double kWalk = 0.01;  // deg/h/sqrt(h)
 constexpr Eigen::Index kModes = 8;
@@ -35,13 +34,13 @@ class WalkingRows {
     static const fog::test::MadeEvidence made(fog::test::thinned(
         fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1), 20));
     EvidenceSpace evidence = made.evidence();
-    evidence.space = fogcomp::ExplainedSpace(residual_);
+    evidence.space = fit::ExplainedSpace(residual_);
     evidence.candidates.clear();
     evidence.library.clear();
     Eigen::Index axis = 0;
     for (const char* const effect : {"temperature_rate", "thermal_hysteresis:radius=5", "aging",
                                      "polarization_ripple:period=9"}) {
-      const fogcomp::EffectTerm term = fogcomp::parse_effects(effect)[0];
+      const model::EffectTerm term = model::parse_effects(effect)[0];
       const Eigen::MatrixXd basis = axes_.col(axis++);
       evidence.candidates.push_back({term.name, {{term, basis, 0}}});
       evidence.library.push_back({evidence.space.add(basis)});
@@ -50,7 +49,7 @@ class WalkingRows {
     Eigen::MatrixXd modes = axes_.middleCols(6, kModes);
     for (Eigen::Index k = 0; k < kModes; ++k)
       modes.col(k) *= 30 / kWalk / static_cast<double>(k + 1);
-    evidence.walk = add_walk(evidence.space, modes);
+    evidence.walk = fit::add_walk(evidence.space, modes);
     evidence.space.finish();
     return weigh_walk(
         evidence, find_hypotheses(evidence.space, evidence.candidates, evidence.library), noise, 1);
@@ -109,3 +108,4 @@ TEST(WalkFinding, IsNoneThatTheQuietPartsRuleOutOrKnowNothingOf) {
 }
 
 }  // namespace
+}  // namespace fogcomp::diagnosis

@@ -7,19 +7,19 @@
 namespace fogcomp::findings {
 namespace {
 
-CandidateFinding finding_of(const char* effect, double lead, double rms_after_dph) {
-  CandidateFinding finding;
+diagnosis::CandidateFinding finding_of(const char* effect, double lead, double rms_after_dph) {
+  diagnosis::CandidateFinding finding;
   finding.effect = effect;
-  finding.completed = parse_effects(std::string("bias,") + effect);
+  finding.completed = model::parse_effects(std::string("bias,") + effect);
   finding.lead = lead;
   finding.rms_after_dph = rms_after_dph;
   return finding;
 }
 
 // Neither of two effects lowers the error alone; both together do.
-Diagnosis only_together() {
-  Diagnosis diagnosis;
-  diagnosis.verdict = Verdict::missing_effect;
+diagnosis::Diagnosis only_together() {
+  diagnosis::Diagnosis diagnosis;
+  diagnosis.verdict = diagnosis::Verdict::missing_effect;
   diagnosis.effect = "aging";
   diagnosis.residual_rms_dph = 907.1;
   diagnosis.candidates = {finding_of("aging", 0.66, 907.4), finding_of("thermal_lag", 0.02, 910)};
@@ -34,8 +34,8 @@ TEST(DiagnosisWords, OfASetAddAllOfIt) {
 }
 
 TEST(DiagnosisWords, OfRivalsThatDoNotHelpAloneProposeTheSetThatDoes) {
-  Diagnosis diagnosis = only_together();
-  diagnosis.verdict = Verdict::ambiguous;
+  diagnosis::Diagnosis diagnosis = only_together();
+  diagnosis.verdict = diagnosis::Verdict::ambiguous;
   diagnosis.effect.clear();
   diagnosis.confusable = {"aging"};
   EXPECT_EQ(words_of(diagnosis, "x.model", "run.csv").command,
@@ -45,7 +45,7 @@ TEST(DiagnosisWords, OfRivalsThatDoNotHelpAloneProposeTheSetThatDoes) {
 }
 
 TEST(DiagnosisWords, ASetWithAStepIsFittedAgain) {
-  Diagnosis diagnosis = only_together();
+  diagnosis::Diagnosis diagnosis = only_together();
   diagnosis.candidates.push_back(finding_of("bias_step", 0.1, 905));
   diagnosis.explanations[0].effects = {"aging", "bias_step"};
   const DiagnosisWords words = words_of(diagnosis, "x.model", "run.csv");

@@ -84,9 +84,10 @@ TEST(ColumnMeans, OfASumAreTheSumOfTheMeans) {
 TEST(Thinned, AveragesRowsOfOneBranchOnly) {
   const std::vector<double> x{0, 1, 2, 3, 4, 5};
   const std::vector<double> y{0, 2, 100, 6, 8, 10};
-  const std::vector<Branch> branch{Branch::heating, Branch::heating, Branch::cooling,
-                                   Branch::heating, Branch::heating, Branch::heating};
-  const Cloud cloud = thinned(x, y, branch, Branch::heating, 2);
+  const std::vector<compare::Branch> branch{compare::Branch::heating, compare::Branch::heating,
+                                            compare::Branch::cooling, compare::Branch::heating,
+                                            compare::Branch::heating, compare::Branch::heating};
+  const Cloud cloud = thinned(x, y, branch, compare::Branch::heating, 2);
   EXPECT_EQ(cloud.x, (std::vector<double>{0.5, 3.5, 5}));
   EXPECT_EQ(cloud.y, (std::vector<double>{1, 7, 10}));
 }

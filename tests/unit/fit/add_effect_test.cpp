@@ -15,8 +15,8 @@
 namespace {
 
 using namespace fog::test;
-using fogcomp::Addition;
-using fogcomp::Model;
+using fogcomp::fit::Addition;
+using fogcomp::model::Model;
 
 TEST(AddEffect, AcceptsATrueEffect) {
   const Addition result = add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1});
@@ -26,8 +26,9 @@ TEST(AddEffect, AcceptsATrueEffect) {
 
 TEST(AddEffect, JudgesSeveralTogetherAndEachAloneAndBesideTheOthers) {
   const Model given = incomplete("bias,bias_temperature:order=2");
-  const Addition result = fogcomp::add_effect(
-      given, fogcomp::change_effects(given.terms, {"temperature_rate", "bias_temperature:order=3"}),
+  const Addition result = fogcomp::fit::add_effect(
+      given,
+      fogcomp::fit::change_effects(given.terms, {"temperature_rate", "bias_temperature:order=3"}),
       runs_of(truth(), {1}), {}, {});
   EXPECT_TRUE(result.accepted) << result.reason;
   EXPECT_EQ(result.changed, (std::vector<std::size_t>{2, 1}));
@@ -40,9 +41,10 @@ TEST(AddEffect, JudgesSeveralTogetherAndEachAloneAndBesideTheOthers) {
 
 TEST(AddEffect, RefusesASetOfWhichOneBringsNothing) {
   const Model given = incomplete("bias,bias_temperature:order=3");
-  const Addition result = fogcomp::add_effect(
+  const Addition result = fogcomp::fit::add_effect(
       given,
-      fogcomp::change_effects(given.terms, {"temperature_rate", "thermal_hysteresis:radius=5"}),
+      fogcomp::fit::change_effects(given.terms,
+                                   {"temperature_rate", "thermal_hysteresis:radius=5"}),
       runs_of(truth(), {1}), {}, {});
   EXPECT_TRUE(result.out_of_sample.helps());
   EXPECT_FALSE(result.accepted);
@@ -50,8 +52,9 @@ TEST(AddEffect, RefusesASetOfWhichOneBringsNothing) {
 }
 
 TEST(EffectChange, TakesNoEffectTwice) {
-  const std::vector<fogcomp::EffectTerm> terms = fogcomp::parse_effects("bias");
-  EXPECT_THROW(fogcomp::change_effects(terms, {"shupe", "shupe:tau=300"}), fogcomp::InputError);
+  const std::vector<fogcomp::model::EffectTerm> terms = fogcomp::model::parse_effects("bias");
+  EXPECT_THROW(fogcomp::fit::change_effects(terms, {"shupe", "shupe:tau=300"}),
+               fogcomp::InputError);
 }
 
 TEST(AddEffect, RefusesAUselessEffect) {
@@ -73,25 +76,28 @@ TEST(AddEffect, RefusesAnEffectAtTheBoundOfItsShape) {
 TEST(AddEffect, KnowsItsEffectBehindAStepThatIsFoundAnew) {
   Model given = incomplete("bias,bias_step,bias_temperature:order=3");
   const Addition result =
-      fogcomp::add_effect(given, fogcomp::change_effect(given.terms, "temperature_rate"),
-                          runs_of(truth(), {1}), {}, {});
+      fogcomp::fit::add_effect(given, fogcomp::fit::change_effect(given.terms, "temperature_rate"),
+                               runs_of(truth(), {1}), {}, {});
   EXPECT_EQ(result.model.terms.at(result.changed.at(0)).name, "temperature_rate");
   EXPECT_TRUE(result.accepted) << result.reason;
 }
 
 TEST(EffectChange, TakesOtherBoundsOfAParameterThatIsIdentified) {
-  const std::vector<fogcomp::EffectTerm> terms = fogcomp::parse_effects("bias,polarization_ripple");
-  const auto change = fogcomp::change_effect(terms, "polarization_ripple:period=?[2,10]");
-  const fogcomp::EffectTerm& changed = change.terms[change.changed.at(0)];
+  const std::vector<fogcomp::model::EffectTerm> terms =
+      fogcomp::model::parse_effects("bias,polarization_ripple");
+  const auto change = fogcomp::fit::change_effect(terms, "polarization_ripple:period=?[2,10]");
+  const fogcomp::model::EffectTerm& changed = change.terms[change.changed.at(0)];
   EXPECT_EQ(changed.bounds[0].most, 10);
   EXPECT_LE(changed.parameters[0], 10);  // 13 was outside
-  EXPECT_THROW(fogcomp::change_effect(terms, "polarization_ripple:period=?"), fogcomp::InputError);
+  EXPECT_THROW(fogcomp::fit::change_effect(terms, "polarization_ripple:period=?"),
+               fogcomp::InputError);
 }
 
 TEST(OutOfSample, HelpsWhereItGainsAndTheErrorDoesNotRise) {
-  EXPECT_TRUE((fogcomp::OutOfSample{1, 0.9, 20, false, ""}.helps()));
-  EXPECT_FALSE((fogcomp::OutOfSample{1, 0.9, 5, false, ""}.helps()));
-  EXPECT_FALSE((fogcomp::OutOfSample{1, 1.5, 20, false, ""}.helps()));  // missed by far somewhere
+  EXPECT_TRUE((fogcomp::fit::OutOfSample{1, 0.9, 20, false, ""}.helps()));
+  EXPECT_FALSE((fogcomp::fit::OutOfSample{1, 0.9, 5, false, ""}.helps()));
+  EXPECT_FALSE(
+      (fogcomp::fit::OutOfSample{1, 1.5, 20, false, ""}.helps()));  // missed by far somewhere
 }
 
 TEST(AddEffect, IsJudgedOnHoldoutsWhereThereAreSome) {
@@ -129,20 +135,20 @@ TEST(AddEffect, LeavesEachOfThreeRunsOutOnce) {
 TEST(AddEffect, LeavesStretchesOutWhereOneRunAloneShowsTheEffect) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
-  fogcomp::TrainingRuns training = runs_of(truth(), {});
+  fogcomp::fit::TrainingRuns training = runs_of(truth(), {});
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    fogcomp::Recording recording = recording_of(truth(), kAdditionNoise, seed);
+    fogcomp::recording::Recording recording = recording_of(truth(), kAdditionNoise, seed);
     for (std::size_t i = 0; i < recording.rows(); ++i) {
       const double shaken = seed == 3 && i / 100 % 2 == 1 ? 2 : 0;
       recording[fog::Input::vibration].push_back(std::abs(shaken + 0.01 * normal(random)));
       recording.rate_dph[i] +=
           0.05 * recording[fog::Input::vibration][i] * recording[fog::Input::vibration][i];
     }
-    training.runs.push_back(fogcomp::run_in_blocks(recording, 10));
+    training.runs.push_back(fogcomp::compare::run_in_blocks(recording, 10));
   }
   const Model model = incomplete(kComplete);
   const Addition result =
-      add_effect(model, change_effect(model.terms, "vibration"), training, {}, {});
+      add_effect(model, fogcomp::fit::change_effect(model.terms, "vibration"), training, {}, {});
   EXPECT_TRUE(result.accepted) << result.reason;
   EXPECT_NE(result.out_of_sample.how.find("stretches"), std::string::npos);
 }
@@ -153,7 +159,7 @@ TEST(AddEffect, TellsWhatTheHalvesOfTheRunsSay) {
   real.terms[2].coefficients_dph = {0.6};
   const Addition result = add("bias,bias_temperature:order=3", "temperature_rate", real, {1});
   ASSERT_EQ(result.halves.size(), 2U);
-  for (const fogcomp::HalfTest& half : result.halves) {
+  for (const fogcomp::fit::HalfTest& half : result.halves) {
     EXPECT_TRUE(half.determined);
     EXPECT_LT(half.rms_after_dph, half.rms_before_dph) << half.identified_on;
   }
@@ -162,7 +168,8 @@ TEST(AddEffect, TellsWhatTheHalvesOfTheRunsSay) {
 TEST(AddEffect, RetrainsANetworkOfTheSameSize) {
   Model model = incomplete("bias,bias_temperature:order=3");
   model.network = paper_like_model().network;
-  const fogcomp::EffectChange change = fogcomp::change_effect(model.terms, "temperature_rate");
+  const fogcomp::fit::EffectChange change =
+      fogcomp::fit::change_effect(model.terms, "temperature_rate");
   Model heated = truth();
   heated.terms.push_back(written_term("heat = abs(dTdt)"));
   heated.terms.back().coefficients_dph = {1};  // the regressor is small, as its range is +-32
@@ -175,7 +182,8 @@ TEST(AddEffect, RetrainsANetworkOfTheSameSize) {
 TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
   Model model = incomplete("bias,bias_temperature:order=3");
   model.network = paper_like_model().network;
-  const fogcomp::EffectChange change = fogcomp::change_effect(model.terms, "temperature_rate");
+  const fogcomp::fit::EffectChange change =
+      fogcomp::fit::change_effect(model.terms, "temperature_rate");
   const Addition result = add_effect(model, change, runs_of(truth(), {1}), {}, {});
   EXPECT_TRUE(result.accepted);
   EXPECT_FALSE(result.model.network.present()) << "gain " << result.fit.network_judged->gain;
@@ -183,63 +191,66 @@ TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
 
 TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
   Model real = truth();
-  fogcomp::EffectTerm late = fogcomp::expression_term("late = lag(dTdt^2, 900)");
+  fogcomp::model::EffectTerm late = fogcomp::model::expression_term("late = lag(dTdt^2, 900)");
   late.coefficients_dph = {0.1};
   real.terms.push_back(late);
   const Model model = incomplete(kComplete);
   const std::string definition = "late = lag(dTdt^2, ?tau[60,6000])";
-  const Addition right = add_effect(model, fogcomp::change_expression(model.terms, definition),
+  const Addition right = add_effect(model, fogcomp::fit::change_expression(model.terms, definition),
                                     runs_of(real, {1}), {}, {});
   EXPECT_TRUE(right.accepted) << right.reason;
   EXPECT_EQ(right.model.history.back().action, "add " + definition);
-  const fogcomp::EffectTerm& term = right.model.terms[right.changed.at(0)];
+  const fogcomp::model::EffectTerm& term = right.model.terms[right.changed.at(0)];
   EXPECT_NEAR(term.parameters[0], 900, 4 * term.parameter_sigma[0]);
-  const double sigma =
-      fogcomp::in_natural_unit(term.sigma_dph[0], fogcomp::info_of(term).coefficients[0]);
+  const double sigma = fogcomp::model::in_natural_unit(
+      term.sigma_dph[0], fogcomp::model::info_of(term).coefficients[0]);
   EXPECT_LT(sigma, 0.01);
-  EXPECT_NEAR(natural_coefficient(term, 0), 0.1, 4 * sigma);
+  EXPECT_NEAR(fogcomp::model::natural_coefficient(term, 0), 0.1, 4 * sigma);
 }
 
 TEST(EffectChange, RaisesWhatIsThere) {
-  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
-  const auto order = fogcomp::change_effect(terms, "bias_temperature:order=4");
+  const auto terms =
+      fogcomp::model::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
+  const auto order = fogcomp::fit::change_effect(terms, "bias_temperature:order=4");
   EXPECT_EQ(order.changed.at(0), 1U);
   ASSERT_EQ(order.terms.size(), 3U);
   EXPECT_EQ(order.terms[1].parameters, std::vector<double>{4});
 
   auto identified = terms;
   identified[2].parameters[0] = 7.5;  // by an earlier fit
-  const auto radius = fogcomp::change_effect(identified, "thermal_hysteresis:radius2=15");
+  const auto radius = fogcomp::fit::change_effect(identified, "thermal_hysteresis:radius2=15");
   EXPECT_EQ(radius.terms[2].parameters, (std::vector<double>{7.5, 15}));
   EXPECT_TRUE(radius.terms[2].identified[0]);
   EXPECT_FALSE(radius.terms[2].identified[1]);
-  EXPECT_EQ(fogcomp::change_effect(terms, "thermal_lag:tau=300").terms.size(), 4U);
+  EXPECT_EQ(fogcomp::fit::change_effect(terms, "thermal_lag:tau=300").terms.size(), 4U);
 }
 
 TEST(EffectChange, GrowsAnEffectThatIsThereAlready) {
-  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
-  const auto higher = fogcomp::change_effect(terms, "bias_temperature");
+  const auto terms =
+      fogcomp::model::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
+  const auto higher = fogcomp::fit::change_effect(terms, "bias_temperature");
   EXPECT_EQ(higher.changed.at(0), 1U);
   EXPECT_EQ(higher.terms[1].parameters[0], 4);
-  const auto second = fogcomp::change_effect(terms, "thermal_hysteresis");
+  const auto second = fogcomp::fit::change_effect(terms, "thermal_hysteresis");
   EXPECT_TRUE(second.terms[2].identified[1]);
   EXPECT_GT(second.terms[2].parameters[1], 0);
 }
 
 TEST(EffectChange, RefusesAnExpressionWhoseNameIsTaken) {
-  auto terms = fogcomp::parse_effects("bias");
-  terms = fogcomp::change_expression(terms, "own = T*dTdt").terms;
+  auto terms = fogcomp::model::parse_effects("bias");
+  terms = fogcomp::fit::change_expression(terms, "own = T*dTdt").terms;
   ASSERT_EQ(terms.size(), 2U);
   for (const char* const definition : {"own = T", "bias = T", "thermal_lag = T", "own", ""}) {
-    EXPECT_THROW(fogcomp::change_expression(terms, definition), fogcomp::InputError) << definition;
+    EXPECT_THROW(fogcomp::fit::change_expression(terms, definition), fogcomp::InputError)
+        << definition;
   }
 }
 
 TEST(EffectChange, RefusesWhatChangesNothing) {
-  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3");
+  const auto terms = fogcomp::model::parse_effects("bias,bias_temperature:order=3");
   for (const char* const effect :
        {"bias", "bias_temperature:order=3", "", "thermal_lag,warm_up", "no_such_effect"}) {
-    EXPECT_THROW(fogcomp::change_effect(terms, effect), fogcomp::InputError) << effect;
+    EXPECT_THROW(fogcomp::fit::change_effect(terms, effect), fogcomp::InputError) << effect;
   }
 }
 

@@ -6,14 +6,13 @@
 
 #include "fit/uniform.hpp"
 
+namespace fogcomp::fit {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using fog::Activation;
-using fogcomp::Batch;
-using fogcomp::Perceptron;
 
 struct Rows {
   MatrixXd inputs;
@@ -22,7 +21,7 @@ struct Rows {
 };
 
 Rows random_rows(Index rows, Index inputs) {
-  fogcomp::Uniform uniform(3);
+  Uniform uniform(3);
   Rows result{MatrixXd(rows, inputs), VectorXd(rows), VectorXd(rows)};
   for (Index i = 0; i < rows; ++i) {
     for (Index k = 0; k < inputs; ++k) result.inputs(i, k) = uniform.within(1);
@@ -34,14 +33,14 @@ Rows random_rows(Index rows, Index inputs) {
 
 // The definition, a row at a time, with the standard library's functions.
 double direct_mean_square(const Perceptron& shape, const VectorXd& weights, const Rows& rows) {
-  const fogcomp::RealLayer hidden = shape.hidden_layer(weights);
-  const fogcomp::RealLayer output = shape.output_layer(weights);
+  const model::RealLayer hidden = shape.hidden_layer(weights);
+  const model::RealLayer output = shape.output_layer(weights);
   double sum = 0;
   for (Index i = 0; i < rows.target.size(); ++i) {
     VectorXd values = hidden.weights * rows.inputs.row(i).transpose() + hidden.biases;
-    for (double& v : values) v = fogcomp::activate(hidden.activation, v);
+    for (double& v : values) v = model::activate(hidden.activation, v);
     const double y =
-        fogcomp::activate(output.activation, output.weights.row(0).dot(values) + output.biases[0]);
+        model::activate(output.activation, output.weights.row(0).dot(values) + output.biases[0]);
     sum += rows.weights[i] * std::pow(rows.target[i] - y, 2);
   }
   return sum / rows.weights.sum();
@@ -133,3 +132,4 @@ TEST(Activations, FarArgumentsSaturate) {
 }
 
 }  // namespace
+}  // namespace fogcomp::fit

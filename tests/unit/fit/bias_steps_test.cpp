@@ -12,7 +12,7 @@ TEST(BiasSteps, AreNotFoundInWhiteAndFlickerNoise) {
 }
 
 TEST(BiasSteps, AreTermsOfTheModelThatLeaveTheOthersAlone) {
-  fogcomp::Recording recording = noisy_recording(1);
+  fogcomp::recording::Recording recording = noisy_recording(1);
   add_step(recording, 5300, -5 * kWhiteDph);
   const FittedSteps result = fit({recording}, kStepEffects);
   ASSERT_EQ(result.identified.steps.size(), 1U);
@@ -26,7 +26,7 @@ TEST(BiasSteps, AreTermsOfTheModelThatLeaveTheOthersAlone) {
 }
 
 TEST(BiasSteps, SeveralAreFoundAndAWildRowIsNone) {
-  fogcomp::Recording recording = noisy_recording(3);
+  fogcomp::recording::Recording recording = noisy_recording(3);
   add_step(recording, 9000, 0.15);
   add_step(recording, 21000, -0.2);
   add_step(recording, 30000, 0.1);
@@ -34,12 +34,12 @@ TEST(BiasSteps, SeveralAreFoundAndAWildRowIsNone) {
   const FittedSteps result = fit({recording}, kStepEffects);
   ASSERT_EQ(result.identified.steps.size(), 3U);
   double sum = 0;
-  for (const fogcomp::FoundStep& step : result.identified.steps) sum += step.size_dph;
+  for (const fogcomp::fit::FoundStep& step : result.identified.steps) sum += step.size_dph;
   EXPECT_NEAR(sum, 0.05, 0.03);
 }
 
 TEST(BiasSteps, BelongToTheRecordingInWhichTheyLie) {
-  fogcomp::Recording second = noisy_recording(5);
+  fogcomp::recording::Recording second = noisy_recording(5);
   add_step(second, 15000, 0.2);
   const FittedSteps result = fit({noisy_recording(4), second}, kStepEffects);
   ASSERT_EQ(result.identified.steps.size(), 1U);
@@ -49,7 +49,7 @@ TEST(BiasSteps, BelongToTheRecordingInWhichTheyLie) {
 }
 
 TEST(BiasSteps, WithATimeAreNotSearchedForAndAloneAreRefused) {
-  fogcomp::Recording recording = noisy_recording(6);
+  fogcomp::recording::Recording recording = noisy_recording(6);
   add_step(recording, 15000, 0.2);
   const FittedSteps given = fit({recording}, "bias,bias_temperature,bias_step:at=15000");
   EXPECT_TRUE(given.identified.steps.empty());

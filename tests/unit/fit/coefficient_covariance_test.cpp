@@ -8,7 +8,7 @@
 #include "support/units.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 using fog::test::model_of;
@@ -18,14 +18,14 @@ using fog::test::truth;
 // A gyro that leaves slow drift of no effect and no noise; the rows where it is largest do not
 // count.
 TEST(CoefficientCovariance, IsAVarianceWhereTheRowsLeftOutAreTheLargest) {
-  const Model model = truth();
-  Recording recording = recording_of(model, {}, 1);
+  const model::Model model = truth();
+  recording::Recording recording = recording_of(model, {}, 1);
   const auto rows = static_cast<double>(recording.rows());
   for (std::size_t i = 0; i < recording.rows(); ++i) {
     recording.rate_dph[i] += 5 * std::cos(4 * kPi * static_cast<double>(i) / rows);
   }
-  SignalSeries series(model);
-  series.add(make_blocks(recording));
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
   const Eigen::MatrixXd no_nuisance(series.rows().size(), 0);
   NoiseWeightedFit fit = fit_rows(series, model.terms, no_nuisance);
   const Eigen::Index tenth = series.rows().size() / 10;
@@ -37,4 +37,4 @@ TEST(CoefficientCovariance, IsAVarianceWhereTheRowsLeftOutAreTheLargest) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

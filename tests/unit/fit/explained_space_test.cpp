@@ -6,6 +6,7 @@
 
 #include "support/least_squares.hpp"
 
+namespace fogcomp::fit {
 namespace {
 
 Eigen::MatrixXd noise(Eigen::Index rows, Eigen::Index columns, std::uint64_t seed) {
@@ -18,12 +19,11 @@ TEST(ExplainedSpace, GainsWhatLeastSquaresGains) {
   const Eigen::VectorXd residual = noise(200, 1, 1);
   const Eigen::MatrixXd a = noise(200, 2, 2).colwise().normalized();
   const Eigen::MatrixXd b = noise(200, 3, 3).colwise().normalized();
-  fogcomp::ExplainedSpace space(residual);
+  ExplainedSpace space(residual);
   const auto in_a = space.add(a);
   const auto in_b = space.add(b);
   space.finish();
-  const double left =
-      fogcomp::solve_linear(fogcomp::side_by_side({a, b}, 200), residual).residual.squaredNorm();
+  const double left = solve_linear(side_by_side({a, b}, 200), residual).residual.squaredNorm();
   EXPECT_NEAR(space.gain({in_a, in_b}), residual.squaredNorm() - left, 1e-6);
   EXPECT_NEAR(space.gain({in_b, in_a}), space.gain({in_a, in_b}), 1e-9);
 }
@@ -31,7 +31,7 @@ TEST(ExplainedSpace, GainsWhatLeastSquaresGains) {
 TEST(ExplainedSpace, CountsAColumnThatIsThereTwiceOnce) {
   const Eigen::VectorXd residual = noise(100, 1, 4);
   const Eigen::MatrixXd a = noise(100, 1, 5).colwise().normalized();
-  fogcomp::ExplainedSpace space(residual);
+  ExplainedSpace space(residual);
   const auto first = space.add(a);
   const auto second = space.add(a);
   space.finish();
@@ -39,9 +39,10 @@ TEST(ExplainedSpace, CountsAColumnThatIsThereTwiceOnce) {
 }
 
 TEST(LogEvidence, AsksForMoreThanOneUnitAColumn) {
-  EXPECT_EQ(fogcomp::log_evidence(1.9, 2), 0);
-  EXPECT_GT(fogcomp::log_evidence(30, 1), fogcomp::log_evidence(30, 4));
-  EXPECT_NEAR(fogcomp::log_evidence(30, 1), (30 - 1 - std::log(30.0)) / 2, 1e-12);
+  EXPECT_EQ(log_evidence(1.9, 2), 0);
+  EXPECT_GT(log_evidence(30, 1), log_evidence(30, 4));
+  EXPECT_NEAR(log_evidence(30, 1), (30 - 1 - std::log(30.0)) / 2, 1e-12);
 }
 
 }  // namespace
+}  // namespace fogcomp::fit

@@ -13,25 +13,26 @@
 #include "support/typical_effects.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
+namespace fogcomp::fit {
 namespace {
 
 using fog::test::truth;
-using fogcomp::Model;
+using model::Model;
 
 // A model of the same effects as the truth, coefficients unknown.
 Model unknown() {
   Model model = truth();
-  for (fogcomp::EffectTerm& term : model.terms) {
+  for (model::EffectTerm& term : model.terms) {
     term.coefficients_dph.clear();
     term.sigma_dph.clear();
   }
   return model;
 }
 
-fogcomp::Identification fit(Model& model, const fogcomp::Recording& recording) {
-  fogcomp::SignalSeries series(model);
-  series.add(fogcomp::make_blocks(recording));
-  return fogcomp::identify(model, series);
+Identification fit(Model& model, const recording::Recording& recording) {
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
+  return identify(model, series);
 }
 
 TEST(Identify, ReturnsTheTruthExactlyWithoutNoise) {
@@ -47,20 +48,20 @@ TEST(Identify, ReturnsTheTruthExactlyWithoutNoise) {
 // Across a gap anything may have happened.
 TEST(Identify, KeepsWhatTheRecordingsCoverOfTheirInputs) {
   Model model = unknown();
-  fogcomp::SignalSeries series(model);
-  fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
+  series::SignalSeries series(model);
+  recording::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
   auto& supply = recording[fog::Input::supply];
   supply.assign(recording.rows(), 5.25);
   std::fill(supply.begin() + 100, supply.end(), 5.0);
   supply.back() = 4.875;
-  series.add(fogcomp::make_blocks(recording));
+  series.add(series::make_blocks(recording));
   supply.clear();
-  series.add(fogcomp::make_blocks(recording));
+  series.add(series::make_blocks(recording));
   supply.assign(recording.rows(), 5.5);
   std::fill(supply.begin() + 100, supply.end(), 5.0);
   for (std::size_t row = 100; row < recording.rows(); ++row) recording.time_s[row] += 1000;
-  series.add(fogcomp::make_blocks(recording));
-  fogcomp::identify(model, series);
+  series.add(series::make_blocks(recording));
+  identify(model, series);
   const auto& range = model.input_ranges[extension_number(fog::Input::supply)];
   ASSERT_TRUE(range.has_value());
   EXPECT_EQ(range->range.least, 4.875);
@@ -70,7 +71,7 @@ TEST(Identify, KeepsWhatTheRecordingsCoverOfTheirInputs) {
 }
 
 TEST(Identify, IsNotMovedByOutliers) {
-  fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
+  recording::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
   Model clean = unknown();
   fit(clean, recording);
   for (std::size_t row = 50; row < recording.rows(); row += 200) recording.rate_dph[row] += 3;
@@ -89,23 +90,23 @@ TEST(Identify, TakesSeveralRecordingsTogether) {
   Model one = unknown();
   fit(one, fog::test::recording_of(truth(), {0.024, 0, 300}, 1));
   Model both = unknown();
-  fogcomp::SignalSeries series(both);
+  series::SignalSeries series(both);
   for (const std::uint64_t seed : {std::uint64_t{1}, std::uint64_t{2}}) {
-    series.add(fogcomp::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, seed)));
+    series.add(series::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, seed)));
   }
-  fogcomp::identify(both, series);
+  identify(both, series);
   // But for what slow noise may be in either.
   EXPECT_NEAR(both.terms[0].sigma_dph[0] / one.terms[0].sigma_dph[0], std::sqrt(0.5), 0.2);
 }
 
 TEST(Identify, LetsEveryRecordingHaveABiasOfItsOwn) {
   Model model = unknown();
-  fogcomp::SignalSeries series(model);
-  fogcomp::Recording second = fog::test::recording_of(truth(), {0.024, 0, 300}, 2);
+  series::SignalSeries series(model);
+  recording::Recording second = fog::test::recording_of(truth(), {0.024, 0, 300}, 2);
   for (double& rate : second.rate_dph) rate += 0.1;
-  series.add(fogcomp::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, 1)));
-  series.add(fogcomp::make_blocks(second));
-  const auto result = fogcomp::identify(model, series, {true});
+  series.add(series::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, 1)));
+  series.add(series::make_blocks(second));
+  const auto result = identify(model, series, {true});
   ASSERT_EQ(result.run_offsets_dph.size(), 1U);
   EXPECT_NEAR(result.run_offsets_dph[0], 0.1, 0.003);
   EXPECT_NEAR(model.terms[0].coefficients_dph[0], truth().terms[0].coefficients_dph[0],
@@ -117,10 +118,10 @@ TEST(Identify, LetsEveryRecordingHaveABiasOfItsOwn) {
 TEST(Identify, SaysInWordsWhichEffectsCannotBeToldApart) {
   Model model = unknown();
   // At one temperature a bias and a slope are one thing: give it almost nothing else.
-  fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
+  recording::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
   for (double& temperature : recording.temperature_degc)
     temperature = 50 + 0.01 * (temperature - 20);
-  model.terms = fogcomp::parse_effects("bias,bias_temperature:order=1");
+  model.terms = model::parse_effects("bias,bias_temperature:order=1");
   const auto result = fit(model, recording);
   ASSERT_EQ(result.warnings.size(), 1U);
   EXPECT_EQ(result.warnings[0],
@@ -130,9 +131,9 @@ TEST(Identify, SaysInWordsWhichEffectsCannotBeToldApart) {
 
 TEST(Identify, RefusesWhatTheDataCannotDetermine) {
   Model model = unknown();
-  fogcomp::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
+  recording::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
   for (double& temperature : recording.temperature_degc) temperature = 25;
-  EXPECT_THROW(fit(model, recording), fogcomp::InputError);
+  EXPECT_THROW(fit(model, recording), InputError);
 }
 
 // How far the coil is before or behind the sensor shows at the corners of ramps alone, where it is
@@ -160,9 +161,9 @@ TEST(Identify, FindsASecondRadiusOfHysteresisWhereAsked) {
   for (const char* effect :
        {"thermal_hysteresis:radius2=?", "thermal_hysteresis:radius=?[1,10],radius2=?[10,30]"}) {
     Model model = unknown();
-    model.terms = fogcomp::parse_effects(others + effect);
+    model.terms = model::parse_effects(others + effect);
     fit(model, recording);
-    const fogcomp::EffectTerm& term = model.terms.back();
+    const model::EffectTerm& term = model.terms.back();
     ASSERT_EQ(term.coefficients_dph.size(), 2U) << effect;
     EXPECT_NEAR(term.parameters[0], 4, 4 * term.parameter_sigma[0]) << effect;
     EXPECT_NEAR(term.parameters[1], 17, 4 * term.parameter_sigma[1]) << effect;
@@ -171,28 +172,27 @@ TEST(Identify, FindsASecondRadiusOfHysteresisWhereAsked) {
     EXPECT_NEAR(term.coefficients_dph[1], 0.09, 4 * term.sigma_dph[1]) << effect;
   }
   Model one = unknown();
-  one.terms = fogcomp::parse_effects(others + "thermal_hysteresis");
+  one.terms = model::parse_effects(others + "thermal_hysteresis");
   fit(one, recording);
   EXPECT_EQ(one.terms.back().coefficients_dph.size(), 1U);
 }
 
 // The ripple found in truth() with one of these shapes and sizes, by a fit with these effects.
-fogcomp::EffectTerm fitted_ripple(const std::vector<double>& shape,
-                                  const std::vector<double>& sizes,
-                                  const fog::test::RowNoise& noise, std::uint64_t seed,
-                                  const std::string& effects) {
+model::EffectTerm fitted_ripple(const std::vector<double>& shape, const std::vector<double>& sizes,
+                                const fog::test::RowNoise& noise, std::uint64_t seed,
+                                const std::string& effects) {
   Model real = truth();
   real.terms.push_back(fog::test::natural_term("polarization_ripple", shape, sizes));
   const auto recording = fog::test::recording_of(real, noise, seed);
   Model model = unknown();
-  model.terms = fogcomp::parse_effects(effects);
+  model.terms = model::parse_effects(effects);
   fit(model, recording);
   return model.terms.back();
 }
 
 // The first search of one period alone settles on either.
 TEST(Identify, FindsASecondPeriodOfTheRippleWhereAsked) {
-  const fogcomp::EffectTerm term =
+  const model::EffectTerm term =
       fitted_ripple({9, 31}, {0.006, 0.004, 0.02, -0.02}, {0.024, 0.003, 300}, 2,
                     "bias,bias_temperature:order=3,temperature_rate,polarization_ripple:period2=?");
   ASSERT_EQ(term.coefficients_dph.size(), 4U);
@@ -202,13 +202,13 @@ TEST(Identify, FindsASecondPeriodOfTheRippleWhereAsked) {
 }
 
 TEST(Identify, FindsTheChirpOfTheRippleWhereAsked) {
-  const fogcomp::EffectTerm term =
+  const model::EffectTerm term =
       fitted_ripple({13, 0, 0.05}, {0.02, 0.01}, {0.024, 0.003, 300}, 3,
                     "bias,bias_temperature:order=3,temperature_rate,polarization_ripple:chirp=?");
   EXPECT_NEAR(term.parameters[0], 13, 4 * term.parameter_sigma[0]);
   EXPECT_NEAR(term.parameters[2], 0.05, 4 * term.parameter_sigma[2]);
   EXPECT_LT(term.parameter_sigma[2], 0.01);
-  EXPECT_EQ(fogcomp::parse_effects("polarization_ripple")[0].identified,
+  EXPECT_EQ(model::parse_effects("polarization_ripple")[0].identified,
             (std::vector<bool>{true, false, false}));
 }
 
@@ -217,7 +217,7 @@ TEST(Identify, FindsTheChirpOfTheRippleWhereAsked) {
 TEST(Identify, FindsAWeakSecondPeriodBesideAStrongOneWhereverTheyAre) {
   constexpr double kStrongAndWeak[][2] = {{31, 19}, {46, 11}};
   for (const auto& [strong, weak] : kStrongAndWeak) {
-    const fogcomp::EffectTerm term = fitted_ripple(
+    const model::EffectTerm term = fitted_ripple(
         {strong, weak}, {-0.008, 0.029, 0.003, 0.0035}, {0.024, 0.002, 300}, 1,
         "bias,bias_temperature:order=2,temperature_rate,warm_up,polarization_ripple:period2=?");
     EXPECT_NEAR(term.parameters[0], weak, 0.07 * weak) << strong;
@@ -226,15 +226,14 @@ TEST(Identify, FindsAWeakSecondPeriodBesideAStrongOneWhereverTheyAre) {
 }
 
 TEST(EffectList, KeepsWhatIsGivenAndLeavesTheRestToTheFit) {
-  const auto terms = fogcomp::parse_effects("bias,bias_temperature:order=3,temperature_rate");
+  const auto terms = model::parse_effects("bias,bias_temperature:order=3,temperature_rate");
   ASSERT_EQ(terms.size(), 3U);
   EXPECT_EQ(terms[1].parameters, std::vector<double>{3});
   EXPECT_FALSE(terms[1].identified[0]);
 }
 
 TEST(EffectList, TakesAQuestionMarkAndItsBounds) {
-  const auto terms =
-      fogcomp::parse_effects("bias,thermal_hysteresis:radius=7,radius2=?[5,20],shupe");
+  const auto terms = model::parse_effects("bias,thermal_hysteresis:radius=7,radius2=?[5,20],shupe");
   ASSERT_EQ(terms.size(), 3U);
   EXPECT_FALSE(terms[1].identified[0]);
   EXPECT_TRUE(terms[1].identified[1]);
@@ -245,8 +244,9 @@ TEST(EffectList, TakesAQuestionMarkAndItsBounds) {
   for (const char* wrong :
        {"bias_temperature:order=?", "shupe:tau=?[1,30]", "shupe:tau=?[30,20]", "shupe:tau=?[30]",
         "shupe:tau=?30", "bias_step:at=?[1,2]", "shupe:tau=[1,2]"}) {
-    EXPECT_THROW(fogcomp::parse_effects(wrong), fogcomp::InputError) << wrong;
+    EXPECT_THROW(model::parse_effects(wrong), InputError) << wrong;
   }
 }
 
 }  // namespace
+}  // namespace fogcomp::fit

@@ -9,10 +9,10 @@ namespace fog::test {
 
 /// One recording of so many rows whose temperature is `temperature_degc`(row); its rate in each row
 /// is that to the row before. No drift, full weight.
-inline fogcomp::Rows made_rows(std::size_t count,
-                               const std::function<double(double)>& temperature_degc,
-                               double row_s = 10) {
-  fogcomp::Rows rows;
+inline fogcomp::series::Rows made_rows(std::size_t count,
+                                       const std::function<double(double)>& temperature_degc,
+                                       double row_s = 10) {
+  fogcomp::series::Rows rows;
   rows.row_s = row_s;
   rows.drift_dph = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count));
   rows.weights = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(count));
@@ -20,7 +20,7 @@ inline fogcomp::Rows made_rows(std::size_t count,
   for (std::size_t i = 0; i < count; ++i) {
     const auto row = static_cast<double>(i);
     rows.time_s.push_back(row_s * row);
-    fog::Signals<fogcomp::RealNumbers> signals;
+    fog::Signals<fogcomp::model::RealNumbers> signals;
     signals.temperature = temperature_degc(row);
     signals.temperature_rate =
         i == 0 ? 0 : (temperature_degc(row) - temperature_degc(row - 1)) * 60 / row_s;
@@ -32,7 +32,7 @@ inline fogcomp::Rows made_rows(std::size_t count,
 }
 
 /// A soak of `soak` rows, a ramp of `ramp` rows at 1 degC/min, a soak as long as the first.
-inline fogcomp::Rows soak_ramp_soak(std::size_t soak, std::size_t ramp, double row_s = 10) {
+inline fogcomp::series::Rows soak_ramp_soak(std::size_t soak, std::size_t ramp, double row_s = 10) {
   return made_rows(
       2 * soak + ramp,
       [=](double row) {

@@ -8,9 +8,10 @@
 namespace fog::test {
 
 /// Rows of a smooth surface over two inputs within the unit square, with uniform noise.
-inline fogcomp::NetworkTask smooth_task(Eigen::Index rows, double noise_dph, std::uint64_t seed) {
-  fogcomp::Uniform uniform(seed);
-  fogcomp::NetworkTask task;
+inline fogcomp::fit::NetworkTask smooth_task(Eigen::Index rows, double noise_dph,
+                                             std::uint64_t seed) {
+  fogcomp::fit::Uniform uniform(seed);
+  fogcomp::fit::NetworkTask task;
   task.inputs.resize(rows, 2);
   task.target_dph.resize(rows);
   task.weights.setOnes(rows);

@@ -7,6 +7,7 @@
 #include "support/input_error.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
+namespace fogcomp::fit {
 namespace {
 
 using fog::test::model_of;
@@ -19,31 +20,31 @@ constexpr RowNoise kWhite{0.024, 0, 300};
 // A gyro with the effects of truth(), in rows of 10 s.
 class Gyro {
  public:
-  explicit Gyro(const RowNoise& noise, const std::function<void(fogcomp::Recording&)>& spoil = {})
+  explicit Gyro(const RowNoise& noise, const std::function<void(recording::Recording&)>& spoil = {})
       : series_(model_) {
-    fogcomp::Recording recording = recording_of(model_, noise, 1);
+    recording::Recording recording = recording_of(model_, noise, 1);
     if (spoil) spoil(recording);
-    series_.add(fogcomp::make_blocks(recording));
+    series_.add(series::make_blocks(recording));
   }
-  const fogcomp::SignalSeries& series() const { return series_; }
+  const series::SignalSeries& series() const { return series_; }
   Eigen::MatrixXd no_nuisance() const { return {series_.rows().size(), 0}; }
   Eigen::VectorXd all() const { return Eigen::VectorXd::Ones(series_.rows().size()); }
   // Largest error of a coefficient, in deg/h of its regressor.
-  double error_of(const fogcomp::NoiseWeightedFit& fit) const {
+  double error_of(const NoiseWeightedFit& fit) const {
     double worst = 0;
     Eigen::Index column = 0;
-    for (const fogcomp::EffectTerm& term : model_.terms) {
+    for (const model::EffectTerm& term : model_.terms) {
       for (const double value : term.coefficients_dph) {
         worst = std::max(worst, std::abs(fit.coefficients[column++] - value));
       }
     }
     return worst;
   }
-  const fogcomp::Model& model() const { return model_; }
+  const model::Model& model() const { return model_; }
 
  private:
-  fogcomp::Model model_ = truth();
-  fogcomp::SignalSeries series_;
+  model::Model model_ = truth();
+  series::SignalSeries series_;
 };
 
 TEST(NoiseWeightedFit, IsExactWithoutNoise) {
@@ -51,7 +52,7 @@ TEST(NoiseWeightedFit, IsExactWithoutNoise) {
   const auto fit = fit_rows(gyro.series(), gyro.model().terms, gyro.no_nuisance());
   EXPECT_LT(gyro.error_of(fit), 1e-6);
   EXPECT_LT(fit.residual_dph.cwiseAbs().maxCoeff(), 1e-6);
-  EXPECT_TRUE(fogcomp::is_determined(fit));
+  EXPECT_TRUE(is_determined(fit));
 }
 
 TEST(NoiseWeightedFit, LeavesWhitenedRowsOfVarianceOne) {
@@ -63,7 +64,7 @@ TEST(NoiseWeightedFit, LeavesWhitenedRowsOfVarianceOne) {
 
 TEST(NoiseWeightedFit, IsHardlyMovedByRowsFarOffWhichItCounts) {
   constexpr std::size_t kWild = 36;
-  const Gyro gyro(kWhite, [](fogcomp::Recording& recording) {
+  const Gyro gyro(kWhite, [](recording::Recording& recording) {
     for (std::size_t i = 0; i < kWild; ++i) recording.rate_dph[200 + 77 * i] += 5;
   });
   const auto fit = fit_rows(gyro.series(), gyro.model().terms, gyro.no_nuisance());
@@ -75,7 +76,7 @@ TEST(NoiseWeightedFit, IsHardlyMovedByRowsFarOffWhichItCounts) {
 
 TEST(NoiseWeightedFit, DoesNotLookAtRowsThatAreLeftOut) {
   const Gyro clean(kWhite);
-  const Gyro spoilt(kWhite, [](fogcomp::Recording& recording) {
+  const Gyro spoilt(kWhite, [](recording::Recording& recording) {
     for (std::size_t i = 500; i < 600; ++i) recording.rate_dph[i] = 1e4;
   });
   Eigen::VectorXd kept = clean.all();
@@ -91,38 +92,39 @@ TEST(NoiseWeightedFit, DoesNotLookAtRowsThatAreLeftOut) {
 
 TEST(NoiseWeightedFit, SaysWhatTheRowsCannotTellApart) {
   const Gyro gyro(kWhite);
-  const auto terms = fogcomp::parse_effects("bias,temperature_rate");
+  const auto terms = model::parse_effects("bias,temperature_rate");
   const Eigen::MatrixXd constant = Eigen::MatrixXd::Ones(gyro.series().rows().size(), 1);
   const auto fit = fit_rows(gyro.series(), terms, constant);
   EXPECT_EQ(fit.linear(), 3);
-  EXPECT_FALSE(fogcomp::is_determined(fit));
+  EXPECT_FALSE(is_determined(fit));
   EXPECT_TRUE(fit.residual_dph.allFinite());
-  EXPECT_THROW(fit_determined(gyro.series(), terms, constant, gyro.all()), fogcomp::InputError);
+  EXPECT_THROW(fit_determined(gyro.series(), terms, constant, gyro.all()), InputError);
 }
 
 TEST(NoiseWeightedFit, RefusesFewerRowsThanUnknowns) {
-  const fogcomp::Model model = truth();
-  fogcomp::Recording recording = recording_of(model, kWhite, 1);
+  const model::Model model = truth();
+  recording::Recording recording = recording_of(model, kWhite, 1);
   for (auto* column : {&recording.time_s, &recording.temperature_degc, &recording.rate_dph}) {
     column->resize(6);
   }
-  fogcomp::SignalSeries series(model);
-  series.add(fogcomp::make_blocks(recording));
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
   const Eigen::Index rows = series.rows().size();
-  EXPECT_THROW(fit_determined(series, fogcomp::parse_effects("bias,bias_temperature:order=9"),
+  EXPECT_THROW(fit_determined(series, model::parse_effects("bias,bias_temperature:order=9"),
                               Eigen::MatrixXd(rows, 0), Eigen::VectorXd::Ones(rows)),
-               fogcomp::InputError);
+               InputError);
 }
 
 TEST(RunOffsets, AreOnesInEveryRecordingButTheFirst) {
-  fogcomp::Rows rows;
+  series::Rows rows;
   rows.drift_dph = Eigen::VectorXd::Zero(6);
   rows.run_starts = {0, 2, 5};
   Eigen::MatrixXd expected(6, 2);
   expected << 0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1;
-  EXPECT_EQ(fogcomp::run_offset_columns(rows), expected);
-  EXPECT_EQ(fogcomp::run_offset_columns(rows, false).cols(), 0);
-  EXPECT_EQ(fogcomp::step_column(rows, 3), (Eigen::VectorXd(6) << 0, 0, 0, 1, 1, 0).finished());
+  EXPECT_EQ(run_offset_columns(rows), expected);
+  EXPECT_EQ(run_offset_columns(rows, false).cols(), 0);
+  EXPECT_EQ(step_column(rows, 3), (Eigen::VectorXd(6) << 0, 0, 0, 1, 1, 0).finished());
 }
 
 }  // namespace
+}  // namespace fogcomp::fit

@@ -9,12 +9,12 @@
 #include "model/effect_list.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
 // A gradient of exactly K d(T - Tc)/dt, or the rate of Tc, in rows of 10 s from steps of 1 s.
-Recording coil_behind(double tau_s, bool gradient) {
-  Recording recording = fog::test::recording_of(fog::test::truth(), {}, 1);
+recording::Recording coil_behind(double tau_s, bool gradient) {
+  recording::Recording recording = fog::test::recording_of(fog::test::truth(), {}, 1);
   constexpr int kSteps = 10;
   constexpr double kPerMinute = 60;
   std::mt19937_64 random(1);
@@ -36,9 +36,9 @@ Recording coil_behind(double tau_s, bool gradient) {
 }
 
 double lag_of(const char* effect, double tau_s, bool gradient) {
-  std::vector<RunInBlocks> runs{run_in_blocks(coil_behind(tau_s, gradient), 10)};
-  Model model = fog::test::model_of(parse_effects(std::string("bias,") + effect));
-  SignalSeries series(model);
+  std::vector<compare::RunInBlocks> runs{compare::run_in_blocks(coil_behind(tau_s, gradient), 10)};
+  model::Model model = fog::test::model_of(model::parse_effects(std::string("bias,") + effect));
+  series::SignalSeries series(model);
   series.add(runs[0].blocks);
   identify(model, series);
   const std::vector<PhysicalLag> lags = physical_lags(model, runs, false);
@@ -53,11 +53,11 @@ TEST(PhysicalLags, AreThoseOfTheCoilAndNotOfTheBoardsDerivative) {
 }
 
 TEST(PhysicalLags, AreNoneWhereNoLagIsIdentified) {
-  const std::vector<RunInBlocks> runs{run_in_blocks(coil_behind(300, true), 10)};
-  EXPECT_TRUE(
-      physical_lags(fog::test::model_of(parse_effects("bias,shupe:tau=60,warm_up")), runs, false)
-          .empty());
+  const std::vector<compare::RunInBlocks> runs{compare::run_in_blocks(coil_behind(300, true), 10)};
+  EXPECT_TRUE(physical_lags(fog::test::model_of(model::parse_effects("bias,shupe:tau=60,warm_up")),
+                            runs, false)
+                  .empty());
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

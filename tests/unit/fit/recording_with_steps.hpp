@@ -12,8 +12,8 @@ namespace fog::test {
 constexpr double kWhiteDph = 0.024;
 
 // White noise, and flicker noise as components an octave and a half apart.
-inline fogcomp::Recording noisy_recording(std::uint64_t seed) {
-  fogcomp::Recording recording = recording_of(truth(), {kWhiteDph, 0, 300}, seed);
+inline fogcomp::recording::Recording noisy_recording(std::uint64_t seed) {
+  fogcomp::recording::Recording recording = recording_of(truth(), {kWhiteDph, 0, 300}, seed);
   std::mt19937_64 random(seed + 1000);
   std::normal_distribution<double> normal;
   for (double tau_s = 30; tau_s < 20000; tau_s *= 3) {
@@ -27,24 +27,24 @@ inline fogcomp::Recording noisy_recording(std::uint64_t seed) {
   return recording;
 }
 
-inline void add_step(fogcomp::Recording& recording, double at_s, double size_dph) {
+inline void add_step(fogcomp::recording::Recording& recording, double at_s, double size_dph) {
   for (std::size_t i = 0; i < recording.rows(); ++i) {
     if (recording.time_s[i] >= at_s) recording.rate_dph[i] += size_dph;
   }
 }
 
 struct FittedSteps {
-  fogcomp::Model model;
-  fogcomp::Identification identified;
+  fogcomp::model::Model model;
+  fogcomp::fit::Identification identified;
 };
 
-inline FittedSteps fit(const std::vector<fogcomp::Recording>& recordings,
+inline FittedSteps fit(const std::vector<fogcomp::recording::Recording>& recordings,
                        const std::string& effects) {
   FittedSteps result{truth(), {}};
-  result.model.terms = fogcomp::parse_effects(effects);
-  fogcomp::SignalSeries series(result.model);
-  for (const auto& recording : recordings) series.add(fogcomp::make_blocks(recording));
-  result.identified = fogcomp::identify(result.model, series);
+  result.model.terms = fogcomp::model::parse_effects(effects);
+  fogcomp::series::SignalSeries series(result.model);
+  for (const auto& recording : recordings) series.add(fogcomp::series::make_blocks(recording));
+  result.identified = fogcomp::fit::identify(result.model, series);
   return result;
 }
 

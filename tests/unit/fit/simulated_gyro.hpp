@@ -10,15 +10,15 @@
 namespace fog::test {
 
 /// These effects, no network, the gyro's averaging and calibration as the paper-like model's.
-inline fogcomp::Model model_of(const std::vector<fogcomp::EffectTerm>& terms) {
-  fogcomp::Model model = paper_like_model();
+inline fogcomp::model::Model model_of(const std::vector<fogcomp::model::EffectTerm>& terms) {
+  fogcomp::model::Model model = paper_like_model();
   model.network = {};
   model.terms = terms;
   return model;
 }
 
 /// The effects of the paper-like model, without its network.
-inline fogcomp::Model truth() {
+inline fogcomp::model::Model truth() {
   return model_of(paper_like_model().terms);
 }
 
@@ -32,8 +32,8 @@ constexpr RowNoise kQuietNoise{0.024, 0.004, 600};
 
 /// A recording of 10 s rows: soaks and ramps between -40 and 60 degC (ten hours), whose drift is
 /// exactly that of `truth`, plus noise.
-inline fogcomp::Recording recording_of(const fogcomp::Model& truth, const RowNoise& noise,
-                                       std::uint64_t seed) {
+inline fogcomp::recording::Recording recording_of(const fogcomp::model::Model& truth,
+                                                  const RowNoise& noise, std::uint64_t seed) {
   constexpr double kRow = 10;
   std::vector<double> temperature{20};
   const auto soak = [&](int rows) {
@@ -54,18 +54,18 @@ inline fogcomp::Recording recording_of(const fogcomp::Model& truth, const RowNoi
   ramp_to(20, 0.5);
   soak(360);
 
-  fogcomp::Recording recording;
+  fogcomp::recording::Recording recording;
   recording.file = "simulated";
   recording.period_s = kRow;
   recording.stretch_starts = {0};
-  fogcomp::RealDriftModel drift(truth, kRow);
+  fogcomp::model::RealDriftModel drift(truth, kRow);
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   const double decay = std::exp(-kRow / noise.slow_tau_s);
   double slow = noise.slow_dph * normal(random);
   // The board's order: a row's own means count from the next row on.
   const auto means = [&](std::size_t row, double blocks_since_power_on) {
-    fogcomp::RealBlock block;
+    fogcomp::model::RealBlock block;
     block.temperature = temperature[row];
     block.elapsed = blocks_since_power_on;
     return block;
@@ -82,7 +82,8 @@ inline fogcomp::Recording recording_of(const fogcomp::Model& truth, const RowNoi
 }
 
 /// Every `step`-th row: a recording as long, in longer rows, for less work.
-inline fogcomp::Recording thinned(fogcomp::Recording recording, std::size_t step) {
+inline fogcomp::recording::Recording thinned(fogcomp::recording::Recording recording,
+                                             std::size_t step) {
   for (auto* column : {&recording.time_s, &recording.temperature_degc, &recording.rate_dph}) {
     std::size_t kept = 0;
     for (std::size_t row = 0; row < column->size(); row += step) (*column)[kept++] = (*column)[row];

@@ -4,26 +4,25 @@
 
 #include "unit/fit/recording_with_steps.hpp"
 
+namespace fogcomp::fit {
 namespace {
 
-using fogcomp::FitWithSteps;
-
 FitWithSteps searched(
-    const fogcomp::Recording& recording,
+    const recording::Recording& recording,
     const std::string& effects = "bias,bias_temperature:order=3,temperature_rate") {
-  const fogcomp::Model model = fog::test::truth();
-  fogcomp::SignalSeries series(model);
-  series.add(fogcomp::make_blocks(recording));
-  return fit_with_steps(series, fogcomp::parse_effects(effects),
+  const model::Model model = fog::test::truth();
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
+  return fit_with_steps(series, model::parse_effects(effects),
                         Eigen::MatrixXd(series.rows().size(), 0), {});
 }
 
 TEST(StepSearch, FindsAStepWithItsTimeAndSize) {
-  fogcomp::Recording recording = fog::test::noisy_recording(2);
+  recording::Recording recording = fog::test::noisy_recording(2);
   fog::test::add_step(recording, 20000, 0.2);
   const FitWithSteps result = searched(recording);
   ASSERT_EQ(result.steps.size(), 1U);
-  const fogcomp::ChangePoint& step = result.steps[0];
+  const noise::ChangePoint& step = result.steps[0];
   EXPECT_NEAR(step.time_s, 20000, 30);
   EXPECT_NEAR(step.size_dph, 0.2, 4 * step.size_sigma_dph);
   EXPECT_LE(step.first, step.row);
@@ -37,7 +36,7 @@ TEST(StepSearch, FindsAStepWithItsTimeAndSize) {
 
 // Drift over hours that no effect of the model describes.
 TEST(StepSearch, TakesSlowDriftForNoStep) {
-  fogcomp::Recording recording = fog::test::noisy_recording(3);
+  recording::Recording recording = fog::test::noisy_recording(3);
   for (std::size_t i = 0; i < recording.rows(); ++i) {
     recording.rate_dph[i] += 0.2 * std::sin(recording.time_s[i] / 6000);
   }
@@ -45,7 +44,7 @@ TEST(StepSearch, TakesSlowDriftForNoStep) {
 }
 
 TEST(StepSearch, StopsAtEight) {
-  fogcomp::Recording recording = fog::test::noisy_recording(4);
+  recording::Recording recording = fog::test::noisy_recording(4);
   for (int i = 1; i <= 12; ++i) fog::test::add_step(recording, 2700 * i, i % 2 == 0 ? 0.5 : -0.5);
   const std::size_t found = searched(recording).steps.size();
   EXPECT_LE(found, 8U);
@@ -53,3 +52,4 @@ TEST(StepSearch, StopsAtEight) {
 }
 
 }  // namespace
+}  // namespace fogcomp::fit

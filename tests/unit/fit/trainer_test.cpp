@@ -7,16 +7,13 @@
 #include "support/input_error.hpp"
 #include "unit/fit/network_data.hpp"
 
+namespace fogcomp::fit {
 namespace {
-
-using fogcomp::NetworkSettings;
-using fogcomp::NetworkTask;
-using fogcomp::TrainedNetwork;
 
 NetworkSettings settings_for(const std::string& trainer) {
   NetworkSettings settings;
   settings.hidden = 6;
-  settings.scaling = fogcomp::TargetScaling::min_max;
+  settings.scaling = TargetScaling::min_max;
   settings.trainer = trainer;
   settings.training.epochs = 2000;
   settings.training.iterations = 60;
@@ -83,7 +80,7 @@ TEST_P(EveryTrainer, StopsWhereTheHeldOutRunIsPredictedBest) {
   EXPECT_LE(stopped, most) << "held-out rms, against " << alone;
 }
 
-INSTANTIATE_TEST_SUITE_P(Training, EveryTrainer, testing::ValuesIn(fogcomp::trainer_names()),
+INSTANTIATE_TEST_SUITE_P(Training, EveryTrainer, testing::ValuesIn(trainer_names()),
                          [](const auto& each) {
                            std::string name = each.param;
                            name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
@@ -113,10 +110,10 @@ TEST(Trainers, SwarmAndPopulationStartBackpropagationFromABetterPlace) {
 
 TEST(LevenbergMarquardt, LearnsNextToNothingFromNoise) {
   NetworkTask task = fog::test::smooth_task(2000, 0, 1);
-  fogcomp::Uniform uniform(5);
+  Uniform uniform(5);
   for (double& value : task.target_dph) value = uniform.within(1);
   NetworkSettings settings = settings_for("lm");
-  settings.scaling = fogcomp::TargetScaling::about_zero;
+  settings.scaling = TargetScaling::about_zero;
   const TrainedNetwork network = train_network(task, settings);
   ASSERT_TRUE(network.result.effective_parameters.has_value());
   EXPECT_LT(*network.result.effective_parameters, 10);
@@ -124,7 +121,8 @@ TEST(LevenbergMarquardt, LearnsNextToNothingFromNoise) {
 }
 
 TEST(Trainers, UnknownNameIsRefused) {
-  EXPECT_THROW(fogcomp::find_trainer("adam"), fogcomp::InputError);
+  EXPECT_THROW(find_trainer("adam"), InputError);
 }
 
 }  // namespace
+}  // namespace fogcomp::fit

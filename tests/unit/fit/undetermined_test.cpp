@@ -10,20 +10,21 @@
 #include "support/input_error.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
-namespace fogcomp {
+namespace fogcomp::fit {
 namespace {
 
-using Change = std::function<void(Recording&)>;
+using Change = std::function<void(recording::Recording&)>;
 
 // What a fit of these effects to a changed recording of the sample gyro says; "" where it succeeds.
 std::string refusal(const std::string& effects, const std::string& expression = "",
                     const Change& change = {}) {
-  Recording recording = fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  recording::Recording recording =
+      fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
   if (change) change(recording);
-  Model model = fog::test::model_of(parse_effects(effects));
-  if (!expression.empty()) add_expression(model.terms, expression);
-  SignalSeries series(model);
-  series.add(make_blocks(recording));
+  model::Model model = fog::test::model_of(model::parse_effects(effects));
+  if (!expression.empty()) model::add_expression(model.terms, expression);
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
   try {
     identify(model, series);
   } catch (const InputError& error) {
@@ -32,11 +33,11 @@ std::string refusal(const std::string& effects, const std::string& expression = 
   return "";
 }
 
-void since_1970(Recording& recording) {
+void since_1970(recording::Recording& recording) {
   for (double& time_s : recording.time_s) time_s += 1.7e9;
 }
 
-void at_rest(Recording& recording) {
+void at_rest(recording::Recording& recording) {
   for (double& degc : recording.temperature_degc) degc = 20;
 }
 
@@ -74,4 +75,4 @@ TEST(Undetermined, ASearchForStepsEndsWhereAStepLeavesAShapeUndetermined) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::fit

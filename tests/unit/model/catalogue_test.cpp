@@ -8,7 +8,7 @@
 #include "model/drift_model.hpp"
 #include "support/typical_effects.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 namespace {
 
 // What host and tests take from the header of an effect, where only it can be wrong.
@@ -81,4 +81,4 @@ TEST(TermInfo, AnExpressionsParameterIsSearchedAsItsFormulaAndBoundsSay) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::model

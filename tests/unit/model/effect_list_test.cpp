@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fogcomp {
+namespace fogcomp::model {
 namespace {
 
 TEST(EffectList, BlanksMeanNothing) {
@@ -19,4 +19,4 @@ TEST(EffectList, BlanksMeanNothing) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -12,13 +12,12 @@
 #include "support/sample_models.hpp"
 #include "support/typical_effects.hpp"
 
+namespace fogcomp::model {
 namespace {
-
-using fogcomp::InputError;
 
 std::string error_of(const std::string& text) {
   try {
-    fogcomp::parse_model(text, "gyro.model");
+    parse_model(text, "gyro.model");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -26,30 +25,30 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(ModelFile, ReadsBackToTheSameBits) {
-  const std::string text = fogcomp::model_text(fog::test::paper_like_model());
-  EXPECT_EQ(fogcomp::model_text(fogcomp::parse_model(text, "gyro.model")), text);
+  const std::string text = model_text(fog::test::paper_like_model());
+  EXPECT_EQ(model_text(parse_model(text, "gyro.model")), text);
 }
 
 // A file from before ranges of rate and time, noise floors and holdouts were kept.
 TEST(ModelFile, ReadsAFileWithoutTheLaterEntries) {
-  fogcomp::Model model = fog::test::paper_like_model();
-  const std::string old = fogcomp::model_text(model);
+  Model model = fog::test::paper_like_model();
+  const std::string old = model_text(model);
   EXPECT_EQ(old.find("range_s"), std::string::npos);
   EXPECT_EQ(old.find("history_"), std::string::npos);
-  const fogcomp::Model read = fogcomp::parse_model(old, "old.model");
+  const Model read = parse_model(old, "old.model");
   EXPECT_FALSE(read.rate_range_degc_per_min.has_value());
   EXPECT_FALSE(read.history[0].excess_removed().has_value());
 }
 
 TEST(ModelFile, KeepsTheWholeHistory) {
-  fogcomp::Model model = fog::test::paper_like_model();
-  model.rate_range_degc_per_min = fogcomp::Range{-0.7, 0.9};
-  model.time_range_s = fogcomp::Range{5, 36005};
+  Model model = fog::test::paper_like_model();
+  model.rate_range_degc_per_min = Range{-0.7, 0.9};
+  model.time_range_s = Range{5, 36005};
   model.history.push_back({"add thermal_lag:tau=300", 0xFFFFFFFF, 0.024, 0.0205, 0.02,
-                           fogcomp::HistoryEntry::Holdout{0.027, 0.026}, true});
-  const std::string text = fogcomp::model_text(model);
-  const fogcomp::Model read = fogcomp::parse_model(text, "gyro.model");
-  EXPECT_EQ(fogcomp::model_text(read), text);
+                           HistoryEntry::Holdout{0.027, 0.026}, true});
+  const std::string text = model_text(model);
+  const Model read = parse_model(text, "gyro.model");
+  EXPECT_EQ(model_text(read), text);
   EXPECT_EQ(read.rate_range_degc_per_min->most, 0.9);
   EXPECT_EQ(read.time_range_s->least, 5);
   ASSERT_EQ(read.history.size(), 2U);
@@ -62,55 +61,53 @@ TEST(ModelFile, KeepsTheWholeHistory) {
 }
 
 TEST(ModelFile, KeepsTheLimitsOfTheGyro) {
-  fogcomp::Model model = fog::test::paper_like_model();
+  Model model = fog::test::paper_like_model();
   model.limits = {200, 2500};
-  const std::string text = fogcomp::model_text(model);
-  const fogcomp::Model read = fogcomp::parse_model(text, "gyro.model");
-  EXPECT_EQ(fogcomp::model_text(read), text);
+  const std::string text = model_text(model);
+  const Model read = parse_model(text, "gyro.model");
+  EXPECT_EQ(model_text(read), text);
   EXPECT_EQ(read.limits.range_dps, 200);
   EXPECT_EQ(read.limits.max_acceleration_dps2, 2500);
 }
 
 TEST(ModelFile, KeepsWhatTrainingCoveredOfAnInput) {
-  fogcomp::Model model = fog::test::paper_like_model();
-  model.input_ranges[extension_number(fog::Input::supply)] =
-      fogcomp::InputRange{{4.75, 5.25}, 0.0625};
-  const std::string text = fogcomp::model_text(model);
+  Model model = fog::test::paper_like_model();
+  model.input_ranges[extension_number(fog::Input::supply)] = InputRange{{4.75, 5.25}, 0.0625};
+  const std::string text = model_text(model);
   EXPECT_NE(text.find("\ninput_range supply 4.75 5.25 0.0625\n"), std::string::npos);
-  const fogcomp::Model read = fogcomp::parse_model(text, "gyro.model");
-  EXPECT_EQ(fogcomp::model_text(read), text);
+  const Model read = parse_model(text, "gyro.model");
+  EXPECT_EQ(model_text(read), text);
   EXPECT_FALSE(read.input_ranges[0].has_value());
 }
 
 TEST(ModelFile, KeepsEveryInputThatANetworkCanHave) {
-  fogcomp::Model model = fog::test::paper_like_model();
+  Model model = fog::test::paper_like_model();
   model.network = fog::test::network_of({{fog::NetworkInput::lagged_temperature, 10, 51, 300},
                                          {fog::NetworkInput::elapsed, 30000, 30000, 0},
                                          {fog::NetworkInput::input_rate, 8.5, 10, 0}});
-  const std::string text = fogcomp::model_text(model);
-  EXPECT_EQ(fogcomp::model_text(fogcomp::parse_model(text, "gyro.model")), text);
-  EXPECT_EQ(fogcomp::parse_model(text, "gyro.model").network.inputs[0].tau_s, 300);
+  const std::string text = model_text(model);
+  EXPECT_EQ(model_text(parse_model(text, "gyro.model")), text);
+  EXPECT_EQ(parse_model(text, "gyro.model").network.inputs[0].tau_s, 300);
 }
 
 TEST(ModelFile, KeepsExpressions) {
-  fogcomp::Model model = fog::test::paper_like_model();
+  Model model = fog::test::paper_like_model();
   model.terms.push_back(fog::test::written_term("late = lag(T, ?tau[60, 900]) -  T2 * exp(-t/7)"));
-  const std::string text = fogcomp::model_text(model);
-  const fogcomp::Model read = fogcomp::parse_model(text, "gyro.model");
-  EXPECT_EQ(fogcomp::model_text(read), text);
+  const std::string text = model_text(model);
+  const Model read = parse_model(text, "gyro.model");
+  EXPECT_EQ(model_text(read), text);
   EXPECT_EQ(read.terms.back().expression->ranges[4].most, 110);
   EXPECT_EQ(read.terms.back().expression->scale_log2, model.terms.back().expression->scale_log2);
 }
 
 TEST(ModelFile, RefusesAScaleThatNoNumberHas) {
-  fogcomp::Model model = fog::test::expressions_model();
+  Model model = fog::test::expressions_model();
   model.terms.back().expression->scale_log2 = 1 << 30;
-  EXPECT_NE(error_of(fogcomp::model_text(model)).find("whole number is out of range"),
-            std::string::npos);
+  EXPECT_NE(error_of(model_text(model)).find("whole number is out of range"), std::string::npos);
 }
 
 TEST(ModelFile, RefusesEveryDamagedByte) {
-  const std::string good = fogcomp::model_text(fog::test::paper_like_model());
+  const std::string good = model_text(fog::test::paper_like_model());
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::string damaged = good;
     damaged[i] = static_cast<char>(damaged[i] ^ 1);
@@ -122,27 +119,25 @@ TEST(ModelFile, RefusesEveryDamagedByte) {
 }
 
 TEST(ModelFile, RefusesANetworkWithoutOneOfItsParts) {
-  const fogcomp::Model whole = fog::test::paper_like_model();
-  fogcomp::Model model = whole;
+  const Model whole = fog::test::paper_like_model();
+  Model model = whole;
   model.network.inputs.clear();
-  EXPECT_NE(error_of(fogcomp::model_text(model)).find("part of the network is missing"),
-            std::string::npos);
+  EXPECT_NE(error_of(model_text(model)).find("part of the network is missing"), std::string::npos);
   model = whole;
   model.network.output = {};
-  EXPECT_NE(error_of(fogcomp::model_text(model)).find("part of the network is missing"),
-            std::string::npos);
+  EXPECT_NE(error_of(model_text(model)).find("part of the network is missing"), std::string::npos);
 }
 
 // The CRC is right in all of these: somebody wrote them so.
 TEST(ModelFile, RefusesValuesThatNoFitGives) {
   struct Case {
     const char* what;
-    std::function<void(fogcomp::Model&)> change;
+    std::function<void(Model&)> change;
     const char* said;
   };
-  const auto term = [](fogcomp::Model& model, const std::string& name) -> fogcomp::EffectTerm& {
-    model.terms = fogcomp::parse_effects(name);
-    const std::size_t count = fogcomp::make_effect(model.terms[0], 1)->regressor_count();
+  const auto term = [](Model& model, const std::string& name) -> EffectTerm& {
+    model.terms = parse_effects(name);
+    const std::size_t count = make_effect(model.terms[0], 1)->regressor_count();
     model.terms[0].coefficients_dph.assign(count, 0.1);
     model.terms[0].sigma_dph.assign(count, 0.01);
     return model.terms[0];
@@ -166,24 +161,23 @@ TEST(ModelFile, RefusesValuesThatNoFitGives) {
       {"drift", [](auto& m) { m.network.amplitude_dph = 1e300; }, "1e+300 is outside"},
   };
   for (const Case& one : cases) {
-    fogcomp::Model model = fog::test::paper_like_model();
+    Model model = fog::test::paper_like_model();
     one.change(model);
-    const std::string error = error_of(fogcomp::model_text(model));
+    const std::string error = error_of(model_text(model));
     EXPECT_NE(error.find(one.said), std::string::npos) << one.what << ": " << error;
     EXPECT_EQ(error.find("gyro.model:"), 0U) << error;
   }
-  fogcomp::Model model = fog::test::expressions_model();
+  Model model = fog::test::expressions_model();
   model.terms.push_back(fog::test::written_term("x = lag(T, ?tau[60, 900])"));
   model.terms.back().parameters[0] = 1e9;
-  EXPECT_NE(error_of(fogcomp::model_text(model)).find("'tau' is outside its bounds"),
-            std::string::npos);
+  EXPECT_NE(error_of(model_text(model)).find("'tau' is outside its bounds"), std::string::npos);
 }
 
 TEST(ModelFile, IsReadWithTheLineEndsOfAMail) {
-  const std::string text = fogcomp::model_text(fog::test::paper_like_model());
+  const std::string text = model_text(fog::test::paper_like_model());
   std::string mailed;
   for (const char c : text) mailed += c == '\n' ? "\r\n" : std::string(1, c);
-  EXPECT_EQ(fogcomp::model_text(fogcomp::parse_model(mailed, "gyro.model")), text);
+  EXPECT_EQ(model_text(parse_model(mailed, "gyro.model")), text);
 }
 
 TEST(ModelFile, NamesFileLineAndRemedy) {
@@ -195,19 +189,19 @@ TEST(ModelFile, NamesFileLineAndRemedy) {
 }
 
 TEST(Header, ReadsBackToTheSameTable) {
-  const fogcomp::BoardTable table = fogcomp::make_board_table(fog::test::paper_like_model(), {});
-  const std::string text = fogcomp::header_text(table, "gyro.model", 0x1234);
-  EXPECT_EQ(fogcomp::parse_header(text, "fog_model.h").words, table.words);
+  const board::BoardTable table = board::make_board_table(fog::test::paper_like_model(), {});
+  const std::string text = board::header_text(table, "gyro.model", 0x1234);
+  EXPECT_EQ(board::parse_header(text, "fog_model.h").words, table.words);
 }
 
 TEST(Header, RefusesAChangedNumber) {
-  const fogcomp::BoardTable table = fogcomp::make_board_table(fog::test::paper_like_model(), {});
-  std::string text = fogcomp::header_text(table, "gyro.model", 0x1234);
+  const board::BoardTable table = board::make_board_table(fog::test::paper_like_model(), {});
+  std::string text = board::header_text(table, "gyro.model", 0x1234);
   const std::size_t digit = text.find("2101248000");
   ASSERT_NE(digit, std::string::npos);
   text[digit] = '1';
   try {
-    fogcomp::parse_header(text, "fog_model.h");
+    board::parse_header(text, "fog_model.h");
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "fog_model.h: model table damaged (CRC); export the header again");
@@ -215,3 +209,4 @@ TEST(Header, RefusesAChangedNumber) {
 }
 
 }  // namespace
+}  // namespace fogcomp::model

@@ -7,7 +7,7 @@
 #include "model/model_file.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
-namespace fogcomp {
+namespace fogcomp::model {
 namespace {
 
 EffectTerm fitted(const std::string& effect, double value, double sigma) {
@@ -55,7 +55,8 @@ TEST(ShapeLimits, NameAnEffectThatIsNotSeen) {
 
 // The model of some effects after the first rows of the sample gyro's run.
 Model fitted_to(std::size_t rows, const std::string& effects) {
-  Recording recording = fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  recording::Recording recording =
+      fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
   for (auto* column : {&recording.time_s, &recording.temperature_degc, &recording.rate_dph}) {
     column->resize(std::min(rows, column->size()));
   }
@@ -63,9 +64,9 @@ Model fitted_to(std::size_t rows, const std::string& effects) {
     recording.temperature_degc[row] += 0.001 * static_cast<double>(row * row % 7);  // a sensor's
   }
   Model model = fog::test::model_of(parse_effects(effects));
-  SignalSeries series(model);
-  series.add(make_blocks(recording));
-  identify(model, series);
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
+  fit::identify(model, series);
   return model;
 }
 
@@ -84,4 +85,4 @@ TEST(UncertainFit, IsNotMarkedWhereTheDataSufficeForTheEffects) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::model

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 std::vector<double> white(std::size_t size) {
@@ -18,11 +18,11 @@ std::vector<double> white(std::size_t size) {
 }
 
 /// The definition, word for word: all pairs of neighbouring means of m samples.
-double by_definition(const std::vector<double>& values, const std::vector<RowRange>& ranges,
-                     std::size_t m) {
+double by_definition(const std::vector<double>& values,
+                     const std::vector<recording::RowRange>& ranges, std::size_t m) {
   double sum = 0;
   double count = 0;
-  for (const RowRange& range : ranges) {
+  for (const recording::RowRange& range : ranges) {
     for (std::size_t i = range.first; i + 2 * m <= range.end; ++i) {
       double first = 0;
       double second = 0;
@@ -39,7 +39,7 @@ double by_definition(const std::vector<double>& values, const std::vector<RowRan
 
 TEST(Allan, IsTheOverlappingDefinitionAtEveryOctave) {
   const std::vector<double> values = white(5000);
-  const std::vector<RowRange> ranges{{0, 5000}};
+  const std::vector<recording::RowRange> ranges{{0, 5000}};
   const auto points = allan_deviation(values, ranges, 0.5);
   ASSERT_EQ(points.size(), 11U);  // 1024 samples fit almost five times, 2048 less than three
   for (const AllanPoint& point : points) {
@@ -53,7 +53,7 @@ TEST(Allan, IsTheOverlappingDefinitionAtEveryOctave) {
 TEST(Allan, PoolsRangesWithoutCrossingTheirEnds) {
   std::vector<double> values = white(3000);
   for (std::size_t i = 1700; i < 3000; ++i) values[i] += 1000;  // a step that must not be seen
-  const std::vector<RowRange> ranges{{0, 700}, {700, 1700}, {1700, 1701}, {1800, 2900}};
+  const std::vector<recording::RowRange> ranges{{0, 700}, {700, 1700}, {1700, 1701}, {1800, 2900}};
   for (const AllanPoint& point : allan_deviation(values, ranges, 1)) {
     EXPECT_NEAR(point.sigma, by_definition(values, ranges, point.samples), 1e-9);
   }
@@ -65,12 +65,13 @@ TEST(Allan, HasNoPointsWhereNothingCanBeCompared) {
 }
 
 TEST(Allan, LooksAtSoaksOnlyAndNotAcrossGaps) {
-  Recording recording;
+  recording::Recording recording;
   recording.time_s.resize(100);
   recording.stretch_starts = {0, 20, 60};
-  const std::vector<Segment> segments{{"a", SegmentKind::soak, 0, 0, {0, 40}},
-                                      {"b", SegmentKind::ramp_up, 0, 0, {40, 70}},
-                                      {"c", SegmentKind::soak, 0, 0, {70, 100}}};
+  const std::vector<recording::Segment> segments{
+      {"a", recording::SegmentKind::soak, 0, 0, {0, 40}},
+      {"b", recording::SegmentKind::ramp_up, 0, 0, {40, 70}},
+      {"c", recording::SegmentKind::soak, 0, 0, {70, 100}}};
   const auto ranges = soak_ranges(recording, segments);
   ASSERT_EQ(ranges.size(), 3U);
   EXPECT_EQ(ranges[1].first, 20U);
@@ -79,4 +80,4 @@ TEST(Allan, LooksAtSoaksOnlyAndNotAcrossGaps) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

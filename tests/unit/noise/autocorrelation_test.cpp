@@ -6,10 +6,8 @@
 
 #include "unit/compare/slow_noise.hpp"
 
+namespace fogcomp::noise {
 namespace {
-
-using fogcomp::autocorrelation;
-using fogcomp::correlated_values;
 
 constexpr std::size_t kCount = 40000;
 
@@ -47,3 +45,4 @@ TEST(Autocorrelation, OfNothingOrAConstantIsZero) {
 }
 
 }  // namespace
+}  // namespace fogcomp::noise

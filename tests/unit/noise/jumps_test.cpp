@@ -6,9 +6,8 @@
 
 #include "noise/noise_model.hpp"
 
+namespace fogcomp::noise {
 namespace {
-
-using fogcomp::parted_at_jumps;
 
 // White noise of 1 and a first-order wander.
 Eigen::VectorXd noise(Eigen::Index rows, double wander, double tau_rows, std::uint64_t seed) {
@@ -31,9 +30,9 @@ TEST(Jumps, PartAStretchWhereItsLevelChanges) {
   EXPECT_NEAR(static_cast<double>(parts[2].size()), 250, 4);
   EXPECT_EQ(parts[2].size() + parts[3].size(), 400);
 
-  const auto with = fogcomp::fit_noise(fogcomp::noise_samples(soaks), 10, 16000);
+  const auto with = fit_noise(noise_samples(soaks), 10, 16000);
   soaks[2].tail(150).array() -= 3;
-  const auto without = fogcomp::fit_noise(fogcomp::noise_samples(soaks), 10, 16000);
+  const auto without = fit_noise(noise_samples(soaks), 10, 16000);
   EXPECT_NEAR(with.wander_dph(), without.wander_dph(), 0.3 * without.wander_dph());
 }
 
@@ -69,3 +68,4 @@ TEST(Jumps, AreNotLookedForInAShortStretchOrWithoutNoise) {
 }
 
 }  // namespace
+}  // namespace fogcomp::noise

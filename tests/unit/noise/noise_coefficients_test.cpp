@@ -7,7 +7,7 @@
 
 #include "unit/compare/noise_generator.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 NoiseCoefficients fitted(const std::vector<double>& rate) {
@@ -15,9 +15,9 @@ NoiseCoefficients fitted(const std::vector<double>& rate) {
 }
 
 TEST(NoiseCoefficients, OfWhiteNoiseAreNAlone) {
-  NoiseTruth truth;
+  compare::NoiseTruth truth;
   truth.angle_random_walk_dprh = 0.00124;
-  const NoiseCoefficients found = fitted(make_noise(truth, 16384, 1, 1));
+  const NoiseCoefficients found = fitted(compare::make_noise(truth, 16384, 1, 1));
   ASSERT_TRUE(found.angle_random_walk_dprh.has_value());
   EXPECT_NEAR(found.angle_random_walk_dprh->value, 0.00124,
               1.5 * found.angle_random_walk_dprh->half_width_95);
@@ -35,4 +35,4 @@ TEST(NoiseCoefficients, AreAllAbsentWithoutNoise) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -7,7 +7,7 @@
 
 #include "unit/compare/noise_generator.hpp"
 
-namespace fogcomp {
+namespace fogcomp::noise {
 namespace {
 
 constexpr double kRateHz = 20;
@@ -15,10 +15,11 @@ constexpr double kAverageS = 10;
 constexpr double kWalk = 0.00124;  // deg/sqrt(h)
 const double kFloorDph = kWalk * 60 / std::sqrt(kAverageS);
 
-Recording record(const NoiseTruth& truth, double hours, std::uint64_t seed = 1) {
-  Recording recording;
+recording::Recording record(const compare::NoiseTruth& truth, double hours,
+                            std::uint64_t seed = 1) {
+  recording::Recording recording;
   const auto rows = static_cast<std::size_t>(hours * 3600 * kRateHz);
-  recording.rate_dph = make_noise(truth, rows, 1 / kRateHz, seed);
+  recording.rate_dph = compare::make_noise(truth, rows, 1 / kRateHz, seed);
   for (std::size_t i = 0; i < rows; ++i) {
     recording.time_s.push_back(static_cast<double>(i) / kRateHz);
     recording.temperature_degc.push_back(20);
@@ -28,13 +29,13 @@ Recording record(const NoiseTruth& truth, double hours, std::uint64_t seed = 1) 
   return recording;
 }
 
-Recording record_white(double hours, std::uint64_t seed = 1) {
-  NoiseTruth truth;
+recording::Recording record_white(double hours, std::uint64_t seed = 1) {
+  compare::NoiseTruth truth;
   truth.angle_random_walk_dprh = kWalk;
   return record(truth, hours, seed);
 }
 
-void expect_floor(const Recording& recording) {
+void expect_floor(const recording::Recording& recording) {
   const auto floor = noise_floor_dph(recording, kAverageS);
   ASSERT_TRUE(floor.has_value());
   EXPECT_NEAR(*floor / kFloorDph, 1, 0.05);
@@ -52,7 +53,7 @@ Scatter scatter(double hours, Drift drift_dph) {
   double sum = 0;
   double squares = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    Recording recording = record_white(hours, seed);
+    recording::Recording recording = record_white(hours, seed);
     for (std::size_t i = 0; i < recording.rows(); ++i) {
       recording.rate_dph[i] += drift_dph(recording.time_s[i]);
     }
@@ -78,7 +79,7 @@ TEST(NoiseFloor, IsWithinFivePercentOnALongRecord) {
 }
 
 TEST(NoiseFloor, IsNotFooledBySpikesAndSteps) {
-  Recording recording = record_white(5);
+  recording::Recording recording = record_white(5);
   for (std::size_t i = 0; i < recording.rows(); ++i) {
     if (i % 9000 == 77) recording.rate_dph[i] += 300;  // 1.5 deg/h in one of 45 block means
     if (i > 100000) recording.rate_dph[i] += 0.5;
@@ -88,13 +89,13 @@ TEST(NoiseFloor, IsNotFooledBySpikesAndSteps) {
 }
 
 TEST(NoiseFloor, IsNotFooledByTheStepsOfTheSensor) {
-  Recording recording = record_white(5);
+  recording::Recording recording = record_white(5);
   for (double& rate : recording.rate_dph) rate = std::round(rate / 0.2) * 0.2;
   expect_floor(recording);  // steps of 0.6 sigma of a sample add 1.5 %
 }
 
 TEST(NoiseFloor, TakesWhatRemainsOfABrokenRecording) {
-  Recording recording = record_white(5);
+  recording::Recording recording = record_white(5);
   for (std::size_t i = 0; i < recording.rows(); ++i) {
     recording.time_s[i] += 7 * std::floor(static_cast<double>(i) / 2345);
     if (i > 0 && i % 2345 == 0) recording.stretch_starts.push_back(i);
@@ -103,7 +104,7 @@ TEST(NoiseFloor, TakesWhatRemainsOfABrokenRecording) {
 }
 
 TEST(NoiseFloor, OfFlickerNoiseIsThePartBetweenBlocks) {
-  NoiseTruth truth;
+  compare::NoiseTruth truth;
   truth.bias_instability_dph = 0.01;
   const auto floor = noise_floor_dph(record(truth, 5), kAverageS);
   ASSERT_TRUE(floor.has_value());
@@ -117,7 +118,7 @@ TEST(NoiseFloor, OfAShortRecordingIsJudgedByShorterBlocks) {
 }
 
 TEST(NoiseFloor, NeedsThreeRows) {
-  Recording recording = record_white(1);
+  recording::Recording recording = record_white(1);
   for (auto* column : {&recording.time_s, &recording.rate_dph}) column->resize(2);
   EXPECT_FALSE(noise_floor_dph(recording, kAverageS).has_value());
   for (auto* column : {&recording.time_s, &recording.rate_dph}) column->resize(1);
@@ -126,10 +127,10 @@ TEST(NoiseFloor, NeedsThreeRows) {
 }
 
 TEST(NoiseFloor, IsZeroForAConstantRate) {
-  Recording recording = record_white(0.1);
+  recording::Recording recording = record_white(0.1);
   recording.rate_dph.assign(recording.rows(), 0.7);
   EXPECT_EQ(noise_floor_dph(recording, kAverageS), 0.0);
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::noise

@@ -9,6 +9,7 @@
 
 #include "noise/whitening.hpp"
 
+namespace fogcomp::noise {
 namespace {
 
 using Eigen::VectorXd;
@@ -28,7 +29,7 @@ VectorXd noise(std::size_t rows, double white, double slow, double tau_rows, std
 
 // Spectral density at an angle per row, which is what weighting depends on; how the ladder shares a
 // variance out among its steps does not matter.
-double density(const fogcomp::NoiseModel& model, double angle) {
+double density(const NoiseModel& model, double angle) {
   double sum = model.white_variance;
   for (const auto& component : model.components) {
     const double phi = std::exp(-model.row_s / component.tau_s);
@@ -40,8 +41,8 @@ double density(const fogcomp::NoiseModel& model, double angle) {
 TEST(NoiseModel, HasTheSpectrumOfWhiteAndSlowNoiseWithin20Percent) {
   std::vector<VectorXd> quiet;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) quiet.push_back(noise(700, 0.02, 0.01, 30, seed));
-  const auto model = fogcomp::fit_noise(fogcomp::noise_samples(quiet), 10, 0);
-  fogcomp::NoiseModel truth;
+  const auto model = fit_noise(noise_samples(quiet), 10, 0);
+  NoiseModel truth;
   truth.row_s = 10;
   truth.white_variance = 0.02 * 0.02;
   truth.components = {{300, 0.01 * 0.01}};
@@ -54,7 +55,7 @@ TEST(NoiseModel, HasTheSpectrumOfWhiteAndSlowNoiseWithin20Percent) {
 TEST(NoiseModel, FindsNoSlowPartInWhiteNoise) {
   std::vector<VectorXd> quiet;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) quiet.push_back(noise(700, 0.02, 0, 30, seed));
-  const auto model = fogcomp::fit_noise(fogcomp::noise_samples(quiet), 10, 0);
+  const auto model = fit_noise(noise_samples(quiet), 10, 0);
   EXPECT_NEAR(std::sqrt(density(model, 0.03)), 0.02, 0.006);
 }
 
@@ -72,7 +73,7 @@ TEST(NoiseModel, TakesSlowNoiseOfFewPeriodsForUncertain) {
       for (std::uint64_t soak = 0; soak < 4; ++soak) {
         quiet.push_back(noise(360, 0.024, 0.02, tau_rows, 4 * gyro + soak));
       }
-      const auto model = fogcomp::fit_noise(fogcomp::noise_samples(quiet), 10, kRun_s);
+      const auto model = fit_noise(noise_samples(quiet), 10, kRun_s);
       const double power = density(model, 2 * M_PI * 4 * 10 / kRun_s);
       sum += power;
       squares += power * power;
@@ -91,18 +92,18 @@ TEST(NoiseModel, WithoutQuietPartsTakesNeighbouringRowsAndNoDriftOrOutlier) {
   for (Eigen::Index i = 0; i < residual.size(); ++i)
     residual[i] += 1e-6 * std::pow(static_cast<double>(i), 2);
   residual[100] += 50;
-  EXPECT_NEAR(fogcomp::white_noise_of(residual, 10, 60000).white_dph(), 0.02, 0.002);
+  EXPECT_NEAR(white_noise_of(residual, 10, 60000).white_dph(), 0.02, 0.002);
 }
 
 TEST(Whitening, MakesColouredNoiseWhiteOfVarianceOneAcrossGapsAndRuns) {
   const std::size_t size = 4000;
   const VectorXd coloured = noise(2 * size, 0.02, 0.03, 50, 3);
-  fogcomp::NoiseModel model;
+  NoiseModel model;
   model.row_s = 10;
   model.white_variance = 0.02 * 0.02;
   model.components = {{500, 0.03 * 0.03}};
   // Every third of some rows is missing.
-  fogcomp::Rows rows;
+  series::Rows rows;
   std::vector<double> kept;
   for (std::size_t i = 0; i < 2 * size; ++i) {
     if (i > 1000 && i < 3000 && i % 3 == 0) continue;
@@ -112,7 +113,7 @@ TEST(Whitening, MakesColouredNoiseWhiteOfVarianceOneAcrossGapsAndRuns) {
   rows.drift_dph = Eigen::Map<VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
   rows.run_starts = {0};
   const VectorXd ones = VectorXd::Ones(rows.drift_dph.size());
-  const VectorXd white = fogcomp::Whitening(model, rows, ones).apply(rows.drift_dph);
+  const VectorXd white = Whitening(model, rows, ones).apply(rows.drift_dph);
   const auto count = static_cast<double>(white.size());
   EXPECT_NEAR(white.squaredNorm() / count, 1, 0.06);
   for (const Eigen::Index lag : {1, 2, 5, 20}) {
@@ -123,15 +124,15 @@ TEST(Whitening, MakesColouredNoiseWhiteOfVarianceOneAcrossGapsAndRuns) {
 }
 
 TEST(Whitening, GivesEachOfManyColumnsWhatItGivesItAlone) {
-  fogcomp::Rows rows;
+  series::Rows rows;
   for (int i = 0; i < 50; ++i) rows.time_s.push_back(10.0 * i + (i > 20 ? 300 : 0));
   rows.run_starts = {0, 35};
   rows.drift_dph = VectorXd::Zero(50);
-  fogcomp::NoiseModel model;
+  NoiseModel model;
   model.white_variance = 1;
   for (const double tau_s : {30.0, 100.0, 300.0, 1000.0}) {  // one, two, three, four states
     model.components.push_back({tau_s, 0.5});
-    const fogcomp::Whitening whitening(model, rows, VectorXd::Ones(50));
+    const Whitening whitening(model, rows, VectorXd::Ones(50));
     const Eigen::MatrixXd columns = Eigen::MatrixXd::Random(50, 7);  // four, two and one
     const Eigen::MatrixXd white = whitening.apply(columns);
     for (Eigen::Index i = 0; i < columns.cols(); ++i) {
@@ -142,15 +143,16 @@ TEST(Whitening, GivesEachOfManyColumnsWhatItGivesItAlone) {
 }
 
 TEST(Whitening, IsTheIdentityOverSigmaForWhiteNoise) {
-  fogcomp::Rows rows;
+  series::Rows rows;
   rows.drift_dph = VectorXd::LinSpaced(10, 0, 9);
   for (int i = 0; i < 10; ++i) rows.time_s.push_back(10.0 * i);
   rows.run_starts = {0};
-  fogcomp::NoiseModel model;
+  NoiseModel model;
   model.row_s = 10;
   model.white_variance = 4;
-  const VectorXd white = fogcomp::Whitening(model, rows, VectorXd::Ones(10)).apply(rows.drift_dph);
+  const VectorXd white = Whitening(model, rows, VectorXd::Ones(10)).apply(rows.drift_dph);
   EXPECT_LE((white - rows.drift_dph / 2).norm(), 1e-12);
 }
 
 }  // namespace
+}  // namespace fogcomp::noise

@@ -6,12 +6,13 @@
 #include <random>
 #include <vector>
 
+namespace fogcomp::noise {
 namespace {
 
 constexpr Eigen::Index kSizeOfRun = 6000;
 
-fogcomp::Rows rows_of_10_s(std::vector<std::size_t> run_starts = {0}) {
-  fogcomp::Rows rows;
+series::Rows rows_of_10_s(std::vector<std::size_t> run_starts = {0}) {
+  series::Rows rows;
   rows.row_s = 10;
   rows.drift_dph.setZero(kSizeOfRun);
   rows.weights.setOnes(kSizeOfRun);
@@ -30,8 +31,7 @@ Eigen::VectorXd normal_noise(std::uint32_t seed) {
 
 Eigen::VectorXd scale_of(const Eigen::VectorXd& residual,
                          const std::vector<std::size_t>& run_starts = {0}) {
-  return fogcomp::noise_scale(rows_of_10_s(run_starts), residual,
-                              Eigen::VectorXd::Ones(kSizeOfRun));
+  return noise_scale(rows_of_10_s(run_starts), residual, Eigen::VectorXd::Ones(kSizeOfRun));
 }
 
 TEST(NoiseScale, IsOneWhereAllRowsHaveTheSameNoise) {
@@ -65,3 +65,4 @@ TEST(NoiseScale, OfRowsWithoutNoiseIsOne) {
 }
 
 }  // namespace
+}  // namespace fogcomp::noise

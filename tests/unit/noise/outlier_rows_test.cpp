@@ -10,13 +10,12 @@
 
 #include "unit/fit/made_rows.hpp"
 
+namespace fogcomp::noise {
 namespace {
-
-using fogcomp::ValuesInTime;
 
 constexpr std::size_t kRows = 6000;
 
-std::vector<double> white(std::uint64_t seed, std::size_t rows = kRows) {
+std::vector<double> white_noise(std::uint64_t seed, std::size_t rows = kRows) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   std::vector<double> values(rows);
@@ -30,7 +29,7 @@ ValuesInTime whole(std::vector<double> values) {
 }
 
 std::vector<std::size_t> found(const ValuesInTime& rows) {
-  const std::vector<bool> outlier = fogcomp::find_outliers(rows);
+  const std::vector<bool> outlier = find_outliers(rows);
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < outlier.size(); ++i) {
     if (outlier[i]) places.push_back(i);
@@ -42,7 +41,7 @@ std::vector<std::size_t> found(const ValuesInTime& rows) {
 std::size_t found_in_20(const std::function<double(double)>& drift) {
   std::size_t count = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    std::vector<double> values = white(seed);
+    std::vector<double> values = white_noise(seed);
     for (std::size_t i = 0; i < kRows; ++i) values[i] += drift(static_cast<double>(i));
     count += found(whole(std::move(values))).size();
   }
@@ -53,17 +52,17 @@ TEST(OutlierRows, OfWhiteNoiseThereIsLessThanOneInARecording) {
   EXPECT_LE(found_in_20([](double) { return 0; }), 10U);
   std::size_t short_ones = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    short_ones += found(whole(white(seed, 60))).size();
+    short_ones += found(whole(white_noise(seed, 60))).size();
   }
   EXPECT_LE(short_ones, 10U);
-  EXPECT_LE(found(whole(white(1, 1000000))).size(), 2U);
+  EXPECT_LE(found(whole(white_noise(1, 1000000))).size(), 2U);
 }
 
 TEST(OutlierRows, RowsOfTenSigmaAreFound) {
   std::size_t hit = 0;
   std::size_t wrong = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    std::vector<double> values = white(seed);
+    std::vector<double> values = white_noise(seed);
     for (std::size_t i = 500; i < kRows; i += 1000) values[i] += i % 2000 == 500 ? 10 : -10;
     for (const std::size_t row : found(whole(std::move(values)))) {
       ++(row % 1000 == 500 ? hit : wrong);
@@ -75,7 +74,7 @@ TEST(OutlierRows, RowsOfTenSigmaAreFound) {
 
 TEST(OutlierRows, UpToThreeRowsTogetherAreFoundAndTheirNeighboursStay) {
   for (const double size : {30.0, 1e6}) {
-    std::vector<double> values = white(5);
+    std::vector<double> values = white_noise(5);
     for (const std::size_t row : {0U, 100U, 101U, 3000U, 3001U, 3002U, 5999U}) values[row] += size;
     EXPECT_EQ(found(whole(values)),
               (std::vector<std::size_t>{0, 100, 101, 3000, 3001, 3002, 5999}));
@@ -104,7 +103,7 @@ TEST(OutlierRows, DriftOfAnySizeIsNone) {
 TEST(OutlierRows, OscillationsOfAnyPeriodAreNone) {
   constexpr double kTwoPi = 6.283185307179586;
   for (double period = 2; period < 400; period *= 1.013) {
-    std::vector<double> values = white(1, 1000);
+    std::vector<double> values = white_noise(1, 1000);
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i] += 1e4 * std::sin(kTwoPi * static_cast<double>(i) / period);
     }
@@ -115,7 +114,7 @@ TEST(OutlierRows, OscillationsOfAnyPeriodAreNone) {
 TEST(OutlierRows, NoiseThatIsLargerInAPartIsNone) {
   std::size_t count = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    std::vector<double> values = white(seed);
+    std::vector<double> values = white_noise(seed);
     for (std::size_t i = 3000; i < 3600; ++i) values[i] *= 5;
     count += found(whole(std::move(values))).size();
   }
@@ -134,7 +133,7 @@ TEST(OutlierRows, OfHeavyTailsFewRowsAreLeftOut) {
 }
 
 TEST(OutlierRows, AShortTurnOfARateTableIsNone) {
-  std::vector<double> values = white(1);
+  std::vector<double> values = white_noise(1);
   std::vector<double> input(kRows, 0.0);
   for (const std::size_t row : {1000U, 2000U, 2001U, 4000U}) {
     input[row] = 1e5;
@@ -144,7 +143,7 @@ TEST(OutlierRows, AShortTurnOfARateTableIsNone) {
   EXPECT_EQ(found(rows).size(), 4U);
   rows.inputs = {input};
   EXPECT_EQ(found(rows).size(), 0U);
-  rows = whole(white(2));
+  rows = whole(white_noise(2));
   rows.inputs = {input};
   // Where the table goes to and fro, a wild row is held against those at its own rate.
   for (std::size_t i = 0; i < kRows; ++i) {
@@ -156,7 +155,7 @@ TEST(OutlierRows, AShortTurnOfARateTableIsNone) {
 }
 
 TEST(OutlierRows, ARowOfFewSamplesMayBeAsNoisyAsItIs) {
-  std::vector<double> values = white(1);
+  std::vector<double> values = white_noise(1);
   values[3000] = 9;
   ValuesInTime rows = whole(std::move(values));
   EXPECT_EQ(found(rows).size(), 1U);
@@ -166,7 +165,7 @@ TEST(OutlierRows, ARowOfFewSamplesMayBeAsNoisyAsItIs) {
 }
 
 TEST(OutlierRows, CoarseStepsOfTheRateAreNone) {
-  std::vector<double> values = white(1);
+  std::vector<double> values = white_noise(1);
   for (double& value : values) value = std::round(value / 3);
   EXPECT_LE(found(whole(values)).size(), 2U);
   values[3000] = 100;
@@ -177,18 +176,19 @@ TEST(OutlierRows, CoarseStepsOfTheRateAreNone) {
 
 TEST(OutlierRows, ABridgeIsAStraightLine) {
   std::vector<double> values{9, 1, 2, 9, 9, 5, 9};
-  fogcomp::bridge_outliers({true, false, false, true, true, false, true}, {{0, 7}}, values);
+  bridge_outliers({true, false, false, true, true, false, true}, {{0, 7}}, values);
   EXPECT_EQ(values, (std::vector<double>{1, 1, 2, 3, 4, 5, 5}));
 }
 
 TEST(OutlierRows, ABridgeLeadsNowhereFromOneRecordingToTheNext) {
-  fogcomp::Rows rows = fog::test::made_rows(6, [](double) { return 20; });
+  series::Rows rows = fog::test::made_rows(6, [](double) { return 20; });
   rows.run_starts = {0, 3};
   Eigen::VectorXd values(6), counted(6), bridge(6);
   values << 1, 2, 50, 50, 8, 9;
   counted << 1, 1, 0, 0, 1, 1;
   bridge << 1, 2, 2, 8, 8, 9;
-  EXPECT_EQ(fogcomp::bridged(rows, values, counted), bridge);
+  EXPECT_EQ(bridged(rows, values, counted), bridge);
 }
 
 }  // namespace
+}  // namespace fogcomp::noise

@@ -6,17 +6,18 @@
 
 #include "unit/fit/made_rows.hpp"
 
+namespace fogcomp::noise {
 namespace {
 
 using fog::test::made_rows;
 using fog::test::soak_ramp_soak;
 
 // The first and last row of each stretch: the residual of a row is its number.
-std::vector<std::pair<double, double>> quiet(const fogcomp::Rows& rows) {
+std::vector<std::pair<double, double>> quiet(const series::Rows& rows) {
   const Eigen::VectorXd number =
       Eigen::VectorXd::LinSpaced(rows.size(), 0, static_cast<double>(rows.size()) - 1);
   std::vector<std::pair<double, double>> ends;
-  for (const Eigen::VectorXd& stretch : fogcomp::quiet_stretches(rows, number)) {
+  for (const Eigen::VectorXd& stretch : quiet_stretches(rows, number)) {
     ends.emplace_back(stretch[0], stretch[stretch.size() - 1]);
     EXPECT_EQ(stretch.size(), static_cast<Eigen::Index>(ends.back().second - ends.back().first) + 1)
         << "rows are left out in between";
@@ -30,14 +31,14 @@ TEST(QuietRows, AreTheSoaksAndNothingOfTheRamp) {
 }
 
 TEST(QuietRows, EndWhereARecordingDoesAndAtAGap) {
-  fogcomp::Rows rows = soak_ramp_soak(100, 60);
+  series::Rows rows = soak_ramp_soak(100, 60);
   rows.run_starts = {0, 40};
   for (std::size_t i = 200; i < rows.time_s.size(); ++i) rows.time_s[i] += 30;
   EXPECT_EQ(quiet(rows), (Ends{{0, 39}, {40, 99}, {160, 199}, {200, 259}}));
 }
 
 TEST(QuietRows, EndWhereAnotherInputJumpsAndNotWhereItDrifts) {
-  fogcomp::Rows rows = soak_ramp_soak(100, 60);
+  series::Rows rows = soak_ramp_soak(100, 60);
   for (std::size_t i = 0; i < rows.signals.size(); ++i) {
     rows.signals[i].block.input_rate = i < 50 ? -15 : 15;  // the axis is turned over
     rows.signals[i].block.extension[0] = 20 + 0.01 * static_cast<double>(i);
@@ -48,7 +49,7 @@ TEST(QuietRows, EndWhereAnotherInputJumpsAndNotWhereItDrifts) {
 // A fifth of an input's range may come with the drift of its source; three tenths are a switch.
 TEST(QuietRows, EndWhereAnInputJumpsByMoreThanAQuarterOfItsRange) {
   const auto rows_with = [](double jump) {
-    fogcomp::Rows rows = made_rows(200, [](double) { return 20; });
+    series::Rows rows = made_rows(200, [](double) { return 20; });
     for (std::size_t i = 0; i < 200; ++i) {
       // From 0 to 1 in all: slowly, but for the jump.
       rows.signals[i].block.input_rate =
@@ -61,7 +62,7 @@ TEST(QuietRows, EndWhereAnInputJumpsByMoreThanAQuarterOfItsRange) {
 }
 
 // Two soaks in which the temperature creeps by so many degC/min, and a ramp of 1 degC/min.
-fogcomp::Rows creeping(double creep, double ramp) {
+series::Rows creeping(double creep, double ramp) {
   return made_rows(260, [=](double row) {
     const double in_ramp = std::clamp(row - 99, 0.0, 60.0);
     return 20 + (creep * (row - in_ramp) + ramp * in_ramp) / 6;
@@ -92,3 +93,4 @@ TEST(QuietRows, AreAllOfARecordingAtRest) {
 }
 
 }  // namespace
+}  // namespace fogcomp::noise

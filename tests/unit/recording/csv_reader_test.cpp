@@ -8,7 +8,7 @@
 #include "support/input_error.hpp"
 #include "temporary_file.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 const std::string kHeader = "time_s,temperature_degc,rate_dph\n";
@@ -278,4 +278,4 @@ TEST(CsvReader, NeverCrashesOnAMutatedFile) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

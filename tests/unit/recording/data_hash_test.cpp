@@ -7,19 +7,20 @@
 #include "core/bytes/crc.hpp"
 #include "recording/columns.hpp"
 
+namespace fogcomp::recording {
 namespace {
 
 TEST(DataHash, ChangesWithEveryColumnThatAFitCanDependOn) {
-  fogcomp::Recording plain;
+  Recording plain;
   plain.time_s = {0, 1, 2};
   plain.temperature_degc = {20, 21, 22};
   plain.rate_dph = {0.1, 0.2, 0.3};
-  const auto hash = [](const fogcomp::Recording& recording) {
-    return fogcomp::data_hash(recording, fog::kCrc32Initial);
+  const auto hash = [](const Recording& recording) {
+    return data_hash(recording, fog::kCrc32Initial);
   };
   std::set<std::uint32_t> hashes{hash(plain)};
-  for (const auto& [column, name, decimals, least, most] : fogcomp::kColumns) {
-    fogcomp::Recording recording = plain;
+  for (const auto& [column, name, decimals, least, most] : kColumns) {
+    Recording recording = plain;
     recording[column] = {1, 2, 4};
     EXPECT_TRUE(hashes.insert(hash(recording)).second) << name;
   }
@@ -28,23 +29,24 @@ TEST(DataHash, ChangesWithEveryColumnThatAFitCanDependOn) {
 }
 
 TEST(RowsHash, IsOfTheNumbersAndNotOfTheFile) {
-  fogcomp::Recording run;
+  Recording run;
   run.file = "run.csv";
   run.time_s = {0, 1, 2};
   run.temperature_degc = {20, 21, 22};
   run.rate_dph = {0.1, 0, 0.3};
-  fogcomp::Recording copy = run;
+  Recording copy = run;
   copy.file = "copy.csv";
   copy[fog::Input::magnetic] = {1, 2, 3};  // a column more
   copy.rate_dph[1] = -0.0;                 // another way to write it
-  EXPECT_EQ(fogcomp::rows_hash(run), fogcomp::rows_hash(copy));
-  fogcomp::KnownRows known;
-  known.add(fogcomp::rows_hash(run), run.file);
-  EXPECT_EQ(known.file_with(fogcomp::rows_hash(copy)), "run.csv");
+  EXPECT_EQ(rows_hash(run), rows_hash(copy));
+  KnownRows known;
+  known.add(rows_hash(run), run.file);
+  EXPECT_EQ(known.file_with(rows_hash(copy)), "run.csv");
   copy.rate_dph[2] = 0.4;
-  EXPECT_EQ(known.file_with(fogcomp::rows_hash(copy)), "");
+  EXPECT_EQ(known.file_with(rows_hash(copy)), "");
   std::swap(copy.rate_dph, copy.time_s);
-  EXPECT_NE(fogcomp::rows_hash(run), fogcomp::rows_hash(copy));
+  EXPECT_NE(rows_hash(run), rows_hash(copy));
 }
 
 }  // namespace
+}  // namespace fogcomp::recording

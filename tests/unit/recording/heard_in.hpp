@@ -4,7 +4,7 @@
 
 #include "recording/recording.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// Options whose watch writes what is said of a recording to `said`, a line each.
 inline ReadOptions heard_in(std::string& said) {
@@ -13,4 +13,4 @@ inline ReadOptions heard_in(std::string& said) {
   return options;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -6,7 +6,7 @@
 
 #include "support/input_error.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 Recording with_rates(const std::vector<double>& rates) {
@@ -42,4 +42,4 @@ TEST(RateResolution, RoundingIsThatOfTheDigits) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

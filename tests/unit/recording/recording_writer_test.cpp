@@ -13,7 +13,7 @@
 #include "support/output_file.hpp"
 #include "temporary_file.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 std::string printed(double value, int decimals) {
@@ -92,4 +92,4 @@ TEST(RecordingWriter, LeavesNothingWithoutCommit) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -14,7 +14,7 @@
 #include "support/input_error.hpp"
 #include "temporary_file.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 using Rows = std::vector<std::size_t>;
@@ -326,4 +326,4 @@ TEST(RefusedRows, AreNoneInRealRecordings) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

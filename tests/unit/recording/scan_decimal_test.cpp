@@ -11,7 +11,7 @@
 
 #include "support/text.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 std::optional<double> scanned(const std::string& text) {
@@ -55,4 +55,4 @@ TEST(ScanDecimal, TakesNothingElse) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

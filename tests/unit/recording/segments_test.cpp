@@ -11,7 +11,7 @@
 #include "recording/recording.hpp"
 #include "temporary_file.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 struct Chamber {
@@ -191,4 +191,4 @@ TEST(Segments, SplitARealMemsChamberCycleAtItsTurningPoints) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

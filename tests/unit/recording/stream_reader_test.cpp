@@ -13,7 +13,7 @@
 #include "support/input_error.hpp"
 #include "temporary_file.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 namespace {
 
 std::string frame(std::size_t number, bool gyro_valid = true, bool temperature_valid = true) {
@@ -236,4 +236,4 @@ TEST(StreamReader, TakesACsvWithAStrayControlCharacterForACsv) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -8,7 +8,7 @@
 
 #include "support/output_file.hpp"
 
-namespace fogcomp {
+namespace fogcomp::recording {
 
 /// A path in a folder of this process alone, removed at its end: tests may run side by side.
 inline std::string temporary_path(const std::string& name) {
@@ -29,4 +29,4 @@ inline std::string temporary_file(const std::string& name, std::string_view cont
   return path;
 }
 
-}  // namespace fogcomp
+}  // namespace fogcomp::recording

@@ -9,6 +9,7 @@
 #include "research/support_vectors.hpp"
 #include "support/input_error.hpp"
 
+namespace fogcomp::research {
 namespace {
 
 using Eigen::Index;
@@ -22,7 +23,7 @@ struct Rows {
 
 // A surface over temperature and rate such as a gyro has, with uniform noise of +-`noise`.
 Rows gyro_like(Index rows, double noise, std::uint64_t seed) {
-  fogcomp::Uniform uniform(seed);
+  fit::Uniform uniform(seed);
   Rows result{MatrixXd(rows, 2), VectorXd(rows)};
   for (Index i = 0; i < rows; ++i) {
     const double t = 10 + uniform.within(50);
@@ -44,14 +45,14 @@ TEST(Polynomial, ReproducesAPolynomialInAnyNumberOfVariables) {
   const VectorXd r = inputs.col(1);
   const VectorXd target =
       (1 + 0.1 * t.array() - 0.002 * t.array().square() * r.array() + 3 * r.array().cube());
-  const fogcomp::Polynomial fitted(inputs, target, 3);
+  const Polynomial fitted(inputs, target, 3);
   EXPECT_LT((fitted.values(inputs) - target).cwiseAbs().maxCoeff(), 1e-10);
-  const fogcomp::Polynomial too_low(inputs, target, 2);
+  const Polynomial too_low(inputs, target, 2);
   EXPECT_GT((too_low.values(inputs) - target).cwiseAbs().maxCoeff(), 0.01);
 }
 
 TEST(Polynomial, CrossValidationFindsTheOrder) {
-  fogcomp::Uniform uniform(2);
+  fit::Uniform uniform(2);
   MatrixXd t(1000, 1);
   VectorXd target(1000);
   for (Index i = 0; i < 1000; ++i) {
@@ -59,7 +60,7 @@ TEST(Polynomial, CrossValidationFindsTheOrder) {
     const double x = (t(i, 0) - 10) / 50;
     target[i] = x * x * x * x - x * x + uniform.within(0.1);
   }
-  const int order = fogcomp::Polynomial::best_order(t, target);
+  const int order = Polynomial::best_order(t, target);
   EXPECT_GE(order, 4);
   EXPECT_LE(order, 6);
 }
@@ -67,7 +68,7 @@ TEST(Polynomial, CrossValidationFindsTheOrder) {
 TEST(CrossValidation, JudgesOnRowsThatWereLeftOut) {
   const Rows rows = gyro_like(500, 0.1, 3);
   // Remembers every row it saw and knows nothing of others.
-  const double memory = fogcomp::cross_validated_rms(
+  const double memory = cross_validated_rms(
       rows.inputs, rows.target, [](const MatrixXd& train, const VectorXd& y, const MatrixXd& test) {
         VectorXd values = VectorXd::Zero(test.rows());
         for (Index i = 0; i < test.rows(); ++i) {
@@ -83,34 +84,35 @@ TEST(CrossValidation, JudgesOnRowsThatWereLeftOut) {
 TEST(SupportVectors, LearnASurfaceAndNotItsNoise) {
   const Rows rows = gyro_like(1500, 0.02, 4);
   const Rows fresh = gyro_like(500, 0, 5);
-  const fogcomp::SupportVectors machine(rows.inputs, rows.target, 0.4, 1e-6);
+  const SupportVectors machine(rows.inputs, rows.target, 0.4, 1e-6);
   EXPECT_LT(rms(machine.values(fresh.inputs) - fresh.target), 0.004);
   // Costly enough, the function is flat: the mean of the target.
-  const fogcomp::SupportVectors flat(rows.inputs, rows.target, 0.4, 1e6);
+  const SupportVectors flat(rows.inputs, rows.target, 0.4, 1e6);
   EXPECT_NEAR(rms(flat.values(fresh.inputs).array() - rows.target.mean()), 0, 1e-4);
 }
 
 TEST(Anfis, LearnsASurfaceBetterThanItsStraightLinesAlone) {
   const Rows rows = gyro_like(1500, 0.005, 6);
   const Rows fresh = gyro_like(500, 0, 7);
-  const fogcomp::Anfis first(rows.inputs, rows.target, 1);
-  const fogcomp::Anfis trained(rows.inputs, rows.target, 60);
+  const Anfis first(rows.inputs, rows.target, 1);
+  const Anfis trained(rows.inputs, rows.target, 60);
   EXPECT_LT(trained.mean_square(), 0.8 * first.mean_square());
   EXPECT_LT(rms(trained.values(fresh.inputs) - fresh.target), 0.01);
 }
 
 TEST(Anfis, StaysFiniteFarOutside) {
   const Rows rows = gyro_like(300, 0.005, 8);
-  const fogcomp::Anfis anfis(rows.inputs, rows.target, 5);
+  const Anfis anfis(rows.inputs, rows.target, 5);
   const MatrixXd far = MatrixXd::Constant(1, 2, 1e6);
   EXPECT_LT(std::abs(anfis.values(far)[0]), 10);
 }
 
 TEST(Comparators, HaveNamesThatCanBeFound) {
-  for (const fogcomp::ComparatorEntry& entry : fogcomp::comparators()) {
-    EXPECT_EQ(&fogcomp::find_comparator(entry.name), &entry);
+  for (const ComparatorEntry& entry : comparators()) {
+    EXPECT_EQ(&find_comparator(entry.name), &entry);
   }
-  EXPECT_THROW(fogcomp::find_comparator("random-forest"), fogcomp::InputError);
+  EXPECT_THROW(find_comparator("random-forest"), InputError);
 }
 
 }  // namespace
+}  // namespace fogcomp::research

@@ -7,12 +7,12 @@
 
 #include "recording/segments.hpp"
 
-namespace fogcomp {
+namespace fogcomp::series {
 namespace {
 
 /// Row i at i * 0.5 s with temperature i and rate 10 i; gaps before the rows of `starts`.
-Recording counting(std::size_t samples, std::vector<std::size_t> starts = {0}) {
-  Recording recording;
+recording::Recording counting(std::size_t samples, std::vector<std::size_t> starts = {0}) {
+  recording::Recording recording;
   recording.period_s = 0.5;
   for (std::size_t i = 0; i < samples; ++i) {
     recording.time_s.push_back(static_cast<double>(i) * 0.5);
@@ -24,7 +24,7 @@ Recording counting(std::size_t samples, std::vector<std::size_t> starts = {0}) {
 }
 
 TEST(CompleteRows, AreMeansAroundTheirCentre) {
-  Recording recording = counting(9);
+  recording::Recording recording = counting(9);
   recording.input_rate_dph.assign(9, 0.1);
   const CompleteRows rows = complete_rows(recording, 2);
   EXPECT_EQ(rows.samples_per_row, 4U);
@@ -56,11 +56,12 @@ TEST(CompleteRows, KeepAnIncompleteOneOnlyWhereThereIsNoOther) {
 
 TEST(CompleteRows, BelongToTheSegmentInWhichTheirMiddleLies) {
   const CompleteRows rows = complete_rows(counting(20), 2);
-  const std::vector<Segment> segments{{"a", SegmentKind::soak, 0, 3.5, {0, 7}},
-                                      {"b", SegmentKind::soak, 3.5, 4.5, {7, 9}},
-                                      {"c", SegmentKind::soak, 4.5, 10, {9, 20}}};
-  const std::vector<Segment> in_rows =
-      segments_on(segments, rows.means.time_s, {0, rows.means.rows()});
+  const std::vector<recording::Segment> segments{
+      {"a", recording::SegmentKind::soak, 0, 3.5, {0, 7}},
+      {"b", recording::SegmentKind::soak, 3.5, 4.5, {7, 9}},
+      {"c", recording::SegmentKind::soak, 4.5, 10, {9, 20}}};
+  const std::vector<recording::Segment> in_rows =
+      recording::segments_on(segments, rows.means.time_s, {0, rows.means.rows()});
   EXPECT_EQ(in_rows[0].rows.end, 2U);  // the middle of row 1 is at 2.75 s
   EXPECT_EQ(in_rows[1].rows.size(), 0U);
   EXPECT_EQ(in_rows[2].rows.first, 2U);
@@ -68,4 +69,4 @@ TEST(CompleteRows, BelongToTheSegmentInWhichTheirMiddleLies) {
 }
 
 }  // namespace
-}  // namespace fogcomp
+}  // namespace fogcomp::series

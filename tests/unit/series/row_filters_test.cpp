@@ -6,10 +6,10 @@
 
 #include "core/thermal/first_order_lag.hpp"
 
+namespace fogcomp::series {
 namespace {
 
 using Eigen::VectorXd;
-using fogcomp::Rows;
 
 Rows rows_at(std::vector<double> time_s, std::vector<std::size_t> run_starts = {0}) {
   Rows rows;
@@ -38,7 +38,7 @@ TEST(RowFilters, ALagIsTheBoardsWhereRowsAreEquallyFarApart) {
   VectorXd values(5);
   values << 3, 1, 4, 1, 5;
   const VectorXd lag = lagged(rows, values, 25);
-  fog::FirstOrderLag<fogcomp::RealNumbers> board(fogcomp::RealNumbers::decay(10.0 / 25));
+  fog::FirstOrderLag<model::RealNumbers> board(model::RealNumbers::decay(10.0 / 25));
   board.reset(values[0]);
   for (Eigen::Index i = 1; i < 5; ++i) EXPECT_EQ(lag[i], board.step(values[i])) << i;
 }
@@ -67,3 +67,4 @@ TEST(RowFilters, SmoothingHasNoDelayAndKeepsTheSum) {
 }
 
 }  // namespace
+}  // namespace fogcomp::series

@@ -4,13 +4,14 @@
 
 #include <cmath>
 
+namespace fogcomp::series {
 namespace {
 
-fogcomp::BlockSeries series_of(std::size_t blocks, double (*degc_at)(double time_s)) {
-  fogcomp::BlockSeries series;
+BlockSeries series_of(std::size_t blocks, double (*degc_at)(double time_s)) {
+  BlockSeries series;
   series.block_s = 10;
   for (std::size_t i = 0; i < blocks; ++i) {
-    fogcomp::BlockSeries::Block block;
+    BlockSeries::Block block;
     block.number = static_cast<std::int64_t>(i);
     block.means.temperature = degc_at(10 * static_cast<double>(i));
     series.blocks.push_back(block);
@@ -19,14 +20,14 @@ fogcomp::BlockSeries series_of(std::size_t blocks, double (*degc_at)(double time
 }
 
 TEST(ZeroPhase, IsExactInARampUpToItsEnds) {
-  const auto seen = fogcomp::zero_phase_signals(
-      series_of(100, [](double time_s) { return 20 + time_s / 60; }), 30);
+  const auto seen =
+      zero_phase_signals(series_of(100, [](double time_s) { return 20 + time_s / 60; }), 30);
   // Beyond its ends the ramp is continued for ten time constants.
   for (const auto& signals : seen.signals) EXPECT_NEAR(signals.temperature_rate, 1, 1e-3);
 }
 
 TEST(ZeroPhase, TurnsWhereTheTemperatureTurns) {
-  const auto seen = fogcomp::zero_phase_signals(
+  const auto seen = zero_phase_signals(
       series_of(201, [](double time_s) { return std::abs(time_s - 1000) / 60; }), 30);
   EXPECT_NEAR(seen.signals[100].temperature_rate, 0, 1e-9);
   for (std::size_t i = 1; i <= 50; ++i) {
@@ -36,12 +37,12 @@ TEST(ZeroPhase, TurnsWhereTheTemperatureTurns) {
 }
 
 TEST(ZeroPhase, StartsAnewAfterALongGap) {
-  fogcomp::BlockSeries series = series_of(40, [](double) { return 20.0; });
+  BlockSeries series = series_of(40, [](double) { return 20.0; });
   for (std::size_t i = 20; i < 40; ++i) {
     series.blocks[i].number += 100;
     series.blocks[i].means.temperature = 30;
   }
-  const auto seen = fogcomp::zero_phase_signals(series, 30);
+  const auto seen = zero_phase_signals(series, 30);
   EXPECT_TRUE(seen.restart[0]);
   EXPECT_TRUE(seen.restart[20]);
   EXPECT_FALSE(seen.restart[21]);
@@ -52,8 +53,8 @@ TEST(ZeroPhase, SmoothsATemperatureAndLeavesARampAsItIs) {
   const auto ramp = series_of(300, [](double time_s) { return 20 + time_s / 60; });
   const auto noisy = series_of(
       300, [](double time_s) { return 20 + time_s / 60 + 0.03 * std::sin(2.4 * time_s); });
-  const auto smooth_ramp = fogcomp::with_smooth_temperature(ramp, 60);
-  const auto smooth = fogcomp::with_smooth_temperature(noisy, 60);
+  const auto smooth_ramp = with_smooth_temperature(ramp, 60);
+  const auto smooth = with_smooth_temperature(noisy, 60);
   for (std::size_t i = 0; i < 300; ++i) {
     const double degc = ramp.blocks[i].means.temperature;
     EXPECT_NEAR(smooth_ramp.blocks[i].means.temperature, degc, 1e-3) << i;
@@ -64,3 +65,4 @@ TEST(ZeroPhase, SmoothsATemperatureAndLeavesARampAsItIs) {
 }
 
 }  // namespace
+}  // namespace fogcomp::series

@@ -17,9 +17,10 @@ namespace {
 
 std::string csv_of(const WholeRun& result) {
   const std::string path = testing::TempDir() + "simulation_" + std::to_string(getpid()) + ".csv";
-  RecordingWriter writer(path, RecordingFormat::csv,
-                         {Column::time_s, Column::temperature_degc, Column::rate_dph},
-                         kDefaultScaleFactor, 0.1);
+  recording::RecordingWriter writer(
+      path, recording::RecordingFormat::csv,
+      {recording::Column::time_s, recording::Column::temperature_degc, recording::Column::rate_dph},
+      recording::kDefaultScaleFactor, 0.1);
   writer.append(
       {result.rows.time_s.data(), result.rows.temperature_degc.data(), result.rows.rate_dph.data()},
       result.rows.rows());

@@ -33,18 +33,19 @@ class UseCases : public testing::Test {
     simulate("reversed", 2, "second.csv");
   }
 
-  static std::string path(const std::string& name) { return temporary_path(name); }
+  static std::string path(const std::string& name) { return recording::temporary_path(name); }
 
   static void simulate(const std::string& profile, std::uint64_t seed, const std::string& name) {
     SimulateRequest request;
     request.profile = profile;
     request.options.seed = seed;
     SimulatedChamber chamber(request);
-    RecordingWriter writer(path(name), request.format, chamber.columns(), kDefaultScaleFactor,
-                           request.options.rate_hz);
+    recording::RecordingWriter writer(path(name), request.format, chamber.columns(),
+                                      recording::kDefaultScaleFactor, request.options.rate_hz);
     chamber.run([&](const simulation::RowChunk& chunk) {
       std::vector<const double*> values;
-      for (const Column column : chamber.columns()) values.push_back(chunk[column].data());
+      for (const recording::Column column : chamber.columns())
+        values.push_back(chunk[column].data());
       writer.append(values, chunk.rows());
     });
     writer.commit();
@@ -61,7 +62,7 @@ class UseCases : public testing::Test {
   // The model without rate terms: what it lacks is to be found.
   static std::string static_model() {
     const std::string file = path("static.model");
-    if (!std::filesystem::exists(file)) save_model(fit(static_fit()).model, file);
+    if (!std::filesystem::exists(file)) model::save_model(fit(static_fit()).model, file);
     return file;
   }
 };
@@ -69,13 +70,13 @@ class UseCases : public testing::Test {
 TEST_F(UseCases, ALimitOfTheGyroIsPartOfItsCalibration) {
   FitRequest request = static_fit();
   request.reading.limits.range_dps = 200;
-  const Model model = fit(request).model;
+  const model::Model model = fit(request).model;
   EXPECT_EQ(model.limits.range_dps, 200);
   EXPECT_EQ(model.limits.max_acceleration_dps2, 20'000);
   const ExportOutcome board = board_header(model, "gyro.model", {}, false);
   EXPECT_NE(board.header.find("/* range (+-200 deg/s) */"), std::string::npos);
   EXPECT_TRUE(board.notes.empty());
-  BoardSettings given;
+  board::BoardSettings given;
   given.limits.range_dps = 90;
   const ExportOutcome narrow = board_header(model, "gyro.model", given, false);
   EXPECT_NE(narrow.header.find("/* range (+-90 deg/s) */"), std::string::npos);
@@ -88,7 +89,7 @@ TEST_F(UseCases, FitCompareDiagnoseAndAddWithoutACommandLine) {
   CompareRequest comparison;
   comparison.models = {file};
   comparison.runs = {path("run.csv"), path("second.csv")};
-  const std::vector<ModelOnRuns> judged = compare(comparison);
+  const std::vector<compare::ModelOnRuns> judged = compare(comparison);
   ASSERT_EQ(judged.size(), 1U);
   ASSERT_EQ(judged[0].runs.size(), 2U);
 
@@ -97,26 +98,26 @@ TEST_F(UseCases, FitCompareDiagnoseAndAddWithoutACommandLine) {
   question.runs = {path("run.csv")};
   const DiagnoseOutcome answer = diagnose(question);
   EXPECT_EQ(answer.runs, question.runs);
-  EXPECT_EQ(answer.ladder.first.verdict, Verdict::missing_effect);
+  EXPECT_EQ(answer.ladder.first.verdict, diagnosis::Verdict::missing_effect);
 
   AddRequest addition;
   addition.model = file;
-  addition.effects = {effect_to_add(answer.ladder.first)};
+  addition.effects = {diagnosis::effect_to_add(answer.ladder.first)};
   addition.runs = question.runs;
   addition.hold_outs = {path("second.csv")};
-  const Addition added = add(addition);
+  const fit::Addition added = add(addition);
   EXPECT_TRUE(added.accepted) << added.reason;
-  save_model(added.model, path("better.model"));
+  model::save_model(added.model, path("better.model"));
 
   comparison.models.push_back(path("better.model"));
-  const std::vector<ModelOnRuns> both = compare(comparison);
+  const std::vector<compare::ModelOnRuns> both = compare(comparison);
   EXPECT_LT(both[1].runs[1].comparison.whole.rms_dph, both[0].runs[1].comparison.whole.rms_dph);
 }
 
 TEST_F(UseCases, ExportWhatReplayThenRuns) {
   const std::string file = static_model();
   const ExportOutcome exported = export_header({file, {0.1, fog::OutputSelection::kvh, false}});
-  EXPECT_LE(exported.quantization.worst_dph, kQuantizationLimitDph);
+  EXPECT_LE(exported.quantization.worst_dph, board::kQuantizationLimitDph);
   std::ofstream(path("fog_model.h")) << exported.header;
 
   const auto bytes_of = [&](const std::string& weights) {
@@ -124,7 +125,7 @@ TEST_F(UseCases, ExportWhatReplayThenRuns) {
     request.weights = weights;
     request.run = path("run.csv");
     std::vector<std::uint8_t> bytes;
-    const ReplaySummary seen = replay(request, [&](fog::Span<const std::uint8_t> piece) {
+    const board::ReplaySummary seen = replay(request, [&](fog::Span<const std::uint8_t> piece) {
       bytes.insert(bytes.end(), piece.data, piece.data + piece.size);
     });
     EXPECT_EQ(seen.output_bytes, bytes.size());
@@ -154,9 +155,9 @@ TEST_F(UseCases, CalibrateAGyroAndNameItsFigures) {
   request.model_file = path("gyro.model");
   bool fitted = false;
   bool judged = false;
-  const CalibrationOutcome outcome =
-      calibrate(request, {[&](const Model&) { fitted = true; },
-                          [&](const ModelOnRuns& runs) { judged = runs.runs.size() == 1; }});
+  const CalibrationOutcome outcome = calibrate(
+      request, {[&](const model::Model&) { fitted = true; },
+                [&](const compare::ModelOnRuns& runs) { judged = runs.runs.size() == 1; }});
   EXPECT_TRUE(fitted && judged);
   const std::vector<std::string> known = figure_names(request.fit);
   for (const auto& [name, value] : outcome.figures) {
