@@ -4,10 +4,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=${1:-build/host}
-programs=(test_core test_model test_board test_diagnosis property_core)
-cmake "$build" -DFOG_UNIT_TESTS=ON >/dev/null
-cmake --build "$build" --target fogcomp golden_effect_outputs fit_sweep "${programs[@]}"
-for program in "${programs[@]}"; do "$build/tests/$program" --gtest_brief=1; done
+cmake --build "$build" --target fogcomp golden_effect_outputs fit_sweep test_effects
+"$build/tests/test_effects" --gtest_brief=1
 "$build/tests/fit_sweep" --count 80 --rows 64
 tests/golden/outputs_match.sh "$build/tests/golden_effect_outputs" tests/golden/effect_outputs.txt
 tests/integration/effects_document.sh "$build/fogcomp" .

@@ -8,8 +8,12 @@ source cmake/bootstrap/packages.sh
 
 require_packages "${build_packages[@]}" "${test_packages[@]}" || exit 2
 
+# Many tests build the firmware or the tree again, all but a few of the objects as before.
+export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+export CCACHE_DIR=$PWD/build/ccache CCACHE_NOHASHDIR=1
+
 cmake --preset host -DFOG_TESTS=ON -DFOG_UNIT_TESTS=OFF
-cmake --build build/host
+CCACHE_BASEDIR=$PWD cmake --build build/host # so that a copy of the tree has the same names (own_effect.sh)
 cmake --preset host_sanitized
 cmake --build build/host_sanitized
 

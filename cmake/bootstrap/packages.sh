@@ -12,7 +12,7 @@ command -v npm >/dev/null || build_packages+=(npm)
 # What the tests need beside that: the second line builds sanitized, the third compiles and runs the core for
 # another instruction set, the fourth is told how to flash a board, the fifth looks at package and manual.
 test_packages=(
-  libgtest-dev clang-format chromium
+  libgtest-dev clang-format chromium ccache
   clang libclang-rt-dev
   gcc-riscv64-unknown-elf qemu-system-misc
   openocd stlink-tools dfu-util

@@ -17,7 +17,7 @@ source cmake/bootstrap/packages.sh
 require_packages "${build_packages[@]}" "${test_packages[@]}" llvm-14-dev || exit 2
 
 build=$PWD/build/mutation
-tests=(test_acquisition test_thermometer test_core property_core golden_core_checks golden_board_output
+tests=(test_acquisition test_thermometer test_core test_effects property_core golden_core_checks golden_board_output
        golden_effect_outputs)
 mkdir -p "$build"
 

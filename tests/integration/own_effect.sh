@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
-# own_effect.sh SOURCE: carries out firmware/core/effects/TUTORIAL.md in a copy of the tree, block by block:
-# ```cpp file=PATH is written to PATH, ```sh is run.
+# own_effect.sh SOURCE BUILD: carries out firmware/core/effects/TUTORIAL.md in a copy of the tree, block by block:
+# ```cpp file=PATH is written to PATH, ```sh is run. The copy is in BUILD, where a compiler cache that knows the tree by
+# relative paths (tests/run.sh) has all objects that do not depend on the effects.
 set -euo pipefail
-source=${1:?usage: own_effect.sh SOURCE}
+source=${1:?usage: own_effect.sh SOURCE BUILD} build=${2:?usage: own_effect.sh SOURCE BUILD}
 page=$source/firmware/core/effects/TUTORIAL.md
-copy=$(mktemp -d)
+copy=$build/own_effect
+rm -rf "$copy"
+mkdir -p "$copy"
 trap 'rm -rf "$copy"' EXIT
 cp -r "$source"/{CMakeLists.txt,CMakePresets.json,cmake,firmware,host_tools,linker,tests} "$copy"
 cd "$copy"
-# Thrown away, so that only compiling it must be fast.
-sed -i 's/"Release"/"None"/; 0,/"None"/s//"None", "CMAKE_CXX_COMPILER": "clang++", "CMAKE_CXX_FLAGS": "-O1"/' CMakePresets.json
+export CCACHE_BASEDIR=$source
 
 # Blocks become numbered files, with their first line's words beside them.
 awk '/^```/ { if (inside) { inside = 0; next } inside = 1; n++; print substr($0, 4) > ("block" n ".kind"); next }
