@@ -177,54 +177,6 @@ TEST(Identify, FindsASecondRadiusOfHysteresisWhereAsked) {
   EXPECT_EQ(one.terms.back().coefficients_dph.size(), 1U);
 }
 
-// The ripple found in truth() with one of these shapes and sizes, by a fit with these effects.
-model::EffectTerm fitted_ripple(const std::vector<double>& shape, const std::vector<double>& sizes,
-                                const fog::test::RowNoise& noise, std::uint64_t seed,
-                                const std::string& effects) {
-  Model real = truth();
-  real.terms.push_back(fog::test::natural_term("polarization_ripple", shape, sizes));
-  const auto recording = fog::test::recording_of(real, noise, seed);
-  Model model = unknown();
-  model.terms = model::parse_effects(effects);
-  fit(model, recording);
-  return model.terms.back();
-}
-
-// The first search of one period alone settles on either.
-TEST(Identify, FindsASecondPeriodOfTheRippleWhereAsked) {
-  const model::EffectTerm term =
-      fitted_ripple({9, 31}, {0.006, 0.004, 0.02, -0.02}, {0.024, 0.003, 300}, 2,
-                    "bias,bias_temperature:order=3,temperature_rate,polarization_ripple:period2=?");
-  ASSERT_EQ(term.coefficients_dph.size(), 4U);
-  EXPECT_NEAR(term.parameters[0], 9, 4 * term.parameter_sigma[0]);
-  EXPECT_NEAR(term.parameters[1], 31, 4 * term.parameter_sigma[1]);
-  EXPECT_LT(term.parameter_sigma[1], 2);
-}
-
-TEST(Identify, FindsTheChirpOfTheRippleWhereAsked) {
-  const model::EffectTerm term =
-      fitted_ripple({13, 0, 0.05}, {0.02, 0.01}, {0.024, 0.003, 300}, 3,
-                    "bias,bias_temperature:order=3,temperature_rate,polarization_ripple:chirp=?");
-  EXPECT_NEAR(term.parameters[0], 13, 4 * term.parameter_sigma[0]);
-  EXPECT_NEAR(term.parameters[2], 0.05, 4 * term.parameter_sigma[2]);
-  EXPECT_LT(term.parameter_sigma[2], 0.01);
-  EXPECT_EQ(model::parse_effects("polarization_ripple")[0].identified,
-            (std::vector<bool>{true, false, false}));
-}
-
-// A strong ripple whose period is a little off leaves more than the weak one has, so that a
-// neighbour of the strong one can pass for it.
-TEST(Identify, FindsAWeakSecondPeriodBesideAStrongOneWhereverTheyAre) {
-  constexpr double kStrongAndWeak[][2] = {{31, 19}, {46, 11}};
-  for (const auto& [strong, weak] : kStrongAndWeak) {
-    const model::EffectTerm term = fitted_ripple(
-        {strong, weak}, {-0.008, 0.029, 0.003, 0.0035}, {0.024, 0.002, 300}, 1,
-        "bias,bias_temperature:order=2,temperature_rate,warm_up,polarization_ripple:period2=?");
-    EXPECT_NEAR(term.parameters[0], weak, 0.07 * weak) << strong;
-    EXPECT_NEAR(term.parameters[1], strong, 0.04 * strong) << weak;
-  }
-}
-
 TEST(EffectList, KeepsWhatIsGivenAndLeavesTheRestToTheFit) {
   const auto terms = model::parse_effects("bias,bias_temperature:order=3,temperature_rate");
   ASSERT_EQ(terms.size(), 3U);

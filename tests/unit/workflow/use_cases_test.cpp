@@ -39,6 +39,7 @@ class UseCases : public testing::Test {
     SimulateRequest request;
     request.profile = profile;
     request.options.seed = seed;
+    request.options.grid.axial_cells = 1;
     SimulatedChamber chamber(request);
     recording::RecordingWriter writer(path(name), request.format, chamber.columns(),
                                       recording::kDefaultScaleFactor, request.options.rate_hz);
