@@ -61,11 +61,12 @@ int DiagnoseCommand::run() const {
   std::vector<std::string> files = found.runs;
   files.insert(files.begin(), arguments[0]);
   const findings::Document document =
-      findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
+      findings::diagnose_findings(found.ladder, found.next, loop_wanted, found.data, files);
   if (page.wanted()) page.write(document);
   if (json.given()) {
-    const Json object = loop_wanted ? findings::ladder_json(found.ladder, files)
-                                    : findings::diagnosis_json(found.ladder.first, files);
+    const Json object = loop_wanted
+                            ? findings::ladder_json(found.ladder, found.next, files)
+                            : findings::diagnosis_json(found.ladder.first, found.next, files);
     std::puts(object.text().c_str());
   } else {
     std::fputs(report::terminal(document).c_str(), stdout);

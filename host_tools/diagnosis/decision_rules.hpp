@@ -81,6 +81,11 @@ constexpr double kMaxUnexplainedByEvent = 0.03;
 /// Logarithm of the chance of a leftover that may be noise.
 constexpr double kLeftoverLogP = -7;
 
+/// Evidence for an input, beside the temperature and its rate, relative to that for the variable on
+/// which what is left depends most, from which formulas are looked for in it, too: what depends on
+/// the input alone has 1, what depends on it and as much on another variable half.
+constexpr double kMinShareOfInput = 0.5;
+
 // ---- What to add, and when to stop ------------------------------------------------------------
 /// Of rivals another is added first that leaves so much less and is nearly as likely as the best.
 constexpr double kClearlyLess = 0.97;

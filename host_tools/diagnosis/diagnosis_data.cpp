@@ -31,6 +31,12 @@ std::string DiagnosisData::add(const compare::RunInBlocks& run) {
   return "";
 }
 
+DiagnosisData DiagnosisData::with_offered(const std::vector<model::EffectTerm>& more) const {
+  DiagnosisData data = *this;
+  data.offered_.insert(data.offered_.end(), more.begin(), more.end());
+  return data;
+}
+
 std::optional<double> DiagnosisData::noise_floor_dph() const {
   if (floor_rows_ == 0) return std::nullopt;
   return std::sqrt(floor_square_rows_ / floor_rows_);

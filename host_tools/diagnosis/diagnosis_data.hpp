@@ -32,6 +32,9 @@ class DiagnosisData {
   std::string add(const recording::Recording& recording) {
     return add(compare::run_in_blocks(recording, average_s_));
   }
+  /// The same recordings, with these expressions beside those that were offered. The recordings
+  /// have what they need.
+  DiagnosisData with_offered(const std::vector<model::EffectTerm>& more) const;
   const recording::KnownRows& known() const { return known_; }
 
   const series::SignalSeries& series() const { return series_; }

@@ -319,14 +319,14 @@ void add_run(Document& document, const Run& run, const diagnosis::Ladder& ladder
 
 }  // namespace
 
-Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
-                           const diagnosis::DiagnosisData& data,
+Document diagnose_findings(const diagnosis::Ladder& ladder, const diagnosis::NextStep& next,
+                           bool loop_wanted, const diagnosis::DiagnosisData& data,
                            const std::vector<std::string>& files) {
   const std::string& model = files[0];
   const std::vector<std::string> files_of_runs(files.begin() + 1, files.end());
   const std::string runs = join(files_of_runs, " ");
   const diagnosis::Diagnosis& diagnosis = ladder.first;
-  const DiagnosisWords said = words_of(diagnosis, model, runs);
+  const DiagnosisWords said = words_of(diagnosis, next, model, runs);
   const std::vector<std::string> names = names_from_outside(data, files);
   Document document("fogcomp diagnose " + model + " " + runs, words(said.verdict, names));
   add_next(document, said, diagnosis.verdict, model);

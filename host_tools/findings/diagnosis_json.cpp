@@ -110,20 +110,35 @@ void set_residual(Json& result, const diagnosis::Diagnosis& diagnosis) {
                           .set("from_quiet_parts", diagnosis.noise.from_quiet_parts));
 }
 
+// What lowers the error where nothing is named; null where nothing does or something is named.
+Json description_json(const diagnosis::NextStep& next) {
+  if (!next.describes || !next.addition) return Json();
+  const diagnosis::TriedAddition& trial = *next.addition;
+  return Json::object()
+      .set("effects", trial.effects)
+      .set("expression", trial.expression.empty() ? Json() : Json(trial.expression))
+      .set("rms_before_dph", trial.rms_before_dph)
+      .set("rms_after_dph", trial.rms_after_dph);
+}
+
 // The command to type now; null where there is none.
-Json next_json(const diagnosis::Diagnosis& diagnosis, const std::vector<std::string>& files) {
+Json next_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
+               const std::vector<std::string>& files) {
   if (files.empty()) return Json();
   const std::vector<std::string> runs(files.begin() + 1, files.end());
-  const std::string command = words_of(diagnosis, files[0], join(runs, " ")).command;
+  const std::string command = words_of(diagnosis, next, files[0], join(runs, " ")).command;
   return command.empty() ? Json() : Json(command);
 }
 
 }  // namespace
 
-Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const std::vector<std::string>& files) {
+Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
+                    const std::vector<std::string>& files) {
   Json result = Json::object();
   set_verdict(result, diagnosis);
-  result.set("next", next_json(diagnosis, files));
+  result.set("description", description_json(next));
+  result.set("forms", shares_json(next.forms));
+  result.set("next", next_json(diagnosis, next, files));
   result.set("fast", fast_json(diagnosis));
   result.set("where", Json::object()
                           .set("variable", diagnosis.variable)
@@ -140,7 +155,8 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const std::vector<std
   return result;
 }
 
-Json ladder_json(const diagnosis::Ladder& ladder, const std::vector<std::string>& files) {
+Json ladder_json(const diagnosis::Ladder& ladder, const diagnosis::NextStep& next,
+                 const std::vector<std::string>& files) {
   Json steps = json_array(ladder.steps, [&](const diagnosis::Ladder::Step& step) {
     return Json::object()
         .set("effect", step.effect)
@@ -149,10 +165,10 @@ Json ladder_json(const diagnosis::Ladder& ladder, const std::vector<std::string>
         .set("rms_before_dph", step.rms_before_dph)
         .set("rms_after_dph", step.rms_after_dph);
   });
-  Json result = diagnosis_json(ladder.first, files);
+  Json result = diagnosis_json(ladder.first, next, files);
   result.set("added", ladder.added()).set("ladder", std::move(steps));
   result.set("left_alone", ladder.left_alone.empty() ? Json() : Json(ladder.left_alone));
-  result.set("last", diagnosis_json(ladder.last, {}));
+  result.set("last", diagnosis_json(ladder.last, {}, {}));
   return result;
 }
 

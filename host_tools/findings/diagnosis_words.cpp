@@ -26,34 +26,16 @@ std::string joined(const std::vector<std::string>& names, const char* last) {
   return text;
 }
 
-// How to name an effect to `add`, with what it takes to grow one that is there already.
-std::string to_add(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
-  const diagnosis::CandidateFinding* finding = diagnosis.find(effect);
-  const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
-                                [&](const model::EffectTerm& term) { return term.name == effect; });
-  if (own == diagnosis.terms.end() || finding == nullptr) return effect;
-  const model::CatalogueEntry& entry = model::find_effect(effect);
-  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-    if (finding->term().parameters[i] == own->parameters[i]) continue;
-    return format("%s:%s=%.4g", effect.c_str(), entry.parameters[i].name,
-                  finding->term().parameters[i]);
+std::string add_command_line(const diagnosis::TriedAddition& trial, const std::string& model,
+                             const std::string& runs) {
+  if (!trial.expression.empty()) {  // which has no quotes in it
+    return "fogcomp add " + model + " " + runs + " --effect-expr '" + trial.expression + "'";
   }
-  return effect;
+  return "fogcomp add " + model + " " + join(trial.effects, " ") + " " + runs;
 }
 
-// The command that adds one effect or a set. An expression, which has no quotes in it, stands
-// alone.
-std::string add_command_line(const diagnosis::Diagnosis& diagnosis,
-                             const std::vector<std::string>& effects, const std::string& model,
-                             const std::string& runs) {
-  std::string line = "fogcomp add " + model;
-  const diagnosis::CandidateFinding* const first = diagnosis.find(effects.front());
-  if (effects.size() == 1 && first != nullptr && first->is_expression()) {
-    const model::Expression& expression = first->term().expression->expression;
-    return line + " " + runs + " --effect-expr '" + expression.name + " = " + expression.text + "'";
-  }
-  for (const std::string& effect : effects) line += " " + to_add(diagnosis, effect);
-  return line + " " + runs;
+std::string what_is_tried(const diagnosis::TriedAddition& trial) {
+  return trial.expression.empty() ? joined(trial.effects, "and") : trial.expression;
 }
 
 std::string walk_words(const diagnosis::Diagnosis& diagnosis) {
@@ -79,7 +61,7 @@ Headline missing_words(const diagnosis::Diagnosis& diagnosis) {
                  described.empty() ? "" : ("; " + described).c_str())};
 }
 
-Headline unknown_words(const diagnosis::Diagnosis& diagnosis) {
+Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_holds) {
   if (diagnosis.fast_kind != diagnosis::FastKind::none) {
     return {std::string("something is missing that no effect of the catalogue explains: ") +
                 (diagnosis.fast_kind == diagnosis::FastKind::two_levels ? "jumps between two levels"
@@ -91,7 +73,7 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis) {
             "they are what " + walk_words(diagnosis)};
   }
   const std::string surely = diagnosis::effect_to_add(diagnosis);
-  if (!surely.empty()) {
+  if (!surely.empty() && main_part_holds) {
     return {surely + " is missing, and something more that no effect of the catalogue explains (" +
                 percent(diagnosis.unexplained_fraction) + " of all)",
             ""};
@@ -105,7 +87,7 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis) {
           ""};
 }
 
-Headline verdict_words(const diagnosis::Diagnosis& diagnosis) {
+Headline verdict_words(const diagnosis::Diagnosis& diagnosis, bool main_part_holds = true) {
   switch (diagnosis.verdict) {
     case diagnosis::Verdict::none:
       if (diagnosis.walk.may_be_all()) {
@@ -122,13 +104,12 @@ Headline verdict_words(const diagnosis::Diagnosis& diagnosis) {
     case diagnosis::Verdict::unknown:
       break;
   }
-  return unknown_words(diagnosis);
+  return unknown_words(diagnosis, main_part_holds);
 }
 
-std::string size_words(const diagnosis::Diagnosis& diagnosis) {
+std::string size_words(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
   std::string text = format("the model leaves %.4g deg/h rms; the noise floor is %.4g",
                             diagnosis.residual_rms_dph, diagnosis.noise_floor_dph);
-  const std::string effect = diagnosis::effect_to_add(diagnosis);
   if (const diagnosis::CandidateFinding* finding = diagnosis.find(effect)) {
     text += format("; with %s %.4g", effect.c_str(), finding->rms_after_dph);
   }
@@ -232,25 +213,56 @@ std::string network_words(const diagnosis::Diagnosis& diagnosis) {
   return text + "): add the effect and train a smaller network";
 }
 
-void add_next(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
-              const std::string& model, const std::string& runs) {
-  std::vector<std::string> effects = diagnosis::effects_together(diagnosis);
-  const std::string one = diagnosis::effect_to_add(diagnosis);
-  if (!one.empty()) effects = {one};
-  const bool has_event = std::any_of(effects.begin(), effects.end(), [&](const auto& name) {
-    const diagnosis::CandidateFinding* const finding = diagnosis.find(name);
-    return finding != nullptr && model::is_event(finding->term());
-  });
-  if (has_event) {
-    words.next = "fit again with " + joined(effects, "and") +
+// Of what lowers the error and is not the cause, as far as anyone knows.
+std::vector<std::string> description_words(const diagnosis::NextStep& next) {
+  std::vector<std::string> lines;
+  if (!next.forms.empty()) {
+    std::string text = "outside the catalogue it looks like " + next.forms[0].name +
+                       format(" (%.2f)", next.forms[0].share);
+    for (std::size_t i = 1; i < std::min<std::size_t>(3, next.forms.size()); ++i) {
+      text += (i == 1 ? ", rather than " : " or ") + next.forms[i].name +
+              format(" (%.2f)", next.forms[i].share);
+    }
+    lines.push_back(text);
+  }
+  if (next.addition) {
+    lines.push_back(
+        what_is_tried(*next.addition) +
+        format(" lowers the error out of sample from %s to %s deg/h: this describes it, it does "
+               "not say what it is. Beyond the trained temperatures it is held at its value there",
+               rounded(next.addition->rms_before_dph).c_str(),
+               rounded(next.addition->rms_after_dph).c_str()));
+  }
+  if (next.experiment && !next.experiment->sentence.empty()) {
+    lines.push_back("to tell: " + next.experiment->sentence);
+  } else if (next.addition) {
+    lines.push_back(
+        "a run of another programme, given to add with --holdout, would tell whether it "
+        "holds there, too");
+  }
+  return lines;
+}
+
+// The first was named, or describes most.
+std::string nothing_holds_words(const diagnosis::NextStep& next) {
+  std::string text = "nothing to add: " + what_is_tried(next.refused[0]) +
+                     " was tried and refused, " + next.refused[0].reason;
+  std::vector<std::string> others;
+  for (std::size_t i = 1; i < next.refused.size(); ++i) {
+    others.push_back(what_is_tried(next.refused[i]));
+  }
+  return others.empty() ? text : text + "; so were " + joined(others, "and");
+}
+
+void add_next(DiagnosisWords& words, const diagnosis::NextStep& next, const std::string& model,
+              const std::string& runs) {
+  if (!next.events.empty()) {
+    words.next = "fit again with " + joined(next.events, "and") +
                  " among the --effects: it finds steps and masks them";
-  } else if (!effects.empty()) {
-    words.command = add_command_line(diagnosis, effects, model, runs) + " -o NEW.model";
-  } else if (diagnosis.verdict == diagnosis::Verdict::unknown &&
-             diagnosis.fast_kind == diagnosis::FastKind::none && !diagnosis.walk.may_be_all()) {
-    words.next =
-        "let a formula of your own compete: --effect-expr 'NAME = T*T*dTdt' "
-        "(host_tools/README.md, Expressions)";
+  } else if (next.addition) {
+    words.command = add_command_line(*next.addition, model, runs) + " -o NEW.model";
+  } else if (!next.refused.empty()) {
+    words.next = nothing_holds_words(next);
   }
 }
 
@@ -269,11 +281,12 @@ std::string shape_words(const model::EffectTerm& term) {
   return text;
 }
 
-DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const std::string& model,
-                        const std::string& runs) {
+DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
+                        const std::string& model, const std::string& runs) {
   DiagnosisWords words;
-  std::tie(words.verdict, words.certainty) = verdict_words(diagnosis);
-  words.findings.push_back(size_words(diagnosis));
+  std::tie(words.verdict, words.certainty) = verdict_words(diagnosis, !next.describes);
+  words.findings.push_back(
+      size_words(diagnosis, next.describes ? "" : diagnosis::effect_to_add(diagnosis)));
   const std::string as_given = as_given_words(diagnosis);
   if (!as_given.empty()) words.findings.push_back(as_given);
   const std::string together = together_words(diagnosis);
@@ -286,7 +299,10 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const std::string
     if (diagnosis.experiment && !diagnosis.experiment->sentence.empty()) {
       words.findings.push_back("to tell: " + diagnosis.experiment->sentence);
     }
-    add_next(words, diagnosis, model, runs);
+    if (next.describes) {
+      for (const std::string& line : description_words(next)) words.findings.push_back(line);
+    }
+    add_next(words, next, model, runs);
   }
   if (diagnosis.outliers > 0)
     words.limits.push_back(noise::outlier_words(diagnosis.outliers, diagnosis.row_s));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "diagnosis/ladder.hpp"
+#include "diagnosis/next_step.hpp"
 
 namespace fogcomp::findings {
 
@@ -18,8 +19,8 @@ struct DiagnosisWords {
 };
 
 /// `model` and `runs` as on the command line.
-DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const std::string& model,
-                        const std::string& runs);
+DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
+                        const std::string& model, const std::string& runs);
 
 /// A step of the loop: "+ temperature_rate (or shupe)".
 std::string step_words(const diagnosis::Ladder::Step& step);

@@ -21,23 +21,18 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observe
   own->average_s = request.average_s.value_or(own->average_s);
   const model::Model& model = *own;
   DiagnoseOutcome outcome{
-      std::move(own), diagnosis::DiagnosisData(model, offered(request, model)), {}, {}};
+      std::move(own), diagnosis::DiagnosisData(model, offered(request, model)), {}, {}, {}};
   recording::ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = model.scale_factor;
   reading.model_limits = model.limits;
+  const fit::TrainingRuns training =
+      fit::read_training_runs(request.runs, reading, model.average_s);
+  observer.say(training.notes);
   compare::BoardError as_given;
-  std::vector<std::string> notes;
-  for (const std::string& file : request.runs) {
-    const compare::RunInBlocks run =
-        compare::run_in_blocks(recording::read_recording(file, reading), model.average_s);
-    const std::string same = outcome.data.add(run);
-    if (!same.empty()) {
-      observer.say({recording::same_rows_words(file, same)});
-      continue;
-    }
-    notes.insert(notes.end(), run.notes.begin(), run.notes.end());
+  for (const compare::RunInBlocks& run : training.runs) {
+    outcome.data.add(run);
     as_given.add(compare::board_error(model, run, compare::compare_with(model, run)));
-    outcome.runs.push_back(file);
+    outcome.runs.push_back(run.file);
   }
   diagnosis::DiagnosisSettings settings;
   settings.seed = request.seed;
@@ -48,7 +43,8 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observe
   }
   outcome.ladder = diagnosis::walk_ladder(model, outcome.data, request.max_effects, settings);
   outcome.ladder.first.as_given = as_given;
-  observer.say(notes);
+  outcome.next =
+      diagnosis::find_next_step(model, outcome.ladder.first, outcome.data, training, settings);
   return outcome;
 }
 

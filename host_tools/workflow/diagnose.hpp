@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnosis/ladder.hpp"
+#include "diagnosis/next_step.hpp"
 #include "workflow/observer.hpp"
 
 namespace fogcomp::workflow {
@@ -26,6 +27,7 @@ struct DiagnoseOutcome {
   diagnosis::DiagnosisData data;
   std::vector<std::string> runs;  ///< that counted: none twice
   diagnosis::Ladder ladder;       ///< without steps where max_effects is 0
+  diagnosis::NextStep next;       ///< after its first diagnosis
 };
 
 /// Throws InputError as DiagnosisData::add(), noise_of_static() and walk_ladder() do.

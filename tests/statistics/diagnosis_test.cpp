@@ -7,6 +7,7 @@
 
 #include "diagnosis/ladder.hpp"
 #include "model/effect_list.hpp"
+#include "statistics/hidden_drift.hpp"
 #include "support/chance.hpp"
 #include "support/input_error.hpp"
 #include "support/typical_effects.hpp"
@@ -14,41 +15,14 @@
 
 namespace {
 
+using fog::test::kBasic;
 using fog::test::kQuietNoise;
 using fog::test::model_of;
+using fog::test::recording_with;
 using fog::test::RowNoise;
 using fogcomp::diagnosis::Diagnosis;
 using fogcomp::diagnosis::Verdict;
 using fogcomp::model::Model;
-
-std::vector<fogcomp::model::EffectTerm> basic() {
-  return {fog::test::natural_term("bias", {}, {0.7}),
-          fog::test::natural_term("bias_temperature", {2}, {-4e-4, -3e-5}),
-          fog::test::natural_term("temperature_rate", {}, {0.12})};
-}
-
-// What the coil does without the board's delays, and noise.
-fogcomp::recording::Recording recording_with(const std::vector<fogcomp::model::EffectTerm>& hidden,
-                                             std::uint64_t seed,
-                                             const RowNoise& noise = kQuietNoise) {
-  std::vector<fogcomp::model::EffectTerm> terms = basic();
-  terms.insert(terms.end(), hidden.begin(), hidden.end());
-  const Model model = model_of(terms);
-  fogcomp::recording::Recording recording = fog::test::recording_of(model_of({}), noise, seed);
-  fogcomp::series::SignalSeries series(model, fogcomp::series::Phase::zero);
-  series.add(fogcomp::series::make_blocks(recording));
-  for (const fogcomp::model::EffectTerm& term : terms) {
-    const Eigen::MatrixXd regressors = series.regressors(term);
-    for (std::size_t row = 0; row < recording.rows(); ++row) {
-      for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-        recording.rate_dph[row] +=
-            term.coefficients_dph[i] *
-            regressors(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i));
-      }
-    }
-  }
-  return recording;
-}
 
 std::vector<fogcomp::model::EffectTerm> expressions(const std::vector<std::string>& definitions) {
   std::vector<fogcomp::model::EffectTerm> terms;
@@ -67,8 +41,6 @@ Diagnosis diagnosed(const std::string& effects, const fogcomp::recording::Record
                     const std::vector<std::string>& offered = {}) {
   return diagnosed(model_of(fogcomp::model::parse_effects(effects)), recording, offered);
 }
-
-constexpr const char* kBasic = "bias,bias_temperature:order=2,temperature_rate";
 
 bool names_an_effect(const Diagnosis& diagnosis) {
   return diagnosis.verdict == Verdict::missing_effect || diagnosis.verdict == Verdict::ambiguous;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "model/effect_list.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::findings {
 namespace {
@@ -27,28 +28,56 @@ diagnosis::Diagnosis only_together() {
   return diagnosis;
 }
 
+diagnosis::TriedAddition tried(const std::vector<std::string>& effects,
+                               const std::string& expression = "") {
+  diagnosis::TriedAddition addition;
+  addition.effects = effects;
+  addition.expression = expression;
+  addition.reason = "gain 3.1, needed 10";
+  return addition;
+}
+
 TEST(DiagnosisWords, OfASetAddAllOfIt) {
-  const DiagnosisWords words = words_of(only_together(), "x.model", "run.csv");
+  diagnosis::NextStep next;
+  next.addition = tried({"thermal_lag", "aging"});
+  const DiagnosisWords words = words_of(only_together(), next, "x.model", "run.csv");
   EXPECT_EQ(words.verdict, "several effects together are missing: thermal_lag and aging");
   EXPECT_EQ(words.command, "fogcomp add x.model thermal_lag aging run.csv -o NEW.model");
 }
 
-TEST(DiagnosisWords, OfRivalsThatDoNotHelpAloneProposeTheSetThatDoes) {
+TEST(DiagnosisWords, SayOfADescriptionThatItIsNoCause) {
   diagnosis::Diagnosis diagnosis = only_together();
-  diagnosis.verdict = diagnosis::Verdict::ambiguous;
+  diagnosis.verdict = diagnosis::Verdict::unknown;
   diagnosis.effect.clear();
-  diagnosis.confusable = {"aging"};
-  EXPECT_EQ(words_of(diagnosis, "x.model", "run.csv").command,
-            "fogcomp add x.model thermal_lag aging run.csv -o NEW.model");
-  diagnosis.explanations[0].effects = {"aging", "aging"};  // twice the same cannot be added so
-  EXPECT_EQ(words_of(diagnosis, "x.model", "run.csv").command, "");
+  diagnosis::NextStep next;
+  next.describes = true;
+  next.forms = {{"dTdt^2", 0.86}, {"lag(dTdt^2,tau)", 0.14}};
+  next.addition = tried({}, "dTdt_squared = dTdt^2");
+  const DiagnosisWords words = words_of(diagnosis, next, "x.model", "run.csv");
+  const std::string all = join(words.findings, "\n");
+  EXPECT_NE(all.find("looks like dTdt^2 (0.86), rather than lag(dTdt^2,tau) (0.14)"),
+            std::string::npos)
+      << all;
+  EXPECT_NE(all.find("this describes it, it does not say what it is"), std::string::npos) << all;
+  EXPECT_EQ(words.command,
+            "fogcomp add x.model run.csv --effect-expr 'dTdt_squared = dTdt^2' -o NEW.model");
+}
+
+TEST(DiagnosisWords, SayWhyNothingCanBeAdded) {
+  diagnosis::NextStep next;
+  next.describes = true;
+  next.refused = {tried({"aging"}), tried({"shupe", "warm_up"})};
+  const DiagnosisWords words = words_of(only_together(), next, "x.model", "run.csv");
+  EXPECT_EQ(words.command, "");
+  EXPECT_EQ(words.next,
+            "nothing to add: aging was tried and refused, gain 3.1, needed 10; so were shupe and "
+            "warm_up");
 }
 
 TEST(DiagnosisWords, ASetWithAStepIsFittedAgain) {
-  diagnosis::Diagnosis diagnosis = only_together();
-  diagnosis.candidates.push_back(finding_of("bias_step", 0.1, 905));
-  diagnosis.explanations[0].effects = {"aging", "bias_step"};
-  const DiagnosisWords words = words_of(diagnosis, "x.model", "run.csv");
+  diagnosis::NextStep next;
+  next.events = {"aging", "bias_step"};
+  const DiagnosisWords words = words_of(only_together(), next, "x.model", "run.csv");
   EXPECT_EQ(words.command, "");
   EXPECT_EQ(
       words.next,

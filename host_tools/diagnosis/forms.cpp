@@ -1,0 +1,113 @@
+#include "diagnosis/forms.hpp"
+
+#include <string>
+
+#include "model/effect_list.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::diagnosis {
+namespace {
+
+// Of a lag: from what a block hardly shows to what a programme of hours still shows.
+const std::string kLagBounds = "?tau[60,6000]";
+// A kink at the very end of a range is none.
+constexpr double kKinkMargin = 0.1;
+// Of a sine, of the range: a tenth is as fast as its noise lets be seen, twice is nearly a square.
+constexpr double kMinPeriod = 0.1;
+constexpr double kMaxPeriod = 2;
+
+class Formulas {
+ public:
+  void add(const std::string& name, const std::string& text) {
+    model::add_expression(terms_, name + " = " + text);
+  }
+  std::vector<model::EffectTerm> take() { return std::move(terms_); }
+
+ private:
+  std::vector<model::EffectTerm> terms_;
+};
+
+struct VaryingSignal {
+  std::string symbol;
+  model::SignalRange range;
+};
+
+std::vector<VaryingSignal> varying_signals(const series::SignalSeries& series,
+                                           fog::InputMask inputs) {
+  const model::SignalRanges ranges = series.signal_ranges();
+  std::vector<VaryingSignal> signals;
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (input.input == fog::Input::elapsed || !has(inputs, input.input)) continue;
+    const model::SignalRange& range = ranges[static_cast<std::size_t>(input.input)];
+    if (range.most > range.least) signals.push_back({input.symbol, range});
+  }
+  return signals;
+}
+
+std::string lagged(const std::string& text) {
+  return "lag(" + text + "," + kLagBounds + ")";
+}
+
+// Of one signal. Powers of the temperature are bias_temperature's, a period in it is
+// polarization_ripple's, and what follows its rate with a lag is thermal_lag's.
+void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
+  const auto& [x, range] = signal;
+  const double span = range.most - range.least;
+  if (x != "T") {
+    formulas.add(x + "_squared", x + "^2");
+    formulas.add(x + "_cubed", x + "^3");
+    formulas.add(x + "_squared_late", lagged(x + "^2"));
+    if (range.least < 0 && range.most > 0) {
+      formulas.add(x + "_size", "abs(" + x + ")");
+      formulas.add(x + "_size_late", lagged("abs(" + x + ")"));
+      formulas.add(x + "_signed_square", x + "*abs(" + x + ")");
+    }
+    if (x != "dTdt") formulas.add(x + "_late", lagged(x));
+    formulas.add(x + "_sine", format("sin(6.2832*%s/?p[%.4g,%.4g])", x.c_str(), kMinPeriod * span,
+                                     kMaxPeriod * span));
+  }
+  const double margin = kKinkMargin * span;
+  formulas.add(x + "_kink", format("max(%s-?c[%.6g,%.6g],0)", x.c_str(), range.least + margin,
+                                   range.most - margin));
+}
+
+// Products of two signals, of three factors at most.
+void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSignal& b) {
+  const std::string& x = a.symbol;
+  const std::string& y = b.symbol;
+  formulas.add(x + "_" + y, x + "*" + y);
+  formulas.add(x + "_squared_" + y, x + "^2*" + y);
+  formulas.add(x + "_" + y + "_squared", x + "*" + y + "^2");
+  if (b.range.least < 0 && b.range.most > 0) {
+    formulas.add(x + "_" + y + "_size", x + "*abs(" + y + ")");
+  }
+  formulas.add(x + "_" + y + "_late", lagged(x + "*" + y));
+}
+
+}  // namespace
+
+std::vector<model::EffectTerm> formulas_over(const series::SignalSeries& series,
+                                             fog::InputMask inputs) {
+  const std::vector<VaryingSignal> signals = varying_signals(series, inputs);
+  Formulas formulas;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    add_own_forms(formulas, signals[i]);
+    for (std::size_t j = i + 1; j < signals.size(); ++j) {
+      add_products(formulas, signals[i], signals[j]);
+    }
+  }
+  return formulas.take();
+}
+
+std::string form_text(const model::Expression& expression) {
+  std::string text;
+  bool in_bounds = false;
+  for (const char letter : expression.text) {
+    if (letter == '[') in_bounds = true;
+    if (!in_bounds && letter != '?') text += letter;
+    if (letter == ']') in_bounds = false;
+  }
+  return text;
+}
+
+}  // namespace fogcomp::diagnosis

@@ -1,0 +1,199 @@
+#include "diagnosis/next_step.hpp"
+
+#include <algorithm>
+
+#include "diagnosis/decision_rules.hpp"
+#include "diagnosis/forms.hpp"
+#include "model/catalogue.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::diagnosis {
+namespace {
+
+// Three effects of the catalogue can be bent into nearly everything on one programme.
+constexpr std::size_t kMaxInSet = 2;
+constexpr std::size_t kMaxTried = 3;  // descriptions: each is a fit, and others left out in turn
+
+// How `add` is told of an effect, with what it takes to grow one that is there already.
+std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
+  const CandidateFinding* finding = diagnosis.find(effect);
+  const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
+                                [&](const model::EffectTerm& term) { return term.name == effect; });
+  if (own == diagnosis.terms.end() || finding == nullptr) return effect;
+  const model::CatalogueEntry& entry = model::find_effect(effect);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    if (finding->term().parameters[i] == own->parameters[i]) continue;
+    return format("%s:%s=%.4g", effect.c_str(), entry.parameters[i].name,
+                  finding->term().parameters[i]);
+  }
+  return effect;
+}
+
+bool has_event(const Diagnosis& diagnosis, const std::vector<std::string>& effects) {
+  return std::any_of(effects.begin(), effects.end(), [&](const std::string& name) {
+    const CandidateFinding* const finding = diagnosis.find(name);
+    return finding != nullptr && model::is_event(finding->term());
+  });
+}
+
+// An expression stands alone: `add` takes effects, or one expression.
+std::optional<TriedAddition> addition_of(const Diagnosis& diagnosis,
+                                         const std::vector<std::string>& effects) {
+  TriedAddition trial;
+  for (const std::string& effect : effects) {
+    const CandidateFinding* const finding = diagnosis.find(effect);
+    if (finding == nullptr || !finding->is_expression()) {
+      trial.effects.push_back(to_add(diagnosis, effect));
+      continue;
+    }
+    if (effects.size() > 1) return std::nullopt;
+    const model::Expression& expression = finding->term().expression->expression;
+    trial.expression = expression.name + " = " + expression.text;
+  }
+  return trial;
+}
+
+// As `add` would judge it. The network takes no part in that and is left out.
+class Judge {
+ public:
+  Judge(const model::Model& model, const fit::TrainingRuns& runs) : model_(model), runs_(runs) {
+    model_.network = {};
+  }
+  TriedAddition operator()(TriedAddition trial) const {
+    try {
+      const fit::EffectChange change = trial.expression.empty()
+                                           ? fit::change_effects(model_.terms, trial.effects)
+                                           : fit::change_expression(model_.terms, trial.expression);
+      const fit::Addition addition = fit::add_effect(model_, change, runs_, {}, {});
+      trial.accepted = addition.accepted;
+      trial.reason = addition.reason;
+      trial.rms_before_dph = addition.out_of_sample.rms_before_dph;
+      trial.rms_after_dph = addition.out_of_sample.rms_after_dph;
+    } catch (const InputError& error) {
+      trial.reason = error.what();
+    }
+    return trial;
+  }
+
+ private:
+  model::Model model_;
+  const fit::TrainingRuns& runs_;
+};
+
+// Whether it holds; either way `next` has it.
+bool try_out(TriedAddition addition, const Judge& judge, NextStep& next) {
+  addition = judge(std::move(addition));
+  const bool accepted = addition.accepted;
+  if (accepted) {
+    next.addition = std::move(addition);
+  } else {
+    next.refused.push_back(std::move(addition));
+  }
+  return accepted;
+}
+
+// Something that could describe what is left, and how much of it.
+struct Description {
+  TriedAddition addition;
+  double explained_fraction = 0;
+  bool is_part = false;  // surely: of what is missing, with more that is unknown
+};
+
+// Sets of effects, but for those around what was refused already.
+void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& refused,
+              std::vector<Description>& descriptions) {
+  for (const Diagnosis::Explanation& set : diagnosis.explanations) {
+    const bool is_around =
+        !refused.empty() &&
+        std::all_of(refused.begin(), refused.end(), [&](const std::string& effect) {
+          return std::find(set.effects.begin(), set.effects.end(), effect) != set.effects.end();
+        });
+    if (is_around || set.effects.size() > kMaxInSet || has_event(diagnosis, set.effects)) continue;
+    if (auto addition = addition_of(diagnosis, set.effects)) {
+      descriptions.push_back({std::move(*addition), set.explained_fraction});
+    }
+  }
+}
+
+// The coil's temperature, its rate, and the one other input on which what is left depends, if it
+// does: each more would double the formulas, and two inputs that hardly move are all alike.
+fog::InputMask signals_of_formulas(const Diagnosis& diagnosis) {
+  const fog::InputDescription* best = nullptr;
+  double most = rules::kMinShareOfInput;
+  for (const NamedShare& variable : diagnosis.variables) {
+    for (const fog::InputDescription& input : fog::kInputTable) {
+      const bool beside = fog::beside_temperature(bit_of(input.input)) != 0;
+      if (!beside || variable.name != input.column || variable.share < most) continue;
+      most = variable.share;
+      best = &input;
+    }
+  }
+  fog::InputMask mask = bit_of(fog::Input::temperature) | bit_of(fog::Input::temperature_rate);
+  if (best != nullptr) mask |= bit_of(best->input);
+  return mask;
+}
+
+void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const DiagnosisData& data,
+                  const DiagnosisSettings& settings, NextStep& next,
+                  std::vector<Description>& descriptions) {
+  const std::vector<model::EffectTerm> formulas =
+      formulas_over(data.series(), signals_of_formulas(diagnosis));
+  const Diagnosis offered = diagnose(model, data.with_offered(formulas), settings);
+  next.experiment = offered.experiment;
+  double explained_fraction = 1;
+  for (const CandidateFinding& finding : offered.candidates) {
+    if (!finding.is_expression() || finding.lead < rules::kConfusable) continue;
+    next.forms.push_back({form_text(finding.term().expression->expression), finding.lead});
+    // Never before a likelier one: a parameter more always explains a little more.
+    explained_fraction = std::min(explained_fraction, finding.explained_fraction);
+    descriptions.push_back({*addition_of(offered, {finding.effect}), explained_fraction});
+  }
+}
+
+// What describes most is tried first, and what holds is kept.
+void describe(std::vector<Description> descriptions, const Judge& judge, NextStep& next) {
+  std::stable_sort(descriptions.begin(), descriptions.end(), [](const auto& a, const auto& b) {
+    return a.explained_fraction > b.explained_fraction;
+  });
+  if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
+  for (Description& description : descriptions) {
+    next.describes = !description.is_part;
+    if (try_out(std::move(description.addition), judge, next)) return;
+  }
+}
+
+}  // namespace
+
+NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
+                        const DiagnosisData& data, const fit::TrainingRuns& runs,
+                        const DiagnosisSettings& settings) {
+  NextStep next;
+  if (diagnosis.verdict == Verdict::none) return next;
+  std::vector<std::string> named = effects_together(diagnosis);
+  if (const std::string one = effect_to_add(diagnosis); !one.empty()) named = {one};
+  if (has_event(diagnosis, named)) {
+    next.events = named;
+    return next;
+  }
+  const Judge judge(model, runs);
+  const bool is_part = diagnosis.verdict == Verdict::unknown && !named.empty();
+  if (!named.empty() && !is_part && try_out(*addition_of(diagnosis, named), judge, next)) {
+    return next;
+  }
+  std::vector<Description> descriptions;
+  if (is_part) {
+    descriptions.push_back(
+        {*addition_of(diagnosis, named), diagnosis.find(named[0])->explained_fraction, true});
+  }
+  if (diagnosis.fast_kind != FastKind::none || diagnosis.walk.may_be_all()) {
+    describe(std::move(descriptions), judge, next);
+    return next;
+  }
+  add_sets(diagnosis, named, descriptions);
+  add_formulas(model, diagnosis, data, settings, next, descriptions);
+  describe(std::move(descriptions), judge, next);
+  return next;
+}
+
+}  // namespace fogcomp::diagnosis

@@ -1,0 +1,82 @@
+// What a diagnosis proposes has been tried: `add` accepts it.
+#include "diagnosis/next_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fit/effect_change.hpp"
+#include "statistics/hidden_drift.hpp"
+#include "unit/fit/simulated_addition.hpp"
+
+namespace fogcomp::diagnosis {
+namespace {
+
+using fog::test::kBasic;
+using fog::test::natural_term;
+using fog::test::recording_with;
+using fog::test::written_term;
+
+// The next step for a model of `effects` on one recording.
+struct Asked {
+  Asked(const std::string& effects, const recording::Recording& recording)
+      : model(fog::test::incomplete(effects)) {
+    runs.runs.push_back(compare::run_in_blocks(recording, model.average_s));
+    runs.noise_floor_dph = runs.runs[0].noise_floor_dph;
+    DiagnosisData data(model);
+    data.add(runs.runs[0]);
+    found = diagnose(model, data);
+    next = find_next_step(model, found, data, runs);
+  }
+  // As the printed command would.
+  bool add_accepts() const {
+    const fit::EffectChange change =
+        next.addition->expression.empty()
+            ? fit::change_effects(model.terms, next.addition->effects)
+            : fit::change_expression(model.terms, next.addition->expression);
+    return fit::add_effect(model, change, runs, {}, {}).accepted;
+  }
+
+  model::Model model;
+  fit::TrainingRuns runs;
+  Diagnosis found;
+  NextStep next;
+};
+
+TEST(NextStep, IsTheEffectThatIsNamed) {
+  const Asked asked("bias,bias_temperature:order=2", recording_with({}, 1));
+  ASSERT_TRUE(asked.next.addition);
+  EXPECT_FALSE(asked.next.describes);
+  EXPECT_EQ(asked.next.addition->effects, std::vector<std::string>{"temperature_rate"});
+  EXPECT_TRUE(asked.add_accepts());
+}
+
+TEST(NextStep, IsNothingWhereNothingIsMissing) {
+  const Asked asked(kBasic, recording_with({}, 1));
+  EXPECT_EQ(asked.found.verdict, Verdict::none);
+  EXPECT_FALSE(asked.next.addition);
+  EXPECT_TRUE(asked.next.refused.empty());
+}
+
+// The catalogue has none of these. Visible as 1.5 of the noise.
+TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
+  const struct {
+    const char* form;
+    double typical;  // of the formula on this programme
+  } kHidden[] = {{"dTdt^2", 0.3}, {"abs(dTdt)", 0.35}, {"T^2*dTdt", 400}, {"T*dTdt^2", 10}};
+  for (const auto& [form, typical] : kHidden) {
+    model::EffectTerm hidden = written_term(std::string("x = ") + form);
+    hidden.coefficients_dph = {std::ldexp(1.5 * fog::test::kQuietNoise.white_dph / typical,
+                                          hidden.expression->scale_log2)};
+    const Asked asked(kBasic, recording_with({hidden}, 1));
+    EXPECT_EQ(asked.found.verdict, Verdict::unknown) << form;
+    ASSERT_TRUE(asked.next.addition) << form;
+    EXPECT_TRUE(asked.next.describes) << form;
+    ASSERT_FALSE(asked.next.forms.empty()) << form;
+    EXPECT_EQ(asked.next.forms[0].name, form);
+    EXPECT_TRUE(asked.add_accepts()) << form;
+  }
+}
+
+}  // namespace
+}  // namespace fogcomp::diagnosis

@@ -1,0 +1,49 @@
+#include "diagnosis/forms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "model/effect_list.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+namespace fogcomp::diagnosis {
+namespace {
+
+std::vector<model::EffectTerm> formulas(fog::InputMask inputs) {
+  const model::Model model = fog::test::truth();
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(fog::test::recording_of(model, fog::test::kQuietNoise, 1)));
+  return formulas_over(series, inputs);
+}
+
+bool has_text(const std::vector<model::EffectTerm>& terms, const std::string& text) {
+  return std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
+    return form_text(term.expression->expression) == text;
+  });
+}
+
+TEST(Forms, AreOfTheSignalsThatVaryAndHaveNamesOfTheirOwn) {
+  const std::vector<model::EffectTerm> found = formulas(~fog::InputMask{0});
+  std::set<std::string> names;
+  for (const model::EffectTerm& term : found) {
+    EXPECT_TRUE(names.insert(term.name).second) << term.name;
+    EXPECT_EQ(term.expression->expression.needs() & fog::kAllExtensionInputs, 0U) << term.name;
+  }
+  for (const char* text : {"dTdt^2", "abs(dTdt)", "T^2*dTdt", "T*dTdt^2", "lag(dTdt^2,tau)",
+                           "max(T-c,0)", "sin(6.2832*dTdt/p)"}) {
+    EXPECT_TRUE(has_text(found, text)) << text;
+  }
+  EXPECT_FALSE(has_text(found, "W^2")) << "the input rate is 0 here";
+}
+
+TEST(Forms, AreShownWithoutBounds) {
+  const model::EffectTerm term =
+      model::expression_term("x = lag(abs(T-?c[1,20]),?tau[60,6000])*?c");
+  EXPECT_EQ(form_text(term.expression->expression), "lag(abs(T-c),tau)*c");
+}
+
+}  // namespace
+}  // namespace fogcomp::diagnosis
