@@ -7,7 +7,7 @@
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    fogcomp::parse_expression(std::string(reinterpret_cast<const char*>(data), size));
+    fogcomp::model::parse_expression(std::string(reinterpret_cast<const char*>(data), size));
   } catch (const fogcomp::InputError&) {
   }
   return 0;

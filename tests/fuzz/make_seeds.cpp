@@ -53,7 +53,7 @@ std::string stream() {
 }
 
 // As model_table takes it: the table, then samples over the whole range of counts and temperature.
-std::string table_and_samples(const fogcomp::BoardTable& table) {
+std::string table_and_samples(const fogcomp::board::BoardTable& table) {
   std::string bytes{static_cast<char>(table.words.size() & 0xFFU),
                     static_cast<char>(table.words.size() >> 8U)};
   for (const std::int32_t word : table.words) append32(bytes, static_cast<std::uint32_t>(word));
@@ -67,26 +67,26 @@ std::string table_and_samples(const fogcomp::BoardTable& table) {
 }
 
 // A header's table alone, as short as the reader takes it.
-std::string bare_header(const fogcomp::BoardTable& table) {
+std::string bare_header(const fogcomp::board::BoardTable& table) {
   std::string text = "fog_model[FOG_MODEL_WORDS] = {";
   for (const std::int32_t word : table.words) text += std::to_string(word) + ",";
   return text + "}";
 }
 
 void add_models(const Seeds& seeds) {
-  fogcomp::Model rough = fog::test::paper_like_model();
+  fogcomp::model::Model rough = fog::test::paper_like_model();
   rough.denoise.wavelet = "db2";
   rough.denoise.levels = 3;
-  const std::pair<const char*, fogcomp::Model> models[] = {
+  const std::pair<const char*, fogcomp::model::Model> models[] = {
       {"paper", fog::test::paper_like_model()},
       {"all_effects", fog::test::all_effects_model()},
       {"expressions", fog::test::expressions_model()},
       {"rough", rough}};
   for (const auto& [name, model] : models) {
-    const fogcomp::BoardTable table =
-        fogcomp::make_board_table(model, {20, fog::OutputSelection::both, true});
-    seeds.add("model_file", name, fogcomp::model_text(model));
-    seeds.add("weights_header", name, fogcomp::header_text(table, name, 1));
+    const fogcomp::board::BoardTable table =
+        fogcomp::board::make_board_table(model, {20, fog::OutputSelection::both, true});
+    seeds.add("model_file", name, fogcomp::model::model_text(model));
+    seeds.add("weights_header", name, fogcomp::board::header_text(table, name, 1));
     seeds.add("weights_header", std::string("bare_") + name, bare_header(table));
     seeds.add("model_table", name, table_and_samples(table));
   }

@@ -18,11 +18,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
                           static_cast<unsigned>(fog::crc32(
                               reinterpret_cast<const std::uint8_t*>(text.data()), text.size())));
   try {
-    const fogcomp::Model model = fogcomp::parse_model(text, "fuzz");
-    const std::string written = fogcomp::model_text(model);
-    promise(fogcomp::model_text(fogcomp::parse_model(written, "fuzz")) == written,
+    const fogcomp::model::Model model = fogcomp::model::parse_model(text, "fuzz");
+    const std::string written = fogcomp::model::model_text(model);
+    promise(fogcomp::model::model_text(fogcomp::model::parse_model(written, "fuzz")) == written,
             "a model that is written is read back");
-    fogcomp::read_board_table(fogcomp::make_board_table(model, {}), "fuzz");
+    fogcomp::board::read_board_table(fogcomp::board::make_board_table(model, {}), "fuzz");
   } catch (const fogcomp::InputError&) {
   }
   return 0;

@@ -43,7 +43,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (fog::read_model({words.data(), count}, fog::kAnyModel, parameters) != fog::ModelError::none) {
     return 0;
   }
-  fogcomp::HostCompensator board(parameters, fog::ImageProof::not_needed());
+  fogcomp::board::HostCompensator board(parameters, fog::ImageProof::not_needed());
   const std::uint8_t* const end = data + size;
   std::uint16_t sequence = 0;
   for (const std::uint8_t* at = data + 2 + 4 * count; end - at >= kSampleSize; at += kSampleSize) {

@@ -40,17 +40,18 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   static const MemoryFile file;
   file.hold(data + 1, size - 1);
-  fogcomp::ReadOptions options;
+  fogcomp::recording::ReadOptions options;
   if ((data[0] & 1U) != 0) options.skip_bad_rows = true;
   if ((data[0] & 2U) != 0) options.scale_factor = 3600 * 1024;
   if ((data[0] & 4U) != 0) options.default_input_rate_dph = 10.6;
   try {
-    const fogcomp::Recording recording = fogcomp::read_recording(file.path(), options);
+    const fogcomp::recording::Recording recording =
+        fogcomp::recording::read_recording(file.path(), options);
     promise(recording.rows() > 0, "a recording has rows");
     promise(recording.temperature_degc.size() == recording.rows() &&
                 recording.rate_dph.size() == recording.rows(),
             "a recording has temperature and rate");
-    for (const fogcomp::ColumnInfo& info : fogcomp::kColumns) {
+    for (const fogcomp::recording::ColumnInfo& info : fogcomp::recording::kColumns) {
       check_column(recording[info.column], recording.rows());
     }
   } catch (const fogcomp::InputError&) {  // said in a line; the user's to mend

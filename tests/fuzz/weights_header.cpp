@@ -7,7 +7,7 @@
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    fogcomp::parse_header(std::string(reinterpret_cast<const char*>(data), size), "fuzz");
+    fogcomp::board::parse_header(std::string(reinterpret_cast<const char*>(data), size), "fuzz");
   } catch (const fogcomp::InputError&) {
   }
   return 0;
