@@ -11,8 +11,9 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Three effects of the catalogue can be bent into nearly everything on one programme.
-constexpr std::size_t kMaxInSet = 2;
+// Effects of a set that temperature and time alone drive, where the catalogue does not explain what
+// is left: three can be bent into nearly everything on one programme.
+constexpr std::size_t kMaxPliable = 2;
 constexpr std::size_t kMaxTried = 3;  // descriptions: each is a fit, and others left out in turn
 
 // How `add` is told of an effect, with what it takes to grow one that is there already.
@@ -100,16 +101,22 @@ struct Description {
   bool is_part = false;  // surely: of what is missing, with more that is unknown
 };
 
-// Sets of effects, but for those around what was refused already.
-void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& refused,
+// Whether temperature and time alone drive all of them.
+bool has_no_own_input(const Diagnosis& diagnosis, const std::vector<std::string>& effects) {
+  return std::none_of(effects.begin(), effects.end(), [&](const std::string& effect) {
+    const CandidateFinding* const finding = diagnosis.find(effect);
+    return finding != nullptr && (model::info_of(finding->term()).needs &
+                                  ~fog::InputMask{bit_of(fog::Input::elapsed)}) != 0;
+  });
+}
+
+void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
               std::vector<Description>& descriptions) {
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {
-    const bool is_around =
-        !refused.empty() &&
-        std::all_of(refused.begin(), refused.end(), [&](const std::string& effect) {
-          return std::find(set.effects.begin(), set.effects.end(), effect) != set.effects.end();
-        });
-    if (is_around || set.effects.size() > kMaxInSet || has_event(diagnosis, set.effects)) continue;
+    if (set.effects == named || has_event(diagnosis, set.effects)) continue;
+    const bool is_pliable =
+        set.effects.size() > kMaxPliable && has_no_own_input(diagnosis, set.effects);
+    if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;
     if (auto addition = addition_of(diagnosis, set.effects)) {
       descriptions.push_back({std::move(*addition), set.explained_fraction});
     }
