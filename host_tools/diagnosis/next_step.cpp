@@ -14,7 +14,7 @@ namespace {
 // Effects of a set that temperature and time alone drive, where the catalogue does not explain what
 // is left: three can be bent into nearly everything on one programme.
 constexpr std::size_t kMaxPliable = 2;
-constexpr std::size_t kMaxTried = 3;  // descriptions: each is a fit, and others left out in turn
+constexpr std::size_t kMaxTried = 6;  // descriptions: each is a fit, and others left out in turn
 
 // How `add` is told of an effect, with what it takes to grow one that is there already.
 std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
@@ -68,6 +68,7 @@ class Judge {
                                            : fit::change_expression(model_.terms, trial.expression);
       const fit::Addition addition = fit::add_effect(model_, change, runs_, {}, {});
       trial.accepted = addition.accepted;
+      trial.helps = addition.out_of_sample.helps();
       trial.reason = addition.reason;
       trial.rms_before_dph = addition.out_of_sample.rms_before_dph;
       trial.rms_after_dph = addition.out_of_sample.rms_after_dph;
@@ -110,10 +111,16 @@ bool has_no_own_input(const Diagnosis& diagnosis, const std::vector<std::string>
   });
 }
 
+// `named` was refused. Where that was not for want of help, sets around it would be, too.
 void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
-              std::vector<Description>& descriptions) {
+              const NextStep& next, std::vector<Description>& descriptions) {
+  const bool never = !next.refused.empty() && next.refused[0].helps;
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {
     if (set.effects == named || has_event(diagnosis, set.effects)) continue;
+    const bool is_around = std::all_of(named.begin(), named.end(), [&](const auto& effect) {
+      return std::find(set.effects.begin(), set.effects.end(), effect) != set.effects.end();
+    });
+    if (never && is_around) continue;
     const bool is_pliable =
         set.effects.size() > kMaxPliable && has_no_own_input(diagnosis, set.effects);
     if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;
@@ -147,7 +154,7 @@ void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const D
   const std::vector<model::EffectTerm> formulas =
       formulas_over(data.series(), signals_of_formulas(diagnosis));
   const Diagnosis offered = diagnose(model, data.with_offered(formulas), settings);
-  next.experiment = offered.experiment;
+  if (!diagnosis.experiment) next.experiment = offered.experiment;
   double explained_fraction = 1;
   for (const CandidateFinding& finding : offered.candidates) {
     if (!finding.is_expression() || finding.lead < rules::kConfusable) continue;
@@ -158,16 +165,24 @@ void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const D
   }
 }
 
-// What describes most is tried first, and what holds is kept.
-void describe(std::vector<Description> descriptions, const Judge& judge, NextStep& next) {
-  std::stable_sort(descriptions.begin(), descriptions.end(), [](const auto& a, const auto& b) {
-    return a.explained_fraction > b.explained_fraction;
-  });
+// The first few that could describe it, until one holds.
+bool describe(std::vector<Description> descriptions, const Judge& judge, NextStep& next) {
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   for (Description& description : descriptions) {
     next.describes = !description.is_part;
-    if (try_out(std::move(description.addition), judge, next)) return;
+    if (try_out(std::move(description.addition), judge, next)) return true;
   }
+  return false;
+}
+
+void sort_by_explained(std::vector<Description>& descriptions) {
+  std::stable_sort(descriptions.begin(), descriptions.end(), [](const auto& a, const auto& b) {
+    return a.explained_fraction > b.explained_fraction;
+  });
+}
+
+bool is_function_of_signals(const Diagnosis& diagnosis) {
+  return diagnosis.fast_kind == FastKind::none && !diagnosis.walk.may_be_all();
 }
 
 }  // namespace
@@ -184,21 +199,24 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
     return next;
   }
   const Judge judge(model, runs);
-  const bool is_part = diagnosis.verdict == Verdict::unknown && !named.empty();
-  if (!named.empty() && !is_part && try_out(*addition_of(diagnosis, named), judge, next)) {
-    return next;
-  }
   std::vector<Description> descriptions;
-  if (is_part) {
-    descriptions.push_back(
-        {*addition_of(diagnosis, named), diagnosis.find(named[0])->explained_fraction, true});
+  if (diagnosis.verdict != Verdict::unknown) {
+    if (!named.empty() && try_out(*addition_of(diagnosis, named), judge, next)) return next;
+    // The catalogue explains it: the likeliest of its sets first.
+    add_sets(diagnosis, named, next, descriptions);
+    if (describe(std::move(descriptions), judge, next)) return next;
+    descriptions.clear();
+  } else {
+    if (!named.empty()) {
+      descriptions.push_back(
+          {*addition_of(diagnosis, named), diagnosis.find(named[0])->explained_fraction, true});
+    }
+    if (is_function_of_signals(diagnosis)) add_sets(diagnosis, named, next, descriptions);
   }
-  if (diagnosis.fast_kind != FastKind::none || diagnosis.walk.may_be_all()) {
-    describe(std::move(descriptions), judge, next);
-    return next;
+  if (is_function_of_signals(diagnosis)) {
+    add_formulas(model, diagnosis, data, settings, next, descriptions);
   }
-  add_sets(diagnosis, named, descriptions);
-  add_formulas(model, diagnosis, data, settings, next, descriptions);
+  sort_by_explained(descriptions);
   describe(std::move(descriptions), judge, next);
   return next;
 }
