@@ -74,6 +74,12 @@ inline bool is_optional_part(const fog::ParameterDescription& parameter) {
   return parameter.not_given == fog::NotGiven::left_out;
 }
 
+/// Whether a parameter that is not given is taken from the rows of the fit.
+inline bool is_reference(const fog::ParameterDescription& parameter) {
+  return parameter.not_given == fog::NotGiven::mean_temperature ||
+         parameter.not_given == fog::NotGiven::largest_input_rate;
+}
+
 /// Where parameter `index` is searched: that of an optional part where the one before it is.
 ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index);
 

@@ -42,6 +42,12 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
                      "is searched for in the whole recording; leave the bounds out, or give "
                      "its time");
   }
+  if (is_reference(description)) {
+    if (range.empty()) return;
+    throw InputError(where, format("%s is taken from the rows, not searched for; give its value or "
+                                   "leave it out",
+                                   description.name));
+  }
   ShapeBounds bounds = catalogue_bounds(entry, index);
   if (!range.empty()) {
     const std::size_t comma = range.find(',');
@@ -166,8 +172,9 @@ std::vector<EffectTerm> parse_effects(const std::string& list) {
     term.name = words[0];
     for (const auto& parameter : entry.parameters) {
       term.parameters.push_back(parameter.default_milli / 1000.0);
-      term.identified.push_back(parameter.scale != fog::Scale::whole &&
-                                parameter.not_given == fog::NotGiven::identified);
+      term.identified.push_back(
+          parameter.scale != fog::Scale::whole &&
+          (parameter.not_given == fog::NotGiven::identified || is_reference(parameter)));
       term.parameter_sigma.push_back(0);
     }
     for (std::size_t i = 1; i < words.size(); ++i) set_parameter(term, entry, words[i]);
