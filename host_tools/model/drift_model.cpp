@@ -27,24 +27,36 @@ fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, doubl
   return {{decay, decay * 60 / block_s}, model.least_degc, model.most_degc};
 }
 
+bool follows_input_rate(const EffectTerm& term) {
+  return !term.expression && fog::follows_input_rate(find_effect(term.name).description.needs);
+}
+
 RegressorBank::RegressorBank(const std::vector<EffectTerm>& terms, double block_s) {
   std::size_t size = 0;
   for (const EffectTerm& term : terms) {
-    effects_.push_back(make_effect(term, block_s));
-    size += effects_.back()->regressor_count();
+    parts_.push_back({make_effect(term, block_s), follows_input_rate(term)});
+    size += parts_.back().effect->regressor_count();
   }
   values_.resize(size);
 }
 
 void RegressorBank::reset(const fog::Signals<RealNumbers>& signals) {
-  for (const auto& effect : effects_) effect->reset(signals);
+  for (const Part& part : parts_) part.effect->reset(signals);
 }
 
 const std::vector<double>& RegressorBank::step(const fog::Signals<RealNumbers>& signals) {
+  return step(signals, true);
+}
+
+const std::vector<double>& RegressorBank::see_rate(const fog::Signals<RealNumbers>& signals) {
+  return step(signals, false);
+}
+
+const std::vector<double>& RegressorBank::step(const fog::Signals<RealNumbers>& signals, bool all) {
   double* values = values_.data();
-  for (const auto& effect : effects_) {
-    effect->step(signals, values);
-    values += effect->regressor_count();
+  for (const Part& part : parts_) {
+    if (all || part.follows_rate) part.effect->step(signals, values);
+    values += part.effect->regressor_count();
   }
   for (double& value : values_) value = std::clamp(value, -kMostRegressor, kMostRegressor);
   return values_;
@@ -69,8 +81,17 @@ void RealDriftModel::step(const RealBlock& block) {
   evaluate();
 }
 
+void RealDriftModel::see_rate(double input_rate_dph) {
+  signals_.block.input_rate = input_rate_dph;
+  sum(bank_.see_rate(signals_));
+}
+
 void RealDriftModel::evaluate() {
-  const std::vector<double>& regressors = bank_.step(signals_);
+  sum(bank_.step(signals_));
+  network_dph_ = model_.network.drift_dph(network_signals_.step(signals_));
+}
+
+void RealDriftModel::sum(const std::vector<double>& regressors) {
   std::size_t column = 0;
   physics_dph_ = 0;
   for (std::size_t i = 0; i < model_.terms.size(); ++i) {
@@ -80,7 +101,6 @@ void RealDriftModel::evaluate() {
     }
     physics_dph_ += effects_dph_[i];
   }
-  network_dph_ = model_.network.drift_dph(network_signals_.step(signals_));
 }
 
 }  // namespace fogcomp::model
