@@ -34,7 +34,8 @@ bool follows_input_rate(const EffectTerm& term) {
 RegressorBank::RegressorBank(const std::vector<EffectTerm>& terms, double block_s) {
   std::size_t size = 0;
   for (const EffectTerm& term : terms) {
-    parts_.push_back({make_effect(term, block_s), follows_input_rate(term)});
+    parts_.push_back(
+        {make_effect(term, block_s), follows_input_rate(term), info_of(term).host_only != nullptr});
     size += parts_.back().effect->regressor_count();
   }
   values_.resize(size);
@@ -44,22 +45,28 @@ void RegressorBank::reset(const fog::Signals<RealNumbers>& signals) {
   for (const Part& part : parts_) part.effect->reset(signals);
 }
 
-const std::vector<double>& RegressorBank::step(const fog::Signals<RealNumbers>& signals) {
-  return step(signals, true);
-}
-
-const std::vector<double>& RegressorBank::see_rate(const fog::Signals<RealNumbers>& signals) {
-  return step(signals, false);
-}
-
-const std::vector<double>& RegressorBank::step(const fog::Signals<RealNumbers>& signals, bool all) {
+template <class Wanted>
+const std::vector<double>& RegressorBank::run(const fog::Signals<RealNumbers>& signals,
+                                              Wanted wanted) {
   double* values = values_.data();
   for (const Part& part : parts_) {
-    if (all || part.follows_rate) part.effect->step(signals, values);
+    if (wanted(part)) part.effect->step(signals, values);
     values += part.effect->regressor_count();
   }
   for (double& value : values_) value = std::clamp(value, -kMostRegressor, kMostRegressor);
   return values_;
+}
+
+const std::vector<double>& RegressorBank::step(const fog::Signals<RealNumbers>& signals) {
+  return run(signals, [](const Part&) { return true; });
+}
+
+const std::vector<double>& RegressorBank::step_block(const fog::Signals<RealNumbers>& signals) {
+  return run(signals, [](const Part& part) { return !part.follows_rate || !part.host_only; });
+}
+
+const std::vector<double>& RegressorBank::see_rate(const fog::Signals<RealNumbers>& signals) {
+  return run(signals, [](const Part& part) { return part.follows_rate; });
 }
 
 RealDriftModel::RealDriftModel(const Model& model, double block_s)
@@ -87,7 +94,7 @@ void RealDriftModel::see_rate(double input_rate_dph) {
 }
 
 void RealDriftModel::evaluate() {
-  sum(bank_.step(signals_));
+  sum(bank_.step_block(signals_));
   network_dph_ = model_.network.drift_dph(network_signals_.step(signals_));
 }
 

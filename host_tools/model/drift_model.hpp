@@ -32,15 +32,20 @@ class RegressorBank {
   void reset(const fog::Signals<RealNumbers>& signals);
   /// Advances one block; the result is valid until the next call.
   const std::vector<double>& step(const fog::Signals<RealNumbers>& signals);
-  /// Of the effects that follow the input rate alone; the other values stay.
+  /// The same but for the effects that see the record of the input rate (host only, with a state):
+  /// they are advanced by see_rate() alone. Values of effects that are left out stay.
+  const std::vector<double>& step_block(const fog::Signals<RealNumbers>& signals);
+  /// Of the effects that follow the input rate alone.
   const std::vector<double>& see_rate(const fog::Signals<RealNumbers>& signals);
 
  private:
   struct Part {
     std::unique_ptr<RealEffect> effect;
     bool follows_rate;
+    bool host_only;
   };
-  const std::vector<double>& step(const fog::Signals<RealNumbers>& signals, bool all);
+  template <class Wanted>
+  const std::vector<double>& run(const fog::Signals<RealNumbers>& signals, Wanted wanted);
 
   std::vector<Part> parts_;
   std::vector<double> values_;

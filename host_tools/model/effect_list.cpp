@@ -36,17 +36,15 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
                                    description.name));
   }
   term.identified[index] = true;
-  if (is_event(term)) {
+  const char* without_bounds =
+      is_event(term) ? "is searched for in the whole recording; leave the bounds out, or give its "
+                       "time"
+      : is_reference(description) ? "takes its reference from the rows; leave the bounds out, or "
+                                    "give its value"
+                                  : nullptr;
+  if (without_bounds != nullptr) {
     if (range.empty()) return;
-    throw InputError(where,
-                     "is searched for in the whole recording; leave the bounds out, or give "
-                     "its time");
-  }
-  if (is_reference(description)) {
-    if (range.empty()) return;
-    throw InputError(where, format("%s is taken from the rows, not searched for; give its value or "
-                                   "leave it out",
-                                   description.name));
+    throw InputError(where, without_bounds);
   }
   ShapeBounds bounds = catalogue_bounds(entry, index);
   if (!range.empty()) {

@@ -281,6 +281,14 @@ const std::vector<Formula> kFormulas{
          return 1e-6 * (size < band ? w * w / (2 * band) : size - band / 2);
        })};
      }},
+    // The input rate of the histories is 3e5 deg/h sin(t / 400 s); before a start it is not known.
+    {"late_reference",
+     {{}},
+     [](const History& h, const Values&) {
+       Values change = map(h.time_s, [](double t) { return 3e5 / 400 * std::cos(t / 400); });
+       for (std::size_t i = 0; i < h.size(); ++i) change[i] *= h.starts[i] ? 0 : 1e-3;
+       return Columns{change};
+     }},
     {"warm_up",
      {{300}, {9000}},
      [](const History& h, const Values& shape) {

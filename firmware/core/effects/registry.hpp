@@ -9,6 +9,7 @@
 #include "core/effects/bias_temperature.hpp"
 #include "core/effects/effect.hpp"
 #include "core/effects/glass_transition.hpp"
+#include "core/effects/late_reference.hpp"
 #include "core/effects/light_power.hpp"
 #include "core/effects/magnetic.hpp"
 #include "core/effects/polarization_ripple.hpp"
@@ -50,6 +51,7 @@ using Registry = EffectList<effects::Bias,                     //
                             effects::Magnetic,                 //
                             effects::Vibration,                //
                             effects::LightPower,               //
+                            effects::LateReference,            //
                             effects::BiasStep>;
 
 /// The longest list of regressors that any effect has.
