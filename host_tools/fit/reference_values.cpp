@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "model/catalogue.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::fit {
 namespace {
-
-constexpr double kDphPerDps = 3600;
 
 // About this temperature an error in proportion to W (T - reference) has no part in proportion to
 // W. Without any rate there is nothing to tell apart: the plain mean.
@@ -27,7 +26,7 @@ double mean_temperature_degc(const series::Rows& rows) {
 
 double largest_input_rate_dps(const series::SignalSeries& series) {
   const auto range = series.signal_ranges()[static_cast<std::size_t>(fog::Input::input_rate)];
-  return std::max(std::abs(range.least), std::abs(range.most)) / kDphPerDps;
+  return std::max(std::abs(range.least), std::abs(range.most)) / kDphPerDegreePerSecond;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "noise/noise_floor.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "noise/decision_rules.hpp"
 #include "recording/segments.hpp"
 #include "series/complete_rows.hpp"
+#include "support/least_squares.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp::noise {
@@ -74,6 +77,62 @@ double robust_deviation(const std::vector<double>& values) {
   return sigma;
 }
 
+// What an error of the scale factor can be made of, row by row: the input rate by its largest, by
+// powers of it, with the temperature, its size and its change.
+std::vector<std::vector<double>> input_rate_columns(const recording::Recording& recording) {
+  const std::vector<double>& rate = recording.input_rate_dph;
+  if (rate.empty()) return {};
+  const auto [low, high] = std::minmax_element(rate.begin(), rate.end());
+  if (*low == *high) return {};
+  const double largest = std::max(std::fabs(*low), std::fabs(*high));
+  const auto [cold, warm] =
+      std::minmax_element(recording.temperature_degc.begin(), recording.temperature_degc.end());
+  const double middle = (*cold + *warm) / 2;
+  const double half = *warm > *cold ? (*warm - *cold) / 2 : 1;
+  std::vector<std::vector<double>> columns(9, std::vector<double>(rate.size()));
+  for (std::size_t i = 0; i < rate.size(); ++i) {
+    const double u = rate[i] / largest;
+    const double x = (recording.temperature_degc[i] - middle) / half;
+    const double ahead = rate[std::min(i + 1, rate.size() - 1)];
+    const std::array<double, 9> values{u,
+                                       u * x,
+                                       u * x * x,
+                                       u * u,
+                                       u * u * u,
+                                       std::pow(u, 4),
+                                       std::pow(u, 5),
+                                       std::fabs(u),
+                                       (ahead - rate[i > 0 ? i - 1 : 0]) / largest};
+    for (std::size_t k = 0; k < values.size(); ++k) columns[k][i] = values[k];
+  }
+  return columns;
+}
+
+// Takes out of the differences what differences of the columns explain. Those beyond the cut (the
+// flanks of steps, spikes) are not asked.
+void take_out(const std::vector<std::vector<double>>& columns,
+              const std::vector<recording::RowRange>& stretches, std::size_t samples,
+              std::vector<double>& differences) {
+  constexpr int kRounds = 4;
+  const auto rows = static_cast<Eigen::Index>(differences.size());
+  Eigen::MatrixXd basis(rows, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const std::vector<double> of_column = scaled_differences(columns[k], stretches, samples);
+    basis.col(static_cast<Eigen::Index>(k)) =
+        Eigen::Map<const Eigen::VectorXd>(of_column.data(), rows);
+  }
+  const Eigen::VectorXd whole = Eigen::Map<const Eigen::VectorXd>(differences.data(), rows);
+  Eigen::VectorXd left = whole;
+  for (int round = 0; round < kRounds; ++round) {
+    const double sigma = sigma_by_median({left.begin(), left.end()});
+    const double cut = round > 0 && sigma > 0 ? rules::kFloorCut * sigma : HUGE_VAL;
+    const Eigen::VectorXd kept = (left.array().abs() <= cut).cast<double>();
+    left = whole -
+           basis * solve_linear(kept.asDiagonal() * basis, kept.cwiseProduct(whole)).coefficients;
+  }
+  differences.assign(left.begin(), left.end());
+}
+
 }  // namespace
 
 std::optional<double> noise_floor_dph(const recording::Recording& recording, double average_s) {
@@ -85,8 +144,13 @@ std::optional<double> noise_floor_dph(const recording::Recording& recording, dou
     samples /= 2;
   if (count_differences(stretches, samples) == 0) return std::nullopt;
   const double white = std::sqrt(static_cast<double>(samples) / static_cast<double>(wanted));
-  return white *
-         robust_deviation(scaled_differences(recording::bias_dph(recording), stretches, samples));
+  std::vector<double> differences =
+      scaled_differences(recording::bias_dph(recording), stretches, samples);
+  const std::vector<std::vector<double>> columns = input_rate_columns(recording);
+  if (!columns.empty() && recording.rows() > rules::kMeansPerColumn * samples * columns.size()) {
+    take_out(columns, stretches, samples, differences);
+  }
+  return white * robust_deviation(differences);
 }
 
 }  // namespace fogcomp::noise
