@@ -9,6 +9,13 @@ namespace {
 // Where the board's format ends, so that what is fitted there is what the board does there.
 const double kMostRegressor = std::ldexp(1, 31 - fog::Regressor::fractional_bits);
 
+// The limit that the board clamps to: half an LSB beside it, a scale factor of 300 ppm/degC at 280
+// deg/s is 0.002 deg/h off.
+double as_on_board(double degc) {
+  return std::ldexp(std::round(std::ldexp(degc, fog::Temperature::fractional_bits)),
+                    -fog::Temperature::fractional_bits);
+}
+
 }  // namespace
 
 RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block) {
@@ -24,7 +31,8 @@ RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block) {
 
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
   const double decay = RealNumbers::decay(block_s / model.derivative_tau_s);
-  return {{decay, decay * 60 / block_s}, model.least_degc, model.most_degc};
+  return {
+      {decay, decay * 60 / block_s}, as_on_board(model.least_degc), as_on_board(model.most_degc)};
 }
 
 bool follows_input_rate(const EffectTerm& term) {

@@ -14,6 +14,8 @@ namespace fog::effects {
 /// About the reference of its rows the first order has nothing of a constant scale factor error.
 template <class N>
 class ScaleFactorTemperature {
+  static constexpr std::int32_t kLsbsPerDegc = 1 << 16;
+
  public:
   static constexpr EffectDescription description{
       "scale_factor_temperature",
@@ -40,7 +42,12 @@ class ScaleFactorTemperature {
   template <class Real>
   static void board_constants(const Real* given, Real /*block_s*/, Real* constants) {
     constants[0] = given[0];
-    constants[1] = given[1];
+    // As the board holds it, for the fit too: half an LSB at 300 ppm/degC and 280 deg/s would be
+    // 0.002 deg/h, all that the integers may be off.
+    const Real lsbs = given[1] * kLsbsPerDegc;
+    constants[1] =
+        static_cast<Real>(static_cast<std::int64_t>(lsbs + (lsbs < 0 ? -1 : 1) / Real{2})) /
+        kLsbsPerDegc;
   }
   static bool constants_valid(const typename N::Constant* constants) {
     return constants[0] >= 1 && constants[0] <= 3;
