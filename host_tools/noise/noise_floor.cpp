@@ -2,12 +2,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "noise/decision_rules.hpp"
+#include "noise/input_rate.hpp"
 #include "recording/segments.hpp"
 #include "series/complete_rows.hpp"
 #include "support/least_squares.hpp"
@@ -77,49 +77,21 @@ double robust_deviation(const std::vector<double>& values) {
   return sigma;
 }
 
-// What an error of the scale factor can be made of, row by row: the input rate by its largest, by
-// powers of it, with the temperature, its size and its change.
-std::vector<std::vector<double>> input_rate_columns(const recording::Recording& recording) {
-  const std::vector<double>& rate = recording.input_rate_dph;
-  if (rate.empty()) return {};
-  const auto [low, high] = std::minmax_element(rate.begin(), rate.end());
-  if (*low == *high) return {};
-  const double largest = std::max(std::fabs(*low), std::fabs(*high));
-  const auto [cold, warm] =
-      std::minmax_element(recording.temperature_degc.begin(), recording.temperature_degc.end());
-  const double middle = (*cold + *warm) / 2;
-  const double half = *warm > *cold ? (*warm - *cold) / 2 : 1;
-  std::vector<std::vector<double>> columns(9, std::vector<double>(rate.size()));
-  for (std::size_t i = 0; i < rate.size(); ++i) {
-    const double u = rate[i] / largest;
-    const double x = (recording.temperature_degc[i] - middle) / half;
-    const double ahead = rate[std::min(i + 1, rate.size() - 1)];
-    const std::array<double, 9> values{u,
-                                       u * x,
-                                       u * x * x,
-                                       u * u,
-                                       u * u * u,
-                                       std::pow(u, 4),
-                                       std::pow(u, 5),
-                                       std::fabs(u),
-                                       (ahead - rate[i > 0 ? i - 1 : 0]) / largest};
-    for (std::size_t k = 0; k < values.size(); ++k) columns[k][i] = values[k];
-  }
-  return columns;
+Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
 // Takes out of the differences what differences of the columns explain. Those beyond the cut (the
 // flanks of steps, spikes) are not asked.
-void take_out(const std::vector<std::vector<double>>& columns,
-              const std::vector<recording::RowRange>& stretches, std::size_t samples,
-              std::vector<double>& differences) {
+void take_out(const Eigen::MatrixXd& columns, const std::vector<recording::RowRange>& stretches,
+              std::size_t samples, std::vector<double>& differences) {
   constexpr int kRounds = 4;
   const auto rows = static_cast<Eigen::Index>(differences.size());
-  Eigen::MatrixXd basis(rows, static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const std::vector<double> of_column = scaled_differences(columns[k], stretches, samples);
-    basis.col(static_cast<Eigen::Index>(k)) =
-        Eigen::Map<const Eigen::VectorXd>(of_column.data(), rows);
+  Eigen::MatrixXd basis(rows, columns.cols());
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    const std::vector<double> column(columns.col(k).begin(), columns.col(k).end());
+    const std::vector<double> of_column = scaled_differences(column, stretches, samples);
+    basis.col(k) = Eigen::Map<const Eigen::VectorXd>(of_column.data(), rows);
   }
   const Eigen::VectorXd whole = Eigen::Map<const Eigen::VectorXd>(differences.data(), rows);
   Eigen::VectorXd left = whole;
@@ -146,8 +118,10 @@ std::optional<double> noise_floor_dph(const recording::Recording& recording, dou
   const double white = std::sqrt(static_cast<double>(samples) / static_cast<double>(wanted));
   std::vector<double> differences =
       scaled_differences(recording::bias_dph(recording), stretches, samples);
-  const std::vector<std::vector<double>> columns = input_rate_columns(recording);
-  if (!columns.empty() && recording.rows() > rules::kMeansPerColumn * samples * columns.size()) {
+  const Eigen::MatrixXd columns = input_rate_columns(as_vector(recording.input_rate_dph),
+                                                     as_vector(recording.temperature_degc));
+  const auto count = static_cast<std::size_t>(columns.cols());
+  if (count > 0 && recording.rows() > rules::kMeansPerColumn * samples * count) {
     take_out(columns, stretches, samples, differences);
   }
   return white * robust_deviation(differences);
