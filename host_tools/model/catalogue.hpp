@@ -36,6 +36,7 @@ struct TermInfo {
     fog::Scale scale = fog::Scale::linear;  ///< of the search
     const char* at_least = nullptr;         ///< as fog::ParameterDescription has them
     const char* at_most = nullptr;
+    bool is_reference = false;  ///< taken from the rows, never searched for
   };
   std::string title;
   std::string equation;
