@@ -38,8 +38,10 @@ Eigen::VectorXd without_input_rate(const EvidenceSpace& evidence, const series::
   for (Eigen::Index i = 0; i < part.columns.cols(); ++i) {
     if (part.visible[i] > kAboveRounding) part.columns.col(kept++) = part.columns.col(i);
   }
-  const Eigen::MatrixXd basis = orthonormal(part.columns.leftCols(kept));
-  whitened -= basis * (basis.transpose() * whitened);
+  // Behind the recordings' rows the remover has one for each prior of the model's terms.
+  const Eigen::MatrixXd basis = orthonormal(part.columns.topLeftCorner(whitened.size(), kept));
+  const Eigen::VectorXd along = basis.transpose() * whitened;
+  whitened -= basis * along;
   return whitened;
 }
 
