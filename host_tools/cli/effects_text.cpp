@@ -11,6 +11,13 @@ std::string without_value(const model::CatalogueEntry& entry,
   const std::string start = format("%g", parameter.default_milli / 1000.0);
   if (parameter.scale == fog::Scale::whole) return start;
   if (parameter.not_given == fog::NotGiven::identified) return "identified, from " + start;
+  if (parameter.not_given == fog::NotGiven::mean_temperature) {
+    return "the mean temperature of the rows of the fit, each as important as the square of its "
+           "input rate";
+  }
+  if (parameter.not_given == fog::NotGiven::largest_input_rate) {
+    return "the largest input rate of the rows of the fit";
+  }
   const std::string stays = model::is_optional_part(parameter) ? "left out" : start;
   return stays + "; " + parameter.name + "=? identifies it";
 }

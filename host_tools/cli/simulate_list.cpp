@@ -47,7 +47,8 @@ void print_simulation_list() {
       "  start 20 degC | segment NAME | soak 2 h | ramp to -40 degC at 0.5 degC/min\n"
       "  step to 60 degC | random_steps 10 degC to 30 degC at 3 degC/min every 15 min for 10 h\n"
       "  power on|off | heater 2 W | axis up|down|north|south|east|west | rate 10 deg/s\n"
-      "  vibration 0.5 g | field 100 uT | azimuth 90 deg | repeat 3 ... end");
+      "  vibration 0.5 g | field 100 uT | azimuth 90 deg | repeat 3 ... end\n"
+      "  sweep 50 deg/s every 60 s");
 }
 
 }  // namespace fogcomp::cli

@@ -6,7 +6,9 @@
 
 #include "fit/expression_survey.hpp"
 #include "fit/noise_weighted_fit.hpp"
+#include "fit/reference_values.hpp"
 #include "fit/shape_search.hpp"
+#include "fit/undetermined.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "support/least_squares.hpp"
@@ -243,8 +245,18 @@ std::string what_would_show(const model::CatalogueEntry& entry) {
   return "temperature_degc varying more";
 }
 
+fog::InputMask needs_of(const Candidate::Shape& shape) {
+  return model::info_of(shape.term).needs;
+}
+std::size_t count_of(const Candidate::Shape& shape) {
+  constexpr double kAnyBlockS = 1;
+  return model::make_effect(shape.term, kAnyBlockS)->regressor_count();
+}
+
 // A lag of five seconds is no lag: a shape that is what an effect without any shape parameter
-// is already belongs to that one. An expression takes nothing from the catalogue.
+// is already belongs to that one. So does an effect of which these recordings show no more than
+// another of the same inputs with fewer regressors is: a nonlinearity at two rates. An expression
+// takes nothing from the catalogue.
 void leave_to_simpler(std::vector<Candidate>& candidates) {
   std::vector<const Candidate*> simple;
   for (const Candidate& candidate : candidates) {
@@ -252,10 +264,14 @@ void leave_to_simpler(std::vector<Candidate>& candidates) {
     if (!candidate.has_free_shape()) simple.push_back(&candidate);
   }
   for (Candidate& candidate : candidates) {
-    if (!candidate.has_free_shape()) continue;
+    if (candidate.is_expression() && !candidate.has_free_shape()) continue;
     const auto is_simpler = [&](const Candidate::Shape& shape) {
       return std::any_of(simple.begin(), simple.end(), [&](const Candidate* other) {
-        return likeness(shape, other->shapes[0]) > kTheSame;
+        if (other->shapes.empty()) return false;  // left to a simpler one itself
+        const Candidate::Shape& simpler = other->shapes[0];
+        const bool fewer = candidate.has_free_shape() || (needs_of(simpler) == needs_of(shape) &&
+                                                          count_of(simpler) < count_of(shape));
+        return fewer && likeness(shape, simpler) > kTheSame;
       });
     };
     auto& shapes = candidate.shapes;
@@ -368,13 +384,19 @@ CandidateList find_candidates(const series::SignalSeries& series,
       list.untestable.push_back({name, missing});
       continue;
     }
+    if (fit::stands_still(entry.description.needs, series.rows())) {
+      list.untestable.push_back({name, what_would_show(entry)});
+      continue;
+    }
     const auto own = std::find_if(terms.begin(), terms.end(),
                                   [&](const model::EffectTerm& term) { return term.name == name; });
     Candidate candidate{name, {}};
     if (entry.description.event) {
       candidate.shapes = step_shapes(series.rows(), to_visible, model::parse_effects(name)[0]);
     } else if (own == terms.end()) {
-      candidate.shapes = all_shapes({series, to_visible, 0}, model::parse_effects(name)[0]);
+      std::vector<model::EffectTerm> added = model::parse_effects(name);
+      fit::set_references(added, series);
+      candidate.shapes = all_shapes({series, to_visible, 0}, added[0]);
     } else {
       candidate.shapes = grown_shapes(series, to_visible, *own);
     }

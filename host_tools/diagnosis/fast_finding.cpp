@@ -7,7 +7,9 @@
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/refit.hpp"
+#include "noise/input_rate.hpp"
 #include "noise/quiet_rows.hpp"
+#include "support/least_squares.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
@@ -22,6 +24,25 @@ Eigen::VectorXd quiet_values(const EvidenceSpace& evidence, const Hypothesis& hy
   const Refit completed = refit(std::move(terms), series, fit);
   const Eigen::ArrayXd scaled = completed.residual_dph.array() / fit.noise_scale.array();
   return (fit.robust.array() > 0).select(scaled, std::nan(""));
+}
+
+// A line that the input rate has too is the input's: on a rate table, the programme's own. Of
+// columns that the model leaves next to nothing of, that is rounding.
+Eigen::VectorXd without_input_rate(const EvidenceSpace& evidence, const series::Rows& rows,
+                                   Eigen::VectorXd whitened) {
+  constexpr double kAboveRounding = 1e-3;
+  const Eigen::MatrixXd columns = noise::input_rate_columns(rows);
+  if (columns.cols() == 0) return whitened;
+  VisiblePart part = evidence.remover(columns);
+  Eigen::Index kept = 0;
+  for (Eigen::Index i = 0; i < part.columns.cols(); ++i) {
+    if (part.visible[i] > kAboveRounding) part.columns.col(kept++) = part.columns.col(i);
+  }
+  // Behind the recordings' rows the remover has one for each prior of the model's terms.
+  const Eigen::MatrixXd basis = orthonormal(part.columns.topLeftCorner(whitened.size(), kept));
+  const Eigen::VectorXd along = basis.transpose() * whitened;
+  whitened -= basis * along;
+  return whitened;
 }
 
 double excess_of(const FastFinding& finding, Eigen::Index rows) {
@@ -43,7 +64,8 @@ FastFinding find_fast(const EvidenceSpace& evidence, const Hypothesis& best,
                       const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
   const series::Rows& rows = series.rows();
   FastFinding finding;
-  finding.spectrum = find_fast_structure(rows, without(evidence, best, rows.size()));
+  finding.spectrum = find_fast_structure(
+      rows, without_input_rate(evidence, rows, without(evidence, best, rows.size())));
   finding.jumps =
       find_two_levels(noise::quiet_stretches(rows, quiet_values(evidence, best, series, fit)),
                       fit.noise.white_dph(), rows.row_s);

@@ -4,6 +4,7 @@
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/structure.hpp"
+#include "noise/input_rate.hpp"
 #include "noise/outlier_rows.hpp"
 #include "noise/quiet_rows.hpp"
 #include "support/input_error.hpp"
@@ -22,9 +23,11 @@ noise::NoiseModel noise_with_less_quiet(const series::Rows& rows,
   const std::size_t first_frequency = fit.noise.from_quiet_parts ? 16 : 8;
   std::vector<Eigen::MatrixXd> parts{fit.columns};
   for (StructureGroup& group : structure_groups(rows)) parts.push_back(std::move(group.columns));
+  parts.push_back(noise::input_rate_columns(rows));
   const LinearFit smooth = solve_linear(side_by_side(parts, rows.size()), rows.drift_dph);
   const Eigen::VectorXd rest = noise::bridged(rows, smooth.residual, fit.robust);
-  const Eigen::VectorXd residual = noise::bridged(rows, fit.residual_dph, fit.robust);
+  const Eigen::VectorXd residual = noise::bridged(
+      rows, noise::without_input_rate(rows, fit.residual_dph, fit.robust), fit.robust);
   std::vector<noise::NoiseSample> samples =
       noise::noise_samples(noise::quiet_stretches(rows, residual));
   for (const recording::RowRange& run : rows.runs()) {

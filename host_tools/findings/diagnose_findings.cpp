@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "compare/comparison.hpp"
 #include "findings/figures.hpp"
@@ -91,9 +94,18 @@ void add_candidates(Document& document, const diagnosis::Diagnosis& diagnosis) {
 }
 
 void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
-  std::string list;
+  // Those that need the same stand together, where the first of them does.
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_need;
   for (const diagnosis::Untestable& one : diagnosis.untestable) {
-    list += (list.empty() ? "" : ", ") + one.effect + " (needs " + one.needs + ")";
+    auto same = std::find_if(by_need.begin(), by_need.end(),
+                             [&](const auto& group) { return group.first == one.needs; });
+    if (same == by_need.end()) same = by_need.insert(by_need.end(), {one.needs, {}});
+    same->second.push_back(one.effect);
+  }
+  std::string list;
+  for (const auto& [needs, effects] : by_need) {
+    list += (list.empty() ? "" : ", ") + join(effects, ", ") +
+            (effects.size() > 1 ? " (need " : " (needs ") + needs + ")";
   }
   if (list.empty()) return;
   document.sentence(words("not to be seen in these recordings: " + list));

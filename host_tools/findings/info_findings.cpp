@@ -1,16 +1,20 @@
 #include "findings/info_findings.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "compare/comparison.hpp"
 #include "findings/allan_plot.hpp"
 #include "findings/figures.hpp"
+#include "findings/labels.hpp"
 #include "findings/run_plots.hpp"
 #include "model/effect_list.hpp"
+#include "noise/input_rate.hpp"
 #include "noise/outlier_rows.hpp"
 #include "recording/rate_resolution.hpp"
 #include "recording/stream_reader.hpp"
+#include "support/least_squares.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
@@ -234,6 +238,40 @@ void add_over_temperature(Document& document, const compare::RunSummary& summary
   document.table(std::move(table));
 }
 
+// A part of the bias's variance, 0..1, that goes with the input rate, its powers, its size and its
+// change, or with it and the temperature.
+double share_of_input_rate(const recording::Recording& blocks, const std::vector<double>& bias) {
+  const auto vector = [](const std::vector<double>& values) {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(),
+                                             static_cast<Eigen::Index>(values.size()));
+  };
+  const Eigen::VectorXd around = vector(bias).array() - vector(bias).mean();
+  Eigen::MatrixXd columns =
+      noise::input_rate_columns(vector(blocks.input_rate_dph), vector(blocks.temperature_degc));
+  columns.rowwise() -= columns.colwise().mean();
+  return 1 - solve_linear(columns, around).residual.squaredNorm() / around.squaredNorm();
+}
+
+// The bias over each input that varies, the input rate first.
+void add_over_inputs(Document& document, const compare::RunSummary& summary) {
+  const recording::Recording& blocks = summary.blocks;
+  const std::vector<double> bias = recording::bias_dph(blocks);
+  const std::vector<compare::Branch> branch = compare::branches(blocks.temperature_degc);
+  const auto add = [&](fog::Input input, const std::vector<double>& values) {
+    if (values.size() != bias.size() || !compare::varies(values)) return false;
+    document.plot(branch_plot("Bias over " + input_name(input) + ".", input_label(input),
+                              "bias, deg/h", values, bias, branch));
+    return true;
+  };
+  if (add(fog::Input::input_rate, blocks.input_rate_dph)) {
+    document.sentence(words(format("the input rate explains %.0f %% of the bias's variance",
+                                   100 * share_of_input_rate(blocks, bias))));
+  }
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    add(fog::extension_input(i), blocks[fog::extension_input(i)]);
+  }
+}
+
 }  // namespace
 
 Document info_findings(const recording::Recording& recording, const compare::RunSummary& summary) {
@@ -246,6 +284,7 @@ Document info_findings(const recording::Recording& recording, const compare::Run
   add_segments(document, summary);
   add_over_time(document, recording, summary);
   add_over_temperature(document, summary);
+  add_over_inputs(document, summary);
   add_noise(document, summary);
   return document;
 }

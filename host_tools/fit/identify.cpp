@@ -9,8 +9,10 @@
 #include "fit/decision_rules.hpp"
 #include "fit/expression_survey.hpp"
 #include "fit/noise_weighted_fit.hpp"
+#include "fit/reference_values.hpp"
 #include "fit/soak_uncertainty.hpp"
 #include "fit/step_search.hpp"
+#include "fit/undetermined.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "model/shape_limits.hpp"
@@ -204,6 +206,8 @@ Identification identify(model::Model& model, const series::SignalSeries& series,
                         const IdentifySettings& settings) {
   const series::Rows& rows = series.rows();
   const std::optional<model::EffectTerm> step = take_out_step(model.terms);
+  require_moving_input_rate(model.terms, rows);
+  set_references(model.terms, series);
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
   const FitWithSteps found = fit_all(series, model.terms, step.has_value(), offsets, settings);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fit/undetermined.hpp"
+#include "noise/input_rate.hpp"
 #include "noise/noise_scale.hpp"
 #include "noise/outlier_rows.hpp"
 #include "noise/quiet_rows.hpp"
@@ -39,13 +40,14 @@ Eigen::VectorXd relative_scale(const std::vector<recording::RowRange>& quiet,
   return scale / std::sqrt(square / count);
 }
 
-// By what the fit leaves so far, unless the noise is known.
+// By what the fit leaves so far, unless the noise is known. What goes with the input rate is none:
+// on a rate table it is most of what an incomplete model leaves.
 void set_noise(const series::Rows& rows, const std::vector<recording::RowRange>& quiet,
                const std::optional<noise::NoiseModel>& known, NoiseWeightedFit& fit) {
-  fit.noise =
-      known ? *known : noise::noise_of(rows, noise::bridged(rows, fit.residual_dph, fit.robust));
+  const Eigen::VectorXd left = noise::without_input_rate(rows, fit.residual_dph, fit.robust);
+  fit.noise = known ? *known : noise::noise_of(rows, noise::bridged(rows, left, fit.robust));
   fit.noise.white_variance = std::max(std::pow(rows.rounding_dph, 2), fit.noise.white_variance);
-  fit.noise_scale = relative_scale(quiet, noise::noise_scale(rows, fit.residual_dph, fit.robust));
+  fit.noise_scale = relative_scale(quiet, noise::noise_scale(rows, left, fit.robust));
   fit.row_weights =
       rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
 }

@@ -109,7 +109,8 @@ TermInfo info_of(const EffectTerm& term) {
     const fog::ParameterDescription& parameter = entry.parameters[i];
     const std::string unit = parameter.unit;
     info.parameters.push_back({parameter.name, unit == "1" ? "" : unit, catalogue_bounds(entry, i),
-                               parameter.scale, parameter.at_least, parameter.at_most});
+                               parameter.scale, parameter.at_least, parameter.at_most,
+                               is_reference(parameter)});
   }
   info.coefficients = entry.coefficients;
   info.needs = entry.description.needs;

@@ -36,6 +36,7 @@ struct TermInfo {
     fog::Scale scale = fog::Scale::linear;  ///< of the search
     const char* at_least = nullptr;         ///< as fog::ParameterDescription has them
     const char* at_most = nullptr;
+    bool is_reference = false;  ///< taken from the rows, never searched for
   };
   std::string title;
   std::string equation;
@@ -72,6 +73,12 @@ fog::InputMask needs_of(const Model& model);
 /// Whether a parameter is of an effect's second part, which 0 leaves out.
 inline bool is_optional_part(const fog::ParameterDescription& parameter) {
   return parameter.not_given == fog::NotGiven::left_out;
+}
+
+/// Whether a parameter that is not given is taken from the rows of the fit.
+inline bool is_reference(const fog::ParameterDescription& parameter) {
+  return parameter.not_given == fog::NotGiven::mean_temperature ||
+         parameter.not_given == fog::NotGiven::largest_input_rate;
 }
 
 /// Where parameter `index` is searched: that of an optional part where the one before it is.

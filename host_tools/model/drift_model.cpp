@@ -9,6 +9,13 @@ namespace {
 // Where the board's format ends, so that what is fitted there is what the board does there.
 const double kMostRegressor = std::ldexp(1, 31 - fog::Regressor::fractional_bits);
 
+// The limit that the board clamps to: half an LSB beside it, a scale factor of 300 ppm/degC at 280
+// deg/s is 0.002 deg/h off.
+double as_on_board(double degc) {
+  return std::ldexp(std::round(std::ldexp(degc, fog::Temperature::fractional_bits)),
+                    -fog::Temperature::fractional_bits);
+}
+
 }  // namespace
 
 RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block) {
@@ -24,30 +31,50 @@ RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block) {
 
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
   const double decay = RealNumbers::decay(block_s / model.derivative_tau_s);
-  return {{decay, decay * 60 / block_s}, model.least_degc, model.most_degc};
+  return {
+      {decay, decay * 60 / block_s}, as_on_board(model.least_degc), as_on_board(model.most_degc)};
+}
+
+bool follows_input_rate(const EffectTerm& term) {
+  return !term.expression && fog::follows_input_rate(find_effect(term.name).description.needs);
 }
 
 RegressorBank::RegressorBank(const std::vector<EffectTerm>& terms, double block_s) {
   std::size_t size = 0;
   for (const EffectTerm& term : terms) {
-    effects_.push_back(make_effect(term, block_s));
-    size += effects_.back()->regressor_count();
+    parts_.push_back(
+        {make_effect(term, block_s), follows_input_rate(term), info_of(term).host_only != nullptr});
+    size += parts_.back().effect->regressor_count();
   }
   values_.resize(size);
 }
 
 void RegressorBank::reset(const fog::Signals<RealNumbers>& signals) {
-  for (const auto& effect : effects_) effect->reset(signals);
+  for (const Part& part : parts_) part.effect->reset(signals);
 }
 
-const std::vector<double>& RegressorBank::step(const fog::Signals<RealNumbers>& signals) {
+template <class Wanted>
+const std::vector<double>& RegressorBank::run(const fog::Signals<RealNumbers>& signals,
+                                              Wanted wanted) {
   double* values = values_.data();
-  for (const auto& effect : effects_) {
-    effect->step(signals, values);
-    values += effect->regressor_count();
+  for (const Part& part : parts_) {
+    if (wanted(part)) part.effect->step(signals, values);
+    values += part.effect->regressor_count();
   }
   for (double& value : values_) value = std::clamp(value, -kMostRegressor, kMostRegressor);
   return values_;
+}
+
+const std::vector<double>& RegressorBank::step(const fog::Signals<RealNumbers>& signals) {
+  return run(signals, [](const Part&) { return true; });
+}
+
+const std::vector<double>& RegressorBank::step_block(const fog::Signals<RealNumbers>& signals) {
+  return run(signals, [](const Part& part) { return !part.follows_rate || !part.host_only; });
+}
+
+const std::vector<double>& RegressorBank::see_rate(const fog::Signals<RealNumbers>& signals) {
+  return run(signals, [](const Part& part) { return part.follows_rate; });
 }
 
 RealDriftModel::RealDriftModel(const Model& model, double block_s)
@@ -69,8 +96,17 @@ void RealDriftModel::step(const RealBlock& block) {
   evaluate();
 }
 
+void RealDriftModel::see_rate(double input_rate_dph) {
+  signals_.block.input_rate = input_rate_dph;
+  sum(bank_.see_rate(signals_));
+}
+
 void RealDriftModel::evaluate() {
-  const std::vector<double>& regressors = bank_.step(signals_);
+  sum(bank_.step_block(signals_));
+  network_dph_ = model_.network.drift_dph(network_signals_.step(signals_));
+}
+
+void RealDriftModel::sum(const std::vector<double>& regressors) {
   std::size_t column = 0;
   physics_dph_ = 0;
   for (std::size_t i = 0; i < model_.terms.size(); ++i) {
@@ -80,7 +116,6 @@ void RealDriftModel::evaluate() {
     }
     physics_dph_ += effects_dph_[i];
   }
-  network_dph_ = model_.network.drift_dph(network_signals_.step(signals_));
 }
 
 }  // namespace fogcomp::model

@@ -19,6 +19,9 @@ RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block);
 /// Numbers of the thermal stage for a block period. The board's table is the rounding of these.
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s);
 
+/// Whether a term is an effect that follows the input rate (fog::follows_input_rate).
+bool follows_input_rate(const EffectTerm& term);
+
 /// Regressors of a set of effects over block means: the board's own code in double. `terms` needs
 /// names and parameters only.
 class RegressorBank {
@@ -29,9 +32,22 @@ class RegressorBank {
   void reset(const fog::Signals<RealNumbers>& signals);
   /// Advances one block; the result is valid until the next call.
   const std::vector<double>& step(const fog::Signals<RealNumbers>& signals);
+  /// The same but for the effects that see the record of the input rate (host only, with a state):
+  /// they are advanced by see_rate() alone. Values of effects that are left out stay.
+  const std::vector<double>& step_block(const fog::Signals<RealNumbers>& signals);
+  /// Of the effects that follow the input rate alone.
+  const std::vector<double>& see_rate(const fog::Signals<RealNumbers>& signals);
 
  private:
-  std::vector<std::unique_ptr<RealEffect>> effects_;
+  struct Part {
+    std::unique_ptr<RealEffect> effect;
+    bool follows_rate;
+    bool host_only;
+  };
+  template <class Wanted>
+  const std::vector<double>& run(const fog::Signals<RealNumbers>& signals, Wanted wanted);
+
+  std::vector<Part> parts_;
   std::vector<double> values_;
 };
 
@@ -45,6 +61,8 @@ class RealDriftModel {
   void start(const RealBlock& block);
   /// The means of one more block.
   void step(const RealBlock& block);
+  /// The mean input rate of the block that now runs, for the effects that follow it.
+  void see_rate(double input_rate_dph);
 
   double drift_dph() const { return physics_dph_ + network_dph_; }
   double network_dph() const { return network_dph_; }
@@ -54,6 +72,7 @@ class RealDriftModel {
 
  private:
   void evaluate();
+  void sum(const std::vector<double>& regressors);
 
   const Model& model_;
   fog::ThermalState<RealNumbers> thermal_;

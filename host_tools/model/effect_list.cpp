@@ -36,11 +36,15 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
                                    description.name));
   }
   term.identified[index] = true;
-  if (is_event(term)) {
+  const char* without_bounds =
+      is_event(term) ? "is searched for in the whole recording; leave the bounds out, or give its "
+                       "time"
+      : is_reference(description) ? "takes its reference from the rows; leave the bounds out, or "
+                                    "give its value"
+                                  : nullptr;
+  if (without_bounds != nullptr) {
     if (range.empty()) return;
-    throw InputError(where,
-                     "is searched for in the whole recording; leave the bounds out, or give "
-                     "its time");
+    throw InputError(where, without_bounds);
   }
   ShapeBounds bounds = catalogue_bounds(entry, index);
   if (!range.empty()) {
@@ -166,8 +170,9 @@ std::vector<EffectTerm> parse_effects(const std::string& list) {
     term.name = words[0];
     for (const auto& parameter : entry.parameters) {
       term.parameters.push_back(parameter.default_milli / 1000.0);
-      term.identified.push_back(parameter.scale != fog::Scale::whole &&
-                                parameter.not_given == fog::NotGiven::identified);
+      term.identified.push_back(
+          parameter.scale != fog::Scale::whole &&
+          (parameter.not_given == fog::NotGiven::identified || is_reference(parameter)));
       term.parameter_sigma.push_back(0);
     }
     for (std::size_t i = 1; i < words.size(); ++i) set_parameter(term, entry, words[i]);

@@ -56,6 +56,27 @@ double read_parameter(ModelReader& in, const fog::ParameterDescription& paramete
   return value;
 }
 
+// Effects whose parameters came after the first model files: without them, their defaults hold.
+constexpr const char* kFirstWithoutParameters = "scale_factor_temperature";
+
+void read_parameters(ModelReader& in, const CatalogueEntry& entry, EffectTerm& term) {
+  const std::size_t count = in.count(16);
+  if (count == 0 && term.name == kFirstWithoutParameters) {
+    for (const fog::ParameterDescription& parameter : entry.parameters) {
+      term.parameters.push_back(parameter.default_milli / 1000.0);
+    }
+    term.identified.assign(term.parameters.size(), false);
+    term.parameter_sigma.assign(term.parameters.size(), 0);
+    return;
+  }
+  if (count != entry.parameters.size()) in.fail("wrong number of parameters");
+  for (const fog::ParameterDescription& parameter : entry.parameters) {
+    term.parameters.push_back(read_parameter(in, parameter));
+  }
+  for (std::size_t i = 0; i < count; ++i) term.identified.push_back(in.count(1) == 1);
+  term.parameter_sigma = in.numbers(count);
+}
+
 EffectTerm read_effect(ModelReader& in) {
   EffectTerm term;
   term.name = in.word();
@@ -64,13 +85,7 @@ EffectTerm read_effect(ModelReader& in) {
     in.fail("this version knows no effect '" + term.name + "'");
   }
   const CatalogueEntry& entry = find_effect(term.name);
-  const std::size_t parameters = in.count(16);
-  if (parameters != entry.parameters.size()) in.fail("wrong number of parameters");
-  for (const fog::ParameterDescription& parameter : entry.parameters) {
-    term.parameters.push_back(read_parameter(in, parameter));
-  }
-  for (std::size_t i = 0; i < parameters; ++i) term.identified.push_back(in.count(1) == 1);
-  term.parameter_sigma = in.numbers(parameters);
+  read_parameters(in, entry, term);
   const std::size_t coefficients = in.count(entry.coefficients.size());
   constexpr double kAnyBlockS = 1;
   if (coefficients != make_effect(term, kAnyBlockS)->regressor_count()) {

@@ -53,7 +53,7 @@ std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& term
     if (is_event(terms[term])) continue;
     const TermInfo entry = info_of(terms[term]);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-      if (!terms[term].identified[i]) continue;
+      if (!terms[term].identified[i] || entry.parameters[i].is_reference) continue;
       const auto& own = terms[term].bounds;
       const bool bounded = i < own.size() && own[i].most > own[i].least;
       const ShapeBounds bounds = bounded ? own[i] : entry.parameters[i].bounds;

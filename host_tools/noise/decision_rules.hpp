@@ -27,6 +27,10 @@ constexpr double kPlausibleScore = 4;
 /// means. noise_floor_test.
 constexpr std::size_t kMinFloorDifferences = 30;
 
+/// Means for each part of a scale factor's error that is taken out of them: it takes a tenth of the
+/// noise's variance with it, 5 % of the floor. noise_floor_test.
+constexpr std::size_t kMeansPerColumn = 10;
+
 /// Standard deviations beyond which a difference is a spike or a step: one of 2,000 of noise alone.
 /// noise_floor_test.
 constexpr double kFloorCut = 3.5;

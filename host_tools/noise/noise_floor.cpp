@@ -1,13 +1,16 @@
 #include "noise/noise_floor.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "noise/decision_rules.hpp"
+#include "noise/input_rate.hpp"
 #include "recording/segments.hpp"
 #include "series/complete_rows.hpp"
+#include "support/least_squares.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp::noise {
@@ -74,6 +77,34 @@ double robust_deviation(const std::vector<double>& values) {
   return sigma;
 }
 
+Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+// Takes out of the differences what differences of the columns explain. Those beyond the cut (the
+// flanks of steps, spikes) are not asked.
+void take_out(const Eigen::MatrixXd& columns, const std::vector<recording::RowRange>& stretches,
+              std::size_t samples, std::vector<double>& differences) {
+  constexpr int kRounds = 4;
+  const auto rows = static_cast<Eigen::Index>(differences.size());
+  Eigen::MatrixXd basis(rows, columns.cols());
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    const std::vector<double> column(columns.col(k).begin(), columns.col(k).end());
+    const std::vector<double> of_column = scaled_differences(column, stretches, samples);
+    basis.col(k) = Eigen::Map<const Eigen::VectorXd>(of_column.data(), rows);
+  }
+  const Eigen::VectorXd whole = Eigen::Map<const Eigen::VectorXd>(differences.data(), rows);
+  Eigen::VectorXd left = whole;
+  for (int round = 0; round < kRounds; ++round) {
+    const double sigma = sigma_by_median({left.begin(), left.end()});
+    const double cut = round > 0 && sigma > 0 ? rules::kFloorCut * sigma : HUGE_VAL;
+    const Eigen::VectorXd kept = (left.array().abs() <= cut).cast<double>();
+    left = whole -
+           basis * solve_linear(kept.asDiagonal() * basis, kept.cwiseProduct(whole)).coefficients;
+  }
+  differences.assign(left.begin(), left.end());
+}
+
 }  // namespace
 
 std::optional<double> noise_floor_dph(const recording::Recording& recording, double average_s) {
@@ -85,8 +116,15 @@ std::optional<double> noise_floor_dph(const recording::Recording& recording, dou
     samples /= 2;
   if (count_differences(stretches, samples) == 0) return std::nullopt;
   const double white = std::sqrt(static_cast<double>(samples) / static_cast<double>(wanted));
-  return white *
-         robust_deviation(scaled_differences(recording::bias_dph(recording), stretches, samples));
+  std::vector<double> differences =
+      scaled_differences(recording::bias_dph(recording), stretches, samples);
+  const Eigen::MatrixXd columns = input_rate_columns(as_vector(recording.input_rate_dph),
+                                                     as_vector(recording.temperature_degc));
+  const auto count = static_cast<std::size_t>(columns.cols());
+  if (count > 0 && recording.rows() > rules::kMeansPerColumn * samples * count) {
+    take_out(columns, stretches, samples, differences);
+  }
+  return white * robust_deviation(differences);
 }
 
 }  // namespace fogcomp::noise

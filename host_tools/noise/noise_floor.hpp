@@ -12,6 +12,9 @@ namespace fogcomp::noise {
 /// over means that start every eighth of their length, without differences beyond 3.5 sigma
 /// (spikes, steps; sigma from the median at first).
 ///
+/// Of a recording whose input rate changes, differences are taken less what an error of the scale
+/// factor makes of them: constant, with temperature, nonlinear, uneven, late.
+///
 /// White noise: exact, error of the estimate about 0.6/sqrt(means). Ramps and any drift that bends
 /// slowly against the mean do not enter. Flicker noise of coefficient B counts with 0.60 B: the
 /// part that changes from mean to mean. Its slower part, like a random walk, looks like drift,

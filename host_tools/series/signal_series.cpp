@@ -21,6 +21,7 @@ class SignalSeries::Recorder {
 
   void start(const model::RealBlock& block) { keep(thermal_.reset(block), true); }
   void step(const model::RealBlock& block) { keep(thermal_.step(block), false); }
+  void see_rate(double input_rate_dph) { current().input_rate_dph = input_rate_dph; }
 
   /// The block that the signals kept last are valid for.
   Block& current() { return run_.blocks.back(); }
@@ -33,7 +34,7 @@ class SignalSeries::Recorder {
     return p;
   }
   void keep(const fog::Signals<model::RealNumbers>& signals, bool restart) {
-    run_.blocks.push_back({signals, restart, kNoRow, 0});
+    run_.blocks.push_back({signals, restart, signals.block.input_rate, kNoRow, 0});
   }
 
   fog::ThermalState<model::RealNumbers> thermal_;
@@ -70,13 +71,14 @@ void SignalSeries::add_without_delay(const BlockSeries& series, RowAverager& row
   const ZeroPhaseSignals seen = zero_phase_signals(series, model_.derivative_tau_s);
   for (std::size_t i = 0; i < series.blocks.size(); ++i) {
     const BlockSeries::Block& block = series.blocks[i];
-    runs_.back().blocks.push_back({seen.signals[i], seen.restart[i],
+    runs_.back().blocks.push_back({seen.signals[i], seen.restart[i], block.means.input_rate,
                                    rows.take(block, seen.signals[i]), double(block.samples)});
   }
 }
 
 template <class Make>
-Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading) const {
+Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
+                                        bool follows_rate) const {
   Eigen::MatrixXd sums;
   Eigen::VectorXd samples = Eigen::VectorXd::Zero(rows_.size());
   Eigen::VectorXd values;
@@ -89,7 +91,8 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading) const
     const bool smoothed = reading == Reading::smoothed && !run.smoothed.empty();
     for (std::size_t i = 0; i < run.blocks.size(); ++i) {
       const Block& block = run.blocks[i];
-      const fog::Signals<model::RealNumbers>& signals = smoothed ? run.smoothed[i] : block.signals;
+      fog::Signals<model::RealNumbers> signals = smoothed ? run.smoothed[i] : block.signals;
+      if (follows_rate) signals.block.input_rate = block.input_rate_dph;
       if (block.restart) part.reset(signals);
       part.step(signals, values.data());
       if (block.row == kNoRow) continue;
@@ -119,8 +122,8 @@ Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading 
       effect->step(signals, values);
     }
   };
-  return row_means([&](double block_s) { return Part{model::make_effect(term, block_s)}; },
-                   reading);
+  return row_means([&](double block_s) { return Part{model::make_effect(term, block_s)}; }, reading,
+                   model::follows_input_rate(term));
 }
 
 model::SignalRanges SignalSeries::signal_ranges() const {

@@ -59,6 +59,7 @@ class SignalSeries {
   struct Block {
     fog::Signals<model::RealNumbers> signals;
     bool restart = false;
+    double input_rate_dph = 0;  ///< while the signals hold, not before
     std::int32_t row = kNoRow;  // none where the board's drift is not valid
     double samples = 0;
   };
@@ -72,9 +73,10 @@ class SignalSeries {
   void add_as_the_board(const BlockSeries& series, RowAverager& rows);
   void add_without_delay(const BlockSeries& series, RowAverager& rows);
   // Row means of what make(block_s) gives block by block: an object with size(), reset(signals) and
-  // step(signals, values).
+  // step(signals, values). `follows_rate`: of what sees the input rate of the samples themselves.
   template <class Make>
-  Eigen::MatrixXd row_means(const Make& make, Reading reading = Reading::of_sensor) const;
+  Eigen::MatrixXd row_means(const Make& make, Reading reading = Reading::of_sensor,
+                            bool follows_rate = false) const;
 
   const model::Model& model_;
   Phase phase_;

@@ -44,8 +44,9 @@ std::vector<std::unique_ptr<Effect>> make_effects(const GyroDescription& gyro,
 
 }  // namespace
 
-double input_rate_dph(const Conditions& conditions, const EarthRate& earth, Axis axis) {
-  return conditions.table_rate_dph +
+double input_rate_dph(const Conditions& conditions, double time_s, const EarthRate& earth,
+                      Axis axis) {
+  return table_rate_dph(conditions, time_s) +
          (earth.latitude_deg ? earth_rate_dph(*earth.latitude_deg, axis) : 0);
 }
 
@@ -83,8 +84,8 @@ void GyroModel::evaluate() {
   state_.chamber = &chamber;
   state_.thermal = &thermal_;
   state_.ambient = ambient_.step(chamber, thermal_, kThermalStep_s);
-  state_.input_rate_dph =
-      input_rate_dph(conditions, earth_, profile_sets_axis_ ? conditions.axis : earth_.axis);
+  state_.input_rate_dph = input_rate_dph(conditions, state_.time_s, earth_,
+                                         profile_sets_axis_ ? conditions.axis : earth_.axis);
   state_.loop_rate_dph = state_.input_rate_dph;
   for (std::size_t i = 0; i < effects_.size(); ++i) {
     contributions_dph_[i] = scales_[i] * effects_[i]->step(state_);

@@ -21,8 +21,9 @@ struct EarthRate {
   Axis axis = Axis::up;  ///< where the profile does not set one
 };
 
-/// Input rate about the sensitive axis, deg/h.
-double input_rate_dph(const Conditions& conditions, const EarthRate& earth, Axis axis);
+/// Input rate about the sensitive axis at that time, deg/h.
+double input_rate_dph(const Conditions& conditions, double time_s, const EarthRate& earth,
+                      Axis axis);
 
 /// All that changes slowly: chamber, heat flow, effects, sensors; no noise.
 class GyroModel {

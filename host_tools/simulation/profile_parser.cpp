@@ -18,6 +18,7 @@ constexpr double kLongestProgramme_s = 10000.0 * 3600.0;
 // to read.
 constexpr int kMostStatements = 1000000;
 constexpr int kMaxNesting = 20;
+constexpr double kFastestSweep_s = 10;
 
 class ProfileParser {
  public:
@@ -90,7 +91,7 @@ class ProfileParser {
         {"power", &ProfileParser::power},         {"heater", &ProfileParser::heater},
         {"axis", &ProfileParser::axis},           {"rate", &ProfileParser::rate},
         {"vibration", &ProfileParser::vibration}, {"field", &ProfileParser::field},
-        {"azimuth", &ProfileParser::azimuth},
+        {"azimuth", &ProfileParser::azimuth},     {"sweep", &ProfileParser::sweep},
     };
     const auto found = statements.find(keyword);
     if (found == statements.end()) {
@@ -155,6 +156,19 @@ class ProfileParser {
   }
   void rate(ProfileLine& line) {
     conditions_.table_rate_dph = line.quantity(Dimension::rate);
+    conditions_.sweep_dph = 0;
+    programme_.sets_rate = true;
+  }
+  void sweep(ProfileLine& line) {
+    conditions_.table_rate_dph = 0;
+    conditions_.sweep_dph = line.quantity(Dimension::rate);
+    line.expect_word("every");
+    conditions_.sweep_period_s = line.quantity(Dimension::duration);
+    conditions_.sweep_from_s = programme_.duration_s();
+    if (conditions_.sweep_period_s < kFastestSweep_s) {
+      line.fail(
+          format("a sweep takes %g s or more: the simulator's steps are 1 s", kFastestSweep_s));
+    }
     programme_.sets_rate = true;
   }
   void vibration(ProfileLine& line) {
@@ -193,6 +207,12 @@ class ProfileParser {
 };
 
 }  // namespace
+
+double table_rate_dph(const Conditions& conditions, double time_s) {
+  if (conditions.sweep_dph == 0) return conditions.table_rate_dph;
+  const double turns = (time_s - conditions.sweep_from_s) / conditions.sweep_period_s;
+  return conditions.table_rate_dph + conditions.sweep_dph * std::sin(2 * M_PI * turns);
+}
 
 Programme parse_profile(const std::string& text, const std::string& name, std::uint64_t seed) {
   return ProfileParser(text, name, seed).parse();

@@ -19,6 +19,7 @@ namespace fogcomp::simulation {
 ///   heater 2 W                          on the spool
 ///   axis up | down | north | south | east | west
 ///   rate 10 deg/s                       of the rate table (units deg/s, deg/h)
+///   sweep 50 deg/s every 60 s           a sinusoid of the rate about 0, until the next rate
 ///   vibration 0.5 g                     rms
 ///   field 100 uT
 ///   azimuth 90 deg                      of the gyro about the vertical

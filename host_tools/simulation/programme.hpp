@@ -14,11 +14,17 @@ struct Conditions {
   bool powered = true;
   double heater_w = 0;  ///< on the spool
   double table_rate_dph = 0;
+  double sweep_dph = 0;  ///< amplitude of a sinusoid on top of it, 0 at sweep_from_s
+  double sweep_period_s = 1;
+  double sweep_from_s = 0;
   double vibration_grms = 0;  ///< on top of the chamber's own
   double field_ut = 0;        ///< a coil's field along the azimuth's zero, on top of the Earth's
   double azimuth_deg = 0;     ///< of the gyro about the vertical
   Axis axis = Axis::up;
 };
+
+/// The table's rate while these conditions hold.
+double table_rate_dph(const Conditions& conditions, double time_s);
 
 /// A stretch of time in which the chamber's set point moves in a straight line.
 struct Leg {

@@ -205,6 +205,39 @@ Columns axial(const History& h, const Values& shape) {
   return {rate_per_min(h, at_end, shape[0]), difference(h.second_mean_degc, h.mean_degc)};
 }
 
+Columns rate_and_temperature(const History& h, const Values& shape) {
+  const Values above = map(above_20(h), [&](double t) { return t + 20 - shape[1]; });
+  Columns columns;
+  for (double k = 1; k <= shape[0]; ++k) {
+    const Values power = map(above, [&](double t) { return 1e-6 * std::pow(t, k); });
+    columns.push_back(product(h.input_rate_dph, power));
+  }
+  return columns;
+}
+
+// Legendre's polynomials by their recursion, minus what they are at 0.
+Columns nonlinearity(const History& h, const Values& shape) {
+  const double full_scale = 3600 * shape[1];
+  const auto legendre = [](double n, double u) {
+    double before = 1;
+    double now = u;
+    for (double k = 1; k < n; ++k) {
+      const double next = ((2 * k + 1) * u * now - k * before) / (k + 1);
+      before = now;
+      now = next;
+    }
+    return now;
+  };
+  Columns columns;
+  for (double order = 2; order <= shape[0]; ++order) {
+    columns.push_back(map(h.input_rate_dph, [&](double w) {
+      const double u = std::min(std::max(w / full_scale, -1.0), 1.0);
+      return 1e-6 * full_scale * (legendre(order, u) - legendre(order, 0));
+    }));
+  }
+  return columns;
+}
+
 struct Formula {
   const char* effect;
   std::vector<Values> shapes;  // parameters, in the order of the catalogue
@@ -232,11 +265,29 @@ const std::vector<Formula> kFormulas{
     {"polarization_ripple", {{13, 0, 0}, {13, 4.8, 0.05}, {60, 5, -0.2}}, ripple},
     {"thermal_hysteresis", {{5, 0}, {3, 10}}, hysteresis},
     {"glass_transition", {{-20, 4}, {25, 8}}, glass},
-    {"scale_factor_temperature",
+    {"scale_factor",
      {{}},
      [](const History& h, const Values&) {
-       const Values ppm = product(h.input_rate_dph, above_20(h));
-       return Columns{map(ppm, [](double x) { return 1e-6 * x; })};
+       return Columns{map(h.input_rate_dph, [](double w) { return 1e-6 * w; })};
+     }},
+    {"scale_factor_temperature", {{1, 20}, {3, -7.5}}, rate_and_temperature},
+    {"scale_factor_nonlinearity", {{2, 90}, {3, 60}, {5, 83.5}, {5, 500}}, nonlinearity},
+    {"scale_factor_asymmetry",
+     {{0.01}, {10}},
+     [](const History& h, const Values& shape) {
+       const double band = 3600 * shape[0];
+       return Columns{map(h.input_rate_dph, [&](double w) {
+         const double size = std::fabs(w);
+         return 1e-6 * (size < band ? w * w / (2 * band) : size - band / 2);
+       })};
+     }},
+    // The input rate of the histories is 3e5 deg/h sin(t / 400 s); before a start it is not known.
+    {"late_reference",
+     {{}},
+     [](const History& h, const Values&) {
+       Values change = map(h.time_s, [](double t) { return 3e5 / 400 * std::cos(t / 400); });
+       for (std::size_t i = 0; i < h.size(); ++i) change[i] *= h.starts[i] ? 0 : 1e-3;
+       return Columns{change};
      }},
     {"warm_up",
      {{300}, {9000}},

@@ -11,6 +11,7 @@ cd "$scratch"
 
 "$fogcomp" simulate -o cycle.csv --columns all --latitude 34 >/dev/null
 "$fogcomp" simulate -o field.csv --profile field_and_vibration --columns all --latitude 34 >/dev/null
+"$fogcomp" simulate -o table.csv --profile rate_table --columns all --latitude 34 >/dev/null
 
 count=0
 for effect in $("$fogcomp" effects | awk '/^[a-z0-9_]+ - / { print $1 }'); do
@@ -21,8 +22,8 @@ for effect in $("$fogcomp" effects | awk '/^[a-z0-9_]+ - / { print $1 }'); do
     list=$effect:$(sed -nE 's/^  example +([a-z0-9_]+=[^ ]+) .*/\1/p' entry.txt)
   fi
   [[ $effect == bias ]] || list=bias,$list
-  # Field and vibration stand still in a chamber cycle.
-  "$fogcomp" fit cycle.csv field.csv -o one.model --effects "$list" >fit.txt
+  # Field, vibration and input rate stand still in a chamber cycle.
+  "$fogcomp" fit cycle.csv field.csv table.csv -o one.model --effects "$list" >fit.txt
   grep -q "^  $effect " fit.txt || { echo "$effect: not in the printed model" >&2; exit 1; }
   "$fogcomp" compare one.model cycle.csv >/dev/null
   "$fogcomp" export one.model -o fog_model.h --extension >export.txt || { cat export.txt >&2; exit 1; }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "board/replay.hpp"
 #include "board/sensor_stream.hpp"
@@ -45,7 +46,8 @@ fogcomp::recording::Recording recording_with_gaps() {
   return recording;
 }
 
-// Drift of the board at the first sample of each block, by the block's number.
+// Mean drift of the board in each block, by the block's number: effects that follow the input rate
+// differ from sample to sample.
 std::map<std::int64_t, double> board_drift(const fogcomp::model::Model& model,
                                            const fogcomp::recording::Recording& recording) {
   fogcomp::board::BoardSettings settings = fog::test::lenient_board();
@@ -55,19 +57,25 @@ std::map<std::int64_t, double> board_drift(const fogcomp::model::Model& model,
   const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
   fogcomp::board::HostCompensator board(parameters, fog::ImageProof::not_needed());
   std::array<std::uint8_t, fog::kMostOutputBytes> frames;
-  std::map<std::int64_t, double> drift;
+  std::map<std::int64_t, std::pair<double, int>> sums;
   std::size_t row = 0;
-  fogcomp::board::make_sensor_stream(
-      recording, model.scale_factor, fogcomp::model::needs_of(model),
-      [&](auto bytes, fog::SampleTime) {
-        for (const std::uint8_t byte : bytes) {
-          if (board.feed(byte, frames.data()) == 0) continue;
-          const std::int64_t block =
-              fogcomp::series::sample_number(recording, row++) / kSamplesPerBlock;
-          if (!board.last().compensated_valid()) continue;
-          drift.emplace(block, std::ldexp(board.last().drift.raw(), -10));
-        }
-      });
+  fogcomp::board::make_sensor_stream(recording, model.scale_factor, fogcomp::model::needs_of(model),
+                                     [&](auto bytes, fog::SampleTime) {
+                                       for (const std::uint8_t byte : bytes) {
+                                         if (board.feed(byte, frames.data()) == 0) continue;
+                                         const std::int64_t block =
+                                             fogcomp::series::sample_number(recording, row++) /
+                                             kSamplesPerBlock;
+                                         if (!board.last().compensated_valid()) continue;
+                                         auto& [sum, count] = sums[block];
+                                         sum += std::ldexp(board.last().drift.raw(), -10);
+                                         ++count;
+                                       }
+                                     });
+  std::map<std::int64_t, double> drift;
+  for (const auto& [block, of_samples] : sums) {
+    drift[block] = of_samples.first / of_samples.second;
+  }
   return drift;
 }
 

@@ -181,8 +181,9 @@ std::string random_effect(Dice& dice, const model::CatalogueEntry& entry) {
   for (const fog::ParameterDescription& parameter : entry.parameters) {
     const std::string before = settings.empty() ? ":" : ",";
     if (parameter.scale == fog::Scale::whole && dice.one_in(2)) {
-      const auto most = static_cast<std::size_t>(parameter.most_milli / 1000);
-      settings += before + format("%s=%zu", parameter.name, 1 + dice.below(most));
+      const auto min = static_cast<std::size_t>(parameter.least_milli / 1000);
+      const auto max = static_cast<std::size_t>(parameter.most_milli / 1000);
+      settings += before + format("%s=%zu", parameter.name, min + dice.below(max - min + 1));
     } else if (model::is_optional_part(parameter) && dice.one_in(3)) {
       settings += before + parameter.name + "=?";
     }

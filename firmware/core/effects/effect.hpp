@@ -20,7 +20,8 @@
      explicit Effect(const typename N::Constant* constants);
      std::size_t regressor_count() const;                           at most R
      void reset(const Signals<N>&);                                 state at power-on
-     void step(const Signals<N>&, typename N::Regressor*);          once per block
+     void step(const Signals<N>&, typename N::Regressor*);          once per block; of effects
+                                       that follow the input rate, which have no state, per sample
 
    (an effect without shape parameters inherits the middle four from NoParameters), and, where a
    state does not forget what was before power-on by itself,
@@ -54,6 +55,13 @@ struct EffectDescription {
   bool event = false;
 };
 
+/// Whether an effect's regressors are functions of the input rate now, beside the coil's
+/// temperature: they are computed anew for every sample, so that they are not late where the rate
+/// moves. All others stand for a block.
+constexpr bool follows_input_rate(InputMask needs) {
+  return needs == bit_of(Input::input_rate);
+}
+
 /// On which scale a fit searches the range of a shape parameter.
 enum class Scale : std::uint8_t {
   linear,
@@ -69,6 +77,11 @@ enum class NotGiven : std::uint8_t {
   /// 0, its default: without a second part of the effect like the one of the parameter before it.
   /// It is searched for where that one is.
   left_out,
+  /// References that a fit takes from its rows once and the model keeps; their default is what they
+  /// are in no fit: the mean of the temperature, each row as important as the square of its input
+  /// rate, and the largest input rate, deg/s.
+  mean_temperature,
+  largest_input_rate,
 };
 
 /// A shape parameter (order, time constant, period...). Bounds in thousandths of the unit, so that
@@ -101,6 +114,9 @@ struct CoefficientDescription {
   Multiplies multiplies = Multiplies::level;
   std::int32_t per_unit = 1;  ///< natural units in one deg/h of the coefficient: 10^6 for ppm
 };
+
+/// Scale of regressors in proportion to the input rate: W / 2^18 deg/h is within +-8 for any rate.
+constexpr int kScaleFactorLog2 = 18;
 
 /// Base of an effect whose shape has no parameters.
 struct NoParameters {

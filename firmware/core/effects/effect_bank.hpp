@@ -68,17 +68,14 @@ class EffectBank {
     for_each([&](auto& slot) { slot.effect.reset(signals); });
   }
 
-  /// Advances all states by one block and returns their drift: 32 sums, each below 2^48.
-  DriftSum step(const BoardSignals& signals) {
-    DriftSum drift{};
-    for_each([&](auto& slot) {
-      constexpr std::size_t kMost = std::decay_t<decltype(slot.effect)>::coefficients.size();
-      std::array<Regressor, kMost> regressors;
-      slot.effect.step(signals, regressors.data());
-      drift += weighted_sum(slot.coefficients, regressors.data(), coefficient_fraction_);
-    });
-    return drift;
-  }
+  /// Whether an effect of the image follows the input rate.
+  static constexpr bool follows_rate = (kCompiled & rate_effects(Registry{})) != 0;
+
+  /// Advances all states by one block and returns the drift of the effects that stand for a block:
+  /// with the others 32 sums, each below 2^48.
+  DriftSum step(const BoardSignals& signals) { return sum<false>(signals); }
+  /// The drift of those that follow the input rate, which is that of the signals.
+  DriftSum at_rate(const BoardSignals& signals) { return sum<true>(signals); }
 
   /// Whether no state depends on what was before the start any more.
   bool history_known() {
@@ -99,6 +96,19 @@ class EffectBank {
     Effect effect;
     Span<const std::int32_t> coefficients;
   };
+  template <bool kFollowRate>
+  DriftSum sum(const BoardSignals& signals) {
+    DriftSum drift{};
+    for_each([&](auto& slot) {
+      using Effect = std::decay_t<decltype(slot.effect)>;
+      if constexpr (follows_input_rate(Effect::description.needs) == kFollowRate) {
+        std::array<Regressor, Effect::coefficients.size()> regressors;
+        slot.effect.step(signals, regressors.data());
+        drift += weighted_sum(slot.coefficients, regressors.data(), coefficient_fraction_);
+      }
+    });
+    return drift;
+  }
   // An effect that this image leaves out: no state, no code.
   template <class Effect>
   struct NoSlot {

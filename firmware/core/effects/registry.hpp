@@ -9,9 +9,13 @@
 #include "core/effects/bias_temperature.hpp"
 #include "core/effects/effect.hpp"
 #include "core/effects/glass_transition.hpp"
+#include "core/effects/late_reference.hpp"
 #include "core/effects/light_power.hpp"
 #include "core/effects/magnetic.hpp"
 #include "core/effects/polarization_ripple.hpp"
+#include "core/effects/scale_factor.hpp"
+#include "core/effects/scale_factor_asymmetry.hpp"
+#include "core/effects/scale_factor_nonlinearity.hpp"
 #include "core/effects/scale_factor_temperature.hpp"
 #include "core/effects/shupe.hpp"
 #include "core/effects/temperature_rate.hpp"
@@ -28,22 +32,26 @@ template <template <class> class... Effects>
 struct EffectList {};
 
 /// Every effect there is. One line here makes an effect known to fit, export, replay and the board.
-using Registry = EffectList<effects::Bias,                    //
-                            effects::BiasTemperature,         //
-                            effects::TemperatureRate,         //
-                            effects::Shupe,                   //
-                            effects::ThermalLag,              //
-                            effects::TemperatureRateProduct,  //
-                            effects::AxialGradient,           //
-                            effects::PolarizationRipple,      //
-                            effects::ThermalHysteresis,       //
-                            effects::GlassTransition,         //
-                            effects::ScaleFactorTemperature,  //
-                            effects::WarmUp,                  //
-                            effects::Aging,                   //
-                            effects::Magnetic,                //
-                            effects::Vibration,               //
-                            effects::LightPower,              //
+using Registry = EffectList<effects::Bias,                     //
+                            effects::BiasTemperature,          //
+                            effects::TemperatureRate,          //
+                            effects::Shupe,                    //
+                            effects::ThermalLag,               //
+                            effects::TemperatureRateProduct,   //
+                            effects::AxialGradient,            //
+                            effects::PolarizationRipple,       //
+                            effects::ThermalHysteresis,        //
+                            effects::GlassTransition,          //
+                            effects::ScaleFactor,              //
+                            effects::ScaleFactorTemperature,   //
+                            effects::ScaleFactorNonlinearity,  //
+                            effects::ScaleFactorAsymmetry,     //
+                            effects::WarmUp,                   //
+                            effects::Aging,                    //
+                            effects::Magnetic,                 //
+                            effects::Vibration,                //
+                            effects::LightPower,               //
+                            effects::LateReference,            //
                             effects::BiasStep>;
 
 /// The longest list of regressors that any effect has.
@@ -64,6 +72,15 @@ constexpr EffectMask bit_of(const EffectDescription& effect) {
 template <template <class> class... Effects>
 constexpr EffectMask board_effects(EffectList<Effects...> /*list*/) {
   return ((Effects<BoardNumbers>::description.host_only == nullptr
+               ? bit_of(Effects<BoardNumbers>::description)
+               : 0U) |
+          ...);
+}
+
+/// Those that follow the input rate.
+template <template <class> class... Effects>
+constexpr EffectMask rate_effects(EffectList<Effects...> /*list*/) {
+  return ((follows_input_rate(Effects<BoardNumbers>::description.needs)
                ? bit_of(Effects<BoardNumbers>::description)
                : 0U) |
           ...);

@@ -123,6 +123,7 @@ class Compensator {
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = prepare_drift_model(verdict, temperature, measured);
+    if (!any(verdict.status, kRateInvalid)) drift_model_.see(measured);
 
     OutputSample result;
     result.sequence = sample.sequence;

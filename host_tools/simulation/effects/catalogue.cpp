@@ -27,7 +27,11 @@ const std::vector<EffectDescription>& effect_catalogue() {
       rate_nonlinearity_effect(),
       proper_frequency_effect(),
       pyroelectric_effect(),
+      scale_factor_effect(),
       scale_factor_temperature_effect(),
+      scale_factor_nonlinearity_effect(),
+      scale_factor_asymmetry_effect(),
+      late_reference_effect(),
       half_wave_voltage_effect(),
       dead_band_effect(),
   };

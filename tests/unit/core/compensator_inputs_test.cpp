@@ -236,7 +236,7 @@ TEST_F(CompensatorTest, WarmUpCountsLostSamplesAsTimeThatPasses) {
   EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), 10 * std::exp(-26 / 100.0), 2.0 / 1024);
 }
 
-TEST_F(CompensatorTest, ScaleFactorFollowsTheMeasuredRateOfTheLastBlock) {
+TEST_F(CompensatorTest, ScaleFactorIsThatOfTheCompensatedRate) {
   model_.terms = {fog::test::natural_term("scale_factor_temperature", {}, {300})};
   model_.network = {};
   restart();
@@ -249,6 +249,45 @@ TEST_F(CompensatorTest, ScaleFactorFollowsTheMeasuredRateOfTheLastBlock) {
   }
   // 300 ppm/degC over 40 degC make 1.2 % of the compensated rate, which is what is left of 360,003.
   EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), 360003 * 0.012 / 1.012, 0.1);
+}
+
+// 200 deg/s back and forth in 4 s: 314 deg/s^2. A block mean would be late by up to 300 deg/s, 0.3
+// deg/s of drift.
+TEST_F(CompensatorTest, ScaleFactorFollowsTheRateFromSampleToSample) {
+  model_.terms = {fog::test::natural_term("scale_factor", {}, {1000}),
+                  fog::test::natural_term("scale_factor_nonlinearity", {5, 200}, {20, 300, 5, 40}),
+                  fog::test::natural_term("scale_factor_asymmetry", {}, {-50})};
+  model_.network = {};
+  restart();
+  run(300);
+  fogcomp::model::RealDriftModel real(model_, 1);
+  real.start({});
+  double worst_dph = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double rate_dph = 200 * 3600 * std::sin(2 * M_PI * i / 800);
+    real.see_rate(rate_dph);
+    SensorSample in = sample();
+    in.rate_counts = static_cast<std::int32_t>(std::lround((rate_dph + real.drift_dph()) * 1024));
+    const OutputSample out = send(in);
+    ASSERT_TRUE(out.compensated_valid()) << i;
+    worst_dph = std::max(worst_dph, std::abs(std::ldexp(out.compensated.raw(), -10) - rate_dph));
+  }
+  // 5,700 deg/h between two samples, of which 2e-3 of 2e-3.
+  EXPECT_LE(worst_dph, 0.03);
+}
+
+// What is measured badly is no rate that anything could follow.
+TEST_F(CompensatorTest, ASampleThatIsNotValidDoesNotMoveTheScaleFactor) {
+  model_.terms = {fog::test::natural_term("scale_factor", {}, {1000})};
+  model_.network = {};
+  restart();
+  run(300);
+  SensorSample bad = sample();
+  bad.rate_counts = 500 * 3600 * 1024;
+  bad.gyro_valid = false;
+  send(bad);
+  EXPECT_NEAR(std::ldexp(send(sample()).drift.raw(), -10), std::ldexp(run(1).drift.raw(), -10),
+              1.0 / 1024);
 }
 
 }  // namespace

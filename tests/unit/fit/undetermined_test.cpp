@@ -54,6 +54,20 @@ TEST(Undetermined, CoefficientsAreRefusedByTheirNames) {
             "out");
 }
 
+void on_earth(recording::Recording& recording) {
+  recording.input_rate_dph.assign(recording.rows(), 8.47);
+}
+
+TEST(Undetermined, AnErrorOfTheInputRateIsRefusedWhereTheRateDoesNotMove) {
+  for (const std::string effect : {"scale_factor", "scale_factor_temperature",
+                                   "scale_factor_nonlinearity", "scale_factor_asymmetry"}) {
+    EXPECT_EQ(refusal("bias," + effect, "", on_earth),
+              effect +
+                  ": these recordings do not determine it (input_rate_dph never changes: the "
+                  "input rate does not move); leave the effect out");
+  }
+}
+
 TEST(Undetermined, ACoefficientThatOthersMakeUpIsRefusedWithTheirNames) {
   EXPECT_EQ(refusal("bias,temperature_rate,shupe:tau=120,thermal_lag:tau=120"),
             "thermal_lag: these recordings do not determine K (on these rows it is made up of "

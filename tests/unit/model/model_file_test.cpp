@@ -6,10 +6,12 @@
 #include <string>
 
 #include "board/header.hpp"
+#include "core/bytes/crc.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "support/input_error.hpp"
 #include "support/sample_models.hpp"
+#include "support/text.hpp"
 #include "support/typical_effects.hpp"
 
 namespace fogcomp::model {
@@ -38,6 +40,22 @@ TEST(ModelFile, ReadsAFileWithoutTheLaterEntries) {
   const Model read = parse_model(old, "old.model");
   EXPECT_FALSE(read.rate_range_degc_per_min.has_value());
   EXPECT_FALSE(read.history[0].excess_removed().has_value());
+}
+
+// Its reference was 20 degC and its order 1 before it had parameters.
+TEST(ModelFile, ReadsAScaleFactorFromBeforeItHadParameters) {
+  Model model = fog::test::paper_like_model();
+  model.terms = {fog::test::natural_term("scale_factor_temperature", {1, 20}, {300})};
+  std::string text = model_text(model);
+  const std::string now = "effect scale_factor_temperature 2 1 20 0 0 0 0 1 ";
+  const std::size_t at = text.find(now);
+  ASSERT_NE(at, std::string::npos) << text;
+  text.replace(at, now.size(), "effect scale_factor_temperature 0 1 ");
+  text.erase(text.rfind("crc "));
+  const std::uint32_t crc =
+      fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  const Model read = parse_model(text + format("crc %08x\n", crc), "old.model");
+  EXPECT_EQ(model_text(read), model_text(model));
 }
 
 TEST(ModelFile, KeepsTheWholeHistory) {

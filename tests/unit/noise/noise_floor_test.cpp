@@ -132,5 +132,25 @@ TEST(NoiseFloor, IsZeroForAConstantRate) {
   EXPECT_EQ(noise_floor_dph(recording, kAverageS), 0.0);
 }
 
+// Sweeps of 100 deg/s every 45 s with errors of the scale factor of every kind, each alone ten
+// times the noise of a row and more.
+TEST(NoiseFloor, KnowsNothingOfTheScaleFactor) {
+  recording::Recording recording = record_white(0.7);
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    const double t = recording.time_s[i];
+    const double size = t < 1200 ? 0.3 : 1;
+    const double rate = 360000 * size * std::sin(2 * M_PI * t / 45);
+    const double degc = 20 + 20 * std::sin(t / 700);
+    recording.temperature_degc[i] = degc;
+    recording.input_rate_dph.push_back(rate);
+    recording.rate_dph[i] += rate + 2e-6 * rate + 1e-7 * (degc - 30) * rate +
+                             3 * std::pow(rate / 360000, 3) + 1e-6 * std::fabs(rate) +
+                             3.6 * size * std::cos(2 * M_PI * t / 45);
+  }
+  const auto floor = noise_floor_dph(recording, kAverageS);
+  ASSERT_TRUE(floor.has_value());
+  EXPECT_NEAR(*floor / kFloorDph, 1, 0.12);
+}
+
 }  // namespace
 }  // namespace fogcomp::noise

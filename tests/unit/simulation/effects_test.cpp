@@ -36,7 +36,8 @@ double mean(const std::vector<double>& values, std::size_t first, std::size_t la
 
 TEST(Effects, ReachThePeakAskedForInEveryCase) {
   const Programme programme = parse_profile(
-      "ramp to -40 degC at 2 degC/min\nsoak 20 min\nramp to 60 degC at 2 degC/min\nsoak 20 min\n",
+      "ramp to -40 degC at 2 degC/min\nsweep 1 deg/s every 60 s\nsoak 20 min\nrate 0 deg/s\nramp "
+      "to 60 degC at 2 degC/min\nsoak 20 min\n",
       "test", 1);
   SimulationOptions options = coarse();
   options.rate_hz = 1;  // so that a short spike is not averaged away
@@ -250,6 +251,30 @@ TEST(DeadBand, HoldsZeroInsideAndLetsLargeRatesThrough) {
   EXPECT_NEAR(output(-0.05), 0, 0.001);
   EXPECT_NEAR(output(0.2), 0.2, 0.001);
   EXPECT_NEAR(output(-5), -5, 1e-9);
+}
+
+// What the catalogue has as polynomials, to a few per cent of its size.
+TEST(ScaleFactor, ErrorsHaveTheSizeThatTheyAreGiven) {
+  constexpr double kFullScale_dph = 100 * 3600;
+  const char* const sweeps = "soak 10 min\nsweep 100 deg/s every 100 s\nsoak 30 min\n";
+  SimulationOptions options = coarse();
+  options.rate_hz = 1;
+  const WholeRun result = run_text(
+      {"scale_factor:ppm=200", "scale_factor_nonlinearity:ppm=300,even_ppm=50,full_scale_dps=100",
+       "scale_factor_asymmetry:ppm=20", "late_reference:delay_ms=30"},
+      sweeps, options);
+  for (std::size_t i = 700; i < result.rows.rows(); ++i) {
+    const double u = result.rows.input_rate_dph[i] / kFullScale_dph;
+    const double odd = 300 * (5 * u * u * u - 3 * u) / 2;
+    const double even = 50 * 1.5 * u * u;
+    EXPECT_NEAR(result.effect("scale_factor")[i], 200e-6 * u * kFullScale_dph, 0.1);
+    EXPECT_NEAR(result.effect("scale_factor_nonlinearity")[i], 1e-6 * (odd + even) * kFullScale_dph,
+                3);
+    EXPECT_NEAR(result.effect("scale_factor_asymmetry")[i], 20e-6 * std::fabs(u) * kFullScale_dph,
+                0.01 * 20e-6 * kFullScale_dph);
+    const double change = 2 * M_PI / 100 * std::cos(2 * M_PI * (result.rows.time_s[i] - 600) / 100);
+    EXPECT_NEAR(result.effect("late_reference")[i], 0.03 * change * kFullScale_dph, 25);
+  }
 }
 
 TEST(BiasStep, StartsWhenToldAndDecays) {

@@ -114,6 +114,22 @@ TEST(Profile, RefusesProgrammesThatMakeNoSense) {
             "test.profile:3: the programme has more than a million statements; repeat less often");
 }
 
+TEST(Profile, SweepsTheTableUntilTheNextRate) {
+  const Programme programme = parse_profile(
+      "rate 3 deg/s\nsoak 1 min\nsweep 50 deg/s every 40 s\nsoak 2 min\nrate 0 deg/s\nsoak 1 "
+      "min\n",
+      "test", 1);
+  ASSERT_TRUE(programme.sets_rate);
+  EXPECT_EQ(table_rate_dph(programme.legs[0].conditions, 30), 3 * 3600);
+  EXPECT_NEAR(table_rate_dph(programme.legs[1].conditions, 60), 0, 1e-9);
+  EXPECT_NEAR(table_rate_dph(programme.legs[1].conditions, 70), 50 * 3600, 1e-6);
+  EXPECT_NEAR(table_rate_dph(programme.legs[1].conditions, 90), -50 * 3600, 1e-6);
+  EXPECT_EQ(table_rate_dph(programme.legs[2].conditions, 190), 0);
+  EXPECT_NE(error_of("sweep 50 deg/s every 2 s\nsoak 1 h\n").find("10 s or more"),
+            std::string::npos);
+  EXPECT_NE(error_of("sweep 50 deg/s\nsoak 1 h\n"), "no error");
+}
+
 TEST(Profile, OfEveryReadyMadeNameCanBeRead) {
   EXPECT_GE(ready_made_profiles().size(), 7U);
   for (const EmbeddedFile& file : ready_made_profiles()) {

@@ -128,12 +128,12 @@ TEST(RowMeans, IntegrateStraightAndHeldChannelsExactly) {
 
 TEST(EarthRate, FollowsLatitudeAndAxis) {
   EarthRate earth;
-  EXPECT_EQ(input_rate_dph({}, earth, Axis::up), 0);
+  EXPECT_EQ(input_rate_dph({}, 0, earth, Axis::up), 0);
   earth.latitude_deg = 34.27;
-  EXPECT_NEAR(input_rate_dph({}, earth, Axis::up), 8.47, 0.005);  // Xi'an
-  EXPECT_NEAR(input_rate_dph({}, earth, Axis::down), -8.47, 0.005);
-  EXPECT_NEAR(input_rate_dph({}, earth, Axis::north), 12.43, 0.005);
-  EXPECT_EQ(input_rate_dph({}, earth, Axis::east), 0);
+  EXPECT_NEAR(input_rate_dph({}, 0, earth, Axis::up), 8.47, 0.005);  // Xi'an
+  EXPECT_NEAR(input_rate_dph({}, 0, earth, Axis::down), -8.47, 0.005);
+  EXPECT_NEAR(input_rate_dph({}, 0, earth, Axis::north), 12.43, 0.005);
+  EXPECT_EQ(input_rate_dph({}, 0, earth, Axis::east), 0);
 }
 
 TEST(Sensor, ReadsInStepsOfItsResolutionAndLags) {

@@ -1,0 +1,50 @@
+#include "fit/reference_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/catalogue.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp::fit {
+namespace {
+
+// About this temperature an error in proportion to W (T - reference) has no part in proportion to
+// W. Without any rate there is nothing to tell apart: the plain mean.
+double mean_temperature_degc(const series::Rows& rows) {
+  double weights = 0;
+  double sum = 0;
+  double plain = 0;
+  for (const auto& means : rows.inputs) {
+    const double weight = std::pow(means.input_rate, 2);
+    weights += weight;
+    sum += weight * means.temperature;
+    plain += means.temperature;
+  }
+  return weights > 0 ? sum / weights : plain / static_cast<double>(rows.inputs.size());
+}
+
+double largest_input_rate_dps(const series::SignalSeries& series) {
+  const auto range = series.signal_ranges()[static_cast<std::size_t>(fog::Input::input_rate)];
+  return std::max(std::abs(range.least), std::abs(range.most)) / kDphPerDegreePerSecond;
+}
+
+}  // namespace
+
+void set_references(std::vector<model::EffectTerm>& terms, const series::SignalSeries& series) {
+  for (model::EffectTerm& term : terms) {
+    if (term.expression) continue;
+    const model::CatalogueEntry& entry = model::find_effect(term.name);
+    for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+      if (!model::is_reference(entry.parameters[i]) || !term.identified[i]) continue;
+      const bool degc = entry.parameters[i].not_given == fog::NotGiven::mean_temperature;
+      const double seen =
+          degc ? mean_temperature_degc(series.rows()) : largest_input_rate_dps(series);
+      const model::ShapeBounds bounds = model::catalogue_bounds(entry, i);
+      term.parameters[i] = std::clamp(seen, bounds.least, bounds.most);
+      term.identified[i] = false;
+    }
+  }
+}
+
+}  // namespace fogcomp::fit

@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "diagnosis/diagnosis.hpp"
+#include "model/effect_list.hpp"
+#include "support/typical_effects.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+// Gyros on a rate table in a chamber, 0.6 h at 1 Hz: sweeps while the temperature rises and falls.
+namespace {
+
+using fogcomp::diagnosis::Diagnosis;
+using fogcomp::diagnosis::Verdict;
+
+constexpr double kNoiseDph = 1;  // of a row of 10 s
+
+double table_rate_dph(double t) {
+  if (t < 120 || t > 2040) return 0;
+  const bool fast = t < 900 || t > 1400;
+  return (fast ? 100 : 30) * 3600 * std::sin(2 * M_PI * t / (fast ? 45 : 75));
+}
+
+constexpr double kMeanDegc = 31.5;  // while it sweeps
+
+double temperature_degc(double t) {
+  return 25 + 10 * std::sin(t / 650);
+}
+
+// The drift of the rate as the axis really turns, and of what `error` makes of it (W, T, dW/dt).
+template <class Error>
+fogcomp::recording::Recording on_the_table(std::uint64_t seed, const Error& error) {
+  fogcomp::recording::Recording recording;
+  recording.file = "rate table";
+  recording.period_s = 1;
+  recording.stretch_starts = {0};
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> noise(0, kNoiseDph * std::sqrt(10.0));
+  for (int i = 0; i < 2160; ++i) {
+    const double rate = table_rate_dph(i);
+    const double change = (table_rate_dph(i + 0.01) - table_rate_dph(i - 0.01)) / 0.02;
+    recording.time_s.push_back(i);
+    recording.temperature_degc.push_back(temperature_degc(i));
+    recording.input_rate_dph.push_back(rate);
+    recording.rate_dph.push_back(rate + 2 + noise(random) +
+                                 error(rate, temperature_degc(i), change));
+  }
+  return recording;
+}
+
+Diagnosis diagnosed(const fogcomp::recording::Recording& recording, const std::string& effects) {
+  const auto model = fog::test::model_of(fogcomp::model::parse_effects(effects));
+  fogcomp::diagnosis::DiagnosisData data(model, {});
+  data.add(recording);
+  return fogcomp::diagnosis::diagnose(model, data);
+}
+
+// Of an error, 3 and 10 times the noise of a row.
+template <class Error>
+void expect_named(const char* effect, const Error& error) {
+  for (const double size : {3, 10}) {
+    const auto recording = on_the_table(
+        static_cast<std::uint64_t>(size),
+        [&](double w, double t, double change) { return size * kNoiseDph * error(w, t, change); });
+    const Diagnosis diagnosis = diagnosed(recording, "bias,bias_temperature");
+    EXPECT_EQ(diagnosis.verdict, Verdict::missing_effect) << effect << ' ' << size;
+    EXPECT_EQ(diagnosis.effect, effect) << size;
+  }
+}
+
+TEST(RateTable, NamesEachErrorOfTheInputRate) {
+  expect_named("scale_factor", [](double w, double, double) { return w / 2e5; });
+  expect_named("scale_factor_temperature",
+               [](double w, double t, double) { return w / 2e5 * (t - kMeanDegc) / 4; });
+  expect_named("scale_factor_nonlinearity", [](double w, double, double) {
+    const double u = w / 3.6e5;
+    return 3 * (5 * u * u * u - 3 * u) / 2;
+  });
+  expect_named("scale_factor_asymmetry",
+               [](double w, double, double) { return std::fabs(w) / 2e5; });
+  expect_named("late_reference", [](double, double, double change) { return change / 3e4; });
+}
+
+TEST(RateTable, NamesNothingInACleanGyro) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto recording = on_the_table(seed, [](double, double, double) { return 0; });
+    EXPECT_EQ(diagnosed(recording, "bias").effect, "") << seed;
+  }
+}
+
+// A loop that saturates is in no effect's reach: the input's, and no cycle in time.
+TEST(RateTable, WhatTheInputRateDrivesIsNotTakenForACycle) {
+  const auto recording =
+      on_the_table(1, [](double w, double, double) { return 20 * kNoiseDph * std::tanh(w / 2e4); });
+  const Diagnosis diagnosis = diagnosed(recording, "bias,bias_temperature");
+  EXPECT_NE(diagnosis.verdict, Verdict::none);
+  EXPECT_EQ(diagnosis.fast_kind, fogcomp::diagnosis::FastKind::none);
+  EXPECT_EQ(diagnosis.variable, "input_rate_dph");
+}
+
+// With all of its errors in the model, nothing is left.
+TEST(RateTable, LeavesNothingBehindACompleteModel) {
+  const auto recording = on_the_table(7, [](double w, double t, double) {
+    const double u = w / 3.6e5;
+    return w * (5e-4 - 4e-4 * (t - 25)) + 100 * (5 * u * u * u - 3 * u) / 2;
+  });
+  const Diagnosis diagnosis = diagnosed(
+      recording,
+      "bias,bias_temperature,scale_factor,scale_factor_temperature,scale_factor_nonlinearity");
+  EXPECT_EQ(diagnosis.verdict, Verdict::none);
+  EXPECT_LE(diagnosis.residual_rms_dph, 1.2 * kNoiseDph);
+}
+
+}  // namespace

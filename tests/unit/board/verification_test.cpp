@@ -1,0 +1,27 @@
+#include "board/verification.hpp"
+
+#include <gtest/gtest.h>
+
+#include "board/board_table.hpp"
+#include "support/typical_effects.hpp"
+
+namespace fogcomp::board {
+namespace {
+
+// 400 ppm/degC at 280 deg/s make 0.003 deg/h of half an LSB of a temperature: neither the reference
+// nor the ends of the trained range may be between two.
+TEST(Verification, AScaleFactorWithALargeSlopeIsWithinTheLimitAtAnyReferenceAndRange) {
+  for (const double off : {0.0, 3e-6, 7.5e-6, 1.1e-5}) {
+    model::Model model = fog::test::paper_like_model();
+    model.network = {};
+    model.terms = {fog::test::natural_term("scale_factor_temperature", {1, 25.5 + off}, {-400})};
+    model.least_degc = 21 + off;
+    model.most_degc = 46 - off;
+    const BoardTable table = make_board_table(model, {200, fog::OutputSelection::kvh, false});
+    const QuantizationError error = verify_quantization(model, read_board_table(table, "test"));
+    EXPECT_LE(error.worst_dph, kQuantizationLimitDph) << off;
+  }
+}
+
+}  // namespace
+}  // namespace fogcomp::board

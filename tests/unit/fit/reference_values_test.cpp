@@ -1,0 +1,82 @@
+#include "fit/reference_values.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fit/identify.hpp"
+#include "model/effect_list.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+namespace fogcomp::fit {
+namespace {
+
+constexpr double kDphPerDps = 3600;
+
+// The sample gyro's soaks and ramps on a rate table that turns both ways, faster when it is warm.
+// All of its error is a scale factor of 200 ppm at 20 degC and -40 ppm/degC.
+recording::Recording on_a_rate_table() {
+  recording::Recording recording =
+      fog::test::recording_of(fog::test::model_of({}), fog::test::kQuietNoise, 1);
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    const double degc = recording.temperature_degc[i];
+    const double turn = static_cast<double>(i / 30 % 5) - 2;  // 5 minutes each
+    const double rate = (2 + degc / 40) * turn * kDphPerDps;
+    recording.input_rate_dph.push_back(rate);
+    recording.rate_dph[i] += rate * (1 + 1e-6 * (200 - 40 * (degc - 20)));
+  }
+  return recording;
+}
+
+model::Model fitted(const std::string& effects) {
+  const recording::Recording recording = on_a_rate_table();
+  model::Model model = fog::test::model_of(model::parse_effects(effects));
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
+  identify(model, series);
+  return model;
+}
+
+TEST(ReferenceValues, AreTakenFromTheRowsOnceAndKept) {
+  const recording::Recording recording = on_a_rate_table();
+  model::Model model = fog::test::model_of(
+      model::parse_effects("scale_factor_temperature,scale_factor_nonlinearity"));
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
+  set_references(model.terms, series);
+  double weights = 0;
+  double weighted = 0;
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    weights += std::pow(recording.input_rate_dph[i], 2);
+    weighted += std::pow(recording.input_rate_dph[i], 2) * recording.temperature_degc[i];
+  }
+  EXPECT_NEAR(model.terms[0].parameters[1], weighted / weights, 0.01);
+  EXPECT_NEAR(model.terms[1].parameters[1], 7, 1e-9);  // 2 * (2 + 60 / 40) deg/s
+  const std::vector<model::EffectTerm> first = model.terms;
+  recording::Recording warmer = recording;
+  for (double& degc : warmer.temperature_degc) degc += 10;
+  series::SignalSeries later(model);
+  later.add(series::make_blocks(warmer));
+  set_references(model.terms, later);
+  EXPECT_EQ(model.terms[0].parameters, first[0].parameters);
+  EXPECT_EQ(model.terms[1].parameters, first[1].parameters);
+}
+
+TEST(ReferenceValues, GivenOnesStay) {
+  const model::Model model = fitted("bias,scale_factor_temperature:reference=-12.5");
+  EXPECT_EQ(model.terms[1].parameters[1], -12.5);
+}
+
+// So that what is named first is what is largest: about 20 degC the slope would take the constant
+// with it where all rates are at other temperatures.
+TEST(ReferenceValues, MakeTheSlopeTheSameWithTheConstantAndWithout) {
+  const model::Model alone = fitted("bias,scale_factor_temperature");
+  const model::Model both = fitted("bias,scale_factor,scale_factor_temperature");
+  EXPECT_NEAR(model::natural_coefficient(alone.terms[1], 0), -40, 0.5);
+  EXPECT_NEAR(model::natural_coefficient(both.terms[2], 0), -40, 0.5);
+  const double reference = both.terms[2].parameters[1];
+  EXPECT_NEAR(model::natural_coefficient(both.terms[1], 0), 200 - 40 * (reference - 20), 5);
+}
+
+}  // namespace
+}  // namespace fogcomp::fit
