@@ -68,7 +68,7 @@ class Judge {
                                            : fit::change_expression(model_.terms, trial.expression);
       const fit::Addition addition = fit::add_effect(model_, change, runs_, {}, {});
       trial.accepted = addition.accepted;
-      trial.helps = addition.out_of_sample.helps();
+      trial.may_be_walk = addition.chance_of_walk.value_or(0) >= fit::rules::kMaxChanceOfWalk;
       trial.reason = addition.reason;
       trial.rms_before_dph = addition.out_of_sample.rms_before_dph;
       trial.rms_after_dph = addition.out_of_sample.rms_after_dph;
@@ -111,16 +111,16 @@ bool has_no_own_input(const Diagnosis& diagnosis, const std::vector<std::string>
   });
 }
 
-// `named` was refused. Where that was not for want of help, sets around it would be, too.
+// `named` was refused. Where a random walk would do as well, sets around it are no better.
 void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
               const NextStep& next, std::vector<Description>& descriptions) {
-  const bool never = !next.refused.empty() && next.refused[0].helps;
+  const bool may_be_walk = !next.refused.empty() && next.refused[0].may_be_walk;
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {
     if (set.effects == named || has_event(diagnosis, set.effects)) continue;
     const bool is_around = std::all_of(named.begin(), named.end(), [&](const auto& effect) {
       return std::find(set.effects.begin(), set.effects.end(), effect) != set.effects.end();
     });
-    if (never && is_around) continue;
+    if (may_be_walk && is_around) continue;
     const bool is_pliable =
         set.effects.size() > kMaxPliable && has_no_own_input(diagnosis, set.effects);
     if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;

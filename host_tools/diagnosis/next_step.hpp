@@ -15,8 +15,8 @@ struct TriedAddition {
   std::vector<std::string> effects;  ///< each as fit::change_effect() takes it; or else
   std::string expression;            ///< `NAME = EXPRESSION`
   bool accepted = false;
-  bool helps = false;  ///< out of sample; refused all the same where the data do not determine it
-  std::string reason;  ///< one line: why it is accepted or not
+  bool may_be_walk = false;  ///< a random walk of the bias would explain as much
+  std::string reason;        ///< one line: why it is accepted or not
   double rms_after_dph = 0;  ///< out of sample
   double rms_before_dph = 0;
 };
