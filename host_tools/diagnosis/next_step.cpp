@@ -99,7 +99,8 @@ bool try_out(TriedAddition addition, const Judge& judge, NextStep& next) {
 struct Description {
   TriedAddition addition;
   double explained_fraction = 0;
-  bool is_part = false;  // surely: of what is missing, with more that is unknown
+  bool is_part = false;                // surely: of what is missing, with more that is unknown
+  std::vector<std::string> effects{};  // of a set, by name
 };
 
 // Whether temperature and time alone drive all of them.
@@ -125,7 +126,7 @@ void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
         set.effects.size() > kMaxPliable && has_no_own_input(diagnosis, set.effects);
     if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;
     if (auto addition = addition_of(diagnosis, set.effects)) {
-      descriptions.push_back({std::move(*addition), set.explained_fraction});
+      descriptions.push_back({std::move(*addition), set.explained_fraction, false, set.effects});
     }
   }
 }
@@ -170,7 +171,9 @@ bool describe(std::vector<Description> descriptions, const Judge& judge, NextSte
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   for (Description& description : descriptions) {
     next.describes = !description.is_part;
-    if (try_out(std::move(description.addition), judge, next)) return true;
+    if (!try_out(std::move(description.addition), judge, next)) continue;
+    next.together = std::move(description.effects);
+    return true;
   }
   return false;
 }
@@ -201,10 +204,16 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   const Judge judge(model, runs);
   std::vector<Description> descriptions;
   if (diagnosis.verdict != Verdict::unknown) {
-    if (!named.empty() && try_out(*addition_of(diagnosis, named), judge, next)) return next;
+    if (!named.empty() && try_out(*addition_of(diagnosis, named), judge, next)) {
+      if (named.size() > 1) next.together = named;
+      return next;
+    }
     // The catalogue explains it: the likeliest of its sets first.
     add_sets(diagnosis, named, next, descriptions);
-    if (describe(std::move(descriptions), judge, next)) return next;
+    if (describe(std::move(descriptions), judge, next)) {
+      next.describes = false;
+      return next;
+    }
     descriptions.clear();
   } else {
     if (!named.empty()) {
@@ -218,6 +227,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   }
   sort_by_explained(descriptions);
   describe(std::move(descriptions), judge, next);
+  next.together.clear();
   return next;
 }
 

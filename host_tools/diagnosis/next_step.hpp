@@ -27,6 +27,8 @@ struct NextStep {
   std::vector<std::string> events;
   /// What holds out of sample: what the diagnosis names; else what describes best.
   std::optional<TriedAddition> addition;
+  /// By name, where the catalogue explains what is left and only these together hold.
+  std::vector<std::string> together;
   bool describes = false;  ///< the addition lowers the error, and says nothing of the cause
   std::vector<TriedAddition> refused;
   /// Formulas that could describe it, best first, with how likely each is the largest part.

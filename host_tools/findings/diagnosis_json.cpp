@@ -65,10 +65,11 @@ Json candidates_json(const std::vector<diagnosis::CandidateFinding>& candidates)
 }
 
 // What is missing, and what else could be.
-void set_verdict(Json& result, const diagnosis::Diagnosis& diagnosis) {
+void set_verdict(Json& result, const diagnosis::Diagnosis& diagnosis,
+                 const diagnosis::NextStep& next) {
   result.set("verdict", diagnosis::name_of(diagnosis.verdict));
   result.set("effect", diagnosis.effect.empty() ? Json() : Json(diagnosis.effect));
-  std::vector<std::string> effects = diagnosis::effects_together(diagnosis);
+  std::vector<std::string> effects = next.together;
   if (effects.empty() && !diagnosis.effect.empty()) effects = {diagnosis.effect};
   result.set("effects", effects);
   result.set("confusable", diagnosis.confusable);
@@ -135,7 +136,7 @@ Json next_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep&
 Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
                     const std::vector<std::string>& files) {
   Json result = Json::object();
-  set_verdict(result, diagnosis);
+  set_verdict(result, diagnosis, next);
   result.set("description", description_json(next));
   result.set("forms", shares_json(next.forms));
   result.set("next", next_json(diagnosis, next, files));

@@ -49,10 +49,6 @@ std::string walk_words(const diagnosis::Diagnosis& diagnosis) {
 using Headline = std::pair<std::string, std::string>;
 
 Headline missing_words(const diagnosis::Diagnosis& diagnosis) {
-  const std::vector<std::string> together = diagnosis::effects_together(diagnosis);
-  if (!together.empty()) {
-    return {"several effects together are missing: " + joined(together, "and"), ""};
-  }
   const diagnosis::CandidateFinding* finding = diagnosis.find(diagnosis.effect);
   const std::string described = shape_words(finding->term());
   return {format("missing effect: %s (%s)", diagnosis.effect.c_str(),
@@ -128,8 +124,8 @@ std::string as_given_words(const diagnosis::Diagnosis& diagnosis) {
 }
 
 // What only together lowers the error.
-std::string together_words(const diagnosis::Diagnosis& diagnosis) {
-  const std::vector<std::string> together = diagnosis::effects_together(diagnosis);
+std::string together_words(const diagnosis::Diagnosis& diagnosis,
+                           const std::vector<std::string>& together) {
   const auto set = std::find_if(
       diagnosis.explanations.begin(), diagnosis.explanations.end(),
       [&](const diagnosis::Diagnosis::Explanation& one) { return one.effects == together; });
@@ -285,11 +281,17 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
                         const std::string& model, const std::string& runs) {
   DiagnosisWords words;
   std::tie(words.verdict, words.certainty) = verdict_words(diagnosis, !next.describes);
+  if (!next.together.empty()) {
+    words.verdict = "several effects together are missing: " + joined(next.together, "and");
+    words.certainty = diagnosis.verdict == diagnosis::Verdict::ambiguous
+                          ? "these recordings cannot tell which is the largest: " + words.certainty
+                          : "";
+  }
   words.findings.push_back(
       size_words(diagnosis, next.describes ? "" : diagnosis::effect_to_add(diagnosis)));
   const std::string as_given = as_given_words(diagnosis);
   if (!as_given.empty()) words.findings.push_back(as_given);
-  const std::string together = together_words(diagnosis);
+  const std::string together = together_words(diagnosis, next.together);
   if (!together.empty()) words.findings.push_back(together);
   if (diagnosis.verdict != diagnosis::Verdict::none) {
     const std::string where = where_words(diagnosis);

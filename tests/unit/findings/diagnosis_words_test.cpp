@@ -40,6 +40,7 @@ diagnosis::TriedAddition tried(const std::vector<std::string>& effects,
 TEST(DiagnosisWords, OfASetAddAllOfIt) {
   diagnosis::NextStep next;
   next.addition = tried({"thermal_lag", "aging"});
+  next.together = {"thermal_lag", "aging"};
   const DiagnosisWords words = words_of(only_together(), next, "x.model", "run.csv");
   EXPECT_EQ(words.verdict, "several effects together are missing: thermal_lag and aging");
   EXPECT_EQ(words.command, "fogcomp add x.model thermal_lag aging run.csv -o NEW.model");
