@@ -8,7 +8,10 @@
 #include "cli/watch.hpp"
 #include "findings/diagnose_findings.hpp"
 #include "findings/json.hpp"
+#include "model/model_file.hpp"
 #include "report/terminal.hpp"
+#include "support/input_error.hpp"
+#include "support/output_file.hpp"
 #include "workflow/diagnose.hpp"
 
 namespace fogcomp::cli {
@@ -20,10 +23,9 @@ struct DiagnoseCommand : Command {
                      "a candidate of your own beside the catalogue's, e.g. 'burst = T*T*dTdt'"}};
   Text at_rest{this, {"static", "RUN", "recording at rest: the noise is taken from there"}};
   Integer<int> max_effects{
-      this,
-      {"max-effects", "N", "add what is found, refit, look again, up to N times", "0"},
-      0,
-      12};
+      this, {"max-effects", "N", "add what is proposed, look again, up to N times", "0"}, 0, 12};
+  Text output{this, {"o", "MODEL", "the loop's model, with --max-effects"}};
+  Texts holdouts{this, {"holdout", "RUN", "a run that judges additions; may be repeated"}};
   Number average{this, {"average", "S", "rows, seconds (default: as fitted)"}, {1e-3, 1e6}};
   Integer<std::uint64_t> seed{
       this, {"seed", "N", "of the draws that calibrate the test", "1"}, 0, INT64_MAX};
@@ -45,7 +47,8 @@ workflow::DiagnoseRequest DiagnoseCommand::request() const {
   workflow::DiagnoseRequest request;
   request.model = arguments[0];
   request.average_s = average.find();
-  request.max_effects = max_effects.value();
+  request.max_steps = max_effects.value();
+  request.hold_outs = holdouts.value();
   request.seed = seed.value();
   request.reading = recording.value();
   request.expressions = expressions.value();
@@ -55,23 +58,34 @@ workflow::DiagnoseRequest DiagnoseCommand::request() const {
 }
 
 int DiagnoseCommand::run() const {
+  const bool loop_wanted = max_effects.value() > 0;
+  if (output.given() && !loop_wanted) {
+    throw InputError("-o " + output.value(), "is the model at the loop's end; give --max-effects");
+  }
+  std::optional<OutputFile> model_file;
+  if (output.given()) model_file.emplace(output.value());
   ReportFile page(report);
   const workflow::DiagnoseOutcome found = workflow::diagnose(request(), Watch().observer());
-  const bool loop_wanted = max_effects.value() > 0;
-  std::vector<std::string> files = found.runs;
-  files.insert(files.begin(), arguments[0]);
+  const bool written = model_file && !found.ladder.steps.empty();
+  const findings::DiagnosedFiles files{arguments[0], found.runs, holdouts.value(),
+                                       written ? output.value() : ""};
   const findings::Document document =
-      findings::diagnose_findings(found.ladder, found.next, loop_wanted, found.data, files);
-  if (page.wanted()) page.write(document);
+      findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
+  if (written) model_file->write(model::model_text(found.ladder.model));
+  if (page.wanted()) page.fill(document);
+  if (written) model_file->commit();
+  page.commit();
   if (json.given()) {
-    const Json object = loop_wanted
-                            ? findings::ladder_json(found.ladder, found.next, files)
-                            : findings::diagnosis_json(found.ladder.first, found.next, files);
+    const Json object =
+        loop_wanted ? findings::ladder_json(found.ladder, files)
+                    : findings::diagnosis_json(found.ladder.first, found.ladder.next, files);
     std::puts(object.text().c_str());
   } else {
     std::fputs(report::terminal(document).c_str(), stdout);
+    if (written) std::printf("written: %s\n", output.value().c_str());
+    if (model_file && !written) std::puts("nothing written: the loop added nothing");
   }
-  return 0;
+  return model_file && !written ? 1 : 0;
 }
 
 }  // namespace

@@ -94,11 +94,8 @@ constexpr double kNearlyAsLikely = 1.0 / 3;
 /// Share of the excess that the main part of something not understood explains.
 constexpr double kMainPart = 0.5;
 
-/// Fall of chi^2 below which a term that the ladder added is not needed beside the others.
-constexpr double kNeeded = 15;
-
-/// Of the excess that the ladder began with: less than that may be how inexactly the effects that
-/// were added describe what they took out.
+/// Of all that was taken out of the model's error since it was fitted, in mean square: an addition
+/// that brings less may be how inexactly those before it describe what they took out.
 constexpr double kWorthAdding = 0.025;
 
 }  // namespace fogcomp::diagnosis::rules

@@ -17,19 +17,6 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// chi^2 that leaving each term of the model out would bring.
-std::vector<double> gain_of_terms(const fit::NoiseWeightedFit& fit, double row_s) {
-  std::vector<double> gains;
-  for (const auto& [first, count] : series::columns_of(fit.terms, row_s)) {
-    const Eigen::VectorXd own = fit.coefficients.segment(first, count);
-    gains.push_back(
-        fit.covariance.size() == 0
-            ? 0
-            : own.dot(solve_definite(fit.covariance.block(first, first, count, count), own)));
-  }
-  return gains;
-}
-
 std::vector<model::EffectTerm> fitted_terms(const fit::NoiseWeightedFit& fit, double row_s) {
   std::vector<model::EffectTerm> terms = fit.terms;
   const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, row_s);
@@ -176,7 +163,6 @@ Diagnosis diagnose(const model::Model& model, const DiagnosisData& data,
   diagnosis.row_s = rows.row_s;
   diagnosis.noise = fit.noise;
   diagnosis.terms = fitted_terms(fit, rows.row_s);
-  diagnosis.term_gain = gain_of_terms(fit, rows.row_s);
   diagnosis.residual_rms_dph = rms_of_rows(rows, fit, fit.residual_dph);
   diagnosis.outliers = fit.outliers;
   diagnosis.residual_dph = fit.residual_dph;

@@ -41,7 +41,6 @@ struct Diagnosis {
   std::optional<Experiment> experiment;  ///< where effects are ambiguous
 
   std::vector<model::EffectTerm> terms;  ///< of the model, refitted to these runs
-  std::vector<double> term_gain;  ///< rise of chi^2 that leaving each of them out would bring
 
   std::string variable;               ///< on which what is left depends most
   std::vector<NamedShare> variables;  ///< how much of it each variable alone could describe

@@ -4,34 +4,37 @@
 #include <vector>
 
 #include "diagnosis/diagnosis.hpp"
+#include "diagnosis/next_step.hpp"
 
 namespace fogcomp::diagnosis {
 
-/// The whole loop: diagnose, add what is named, refit everything, look again.
+/// The whole loop: diagnose, add what is proposed, refit everything, look again.
 struct Ladder {
   struct Step {
-    std::string effect;                     ///< added; or taken out again, where `removed`
-    bool removed = false;                   ///< superfluous since something else was added
-    std::vector<std::string> alternatives;  ///< which these recordings cannot tell from it
-    double rms_before_dph = 0;
+    TriedAddition addition;
+    bool describes = false;  ///< as NextStep has it
+    /// Effects that these recordings cannot tell from what was added.
+    std::vector<std::string> alternatives;
+    double rms_before_dph = 0;  ///< as the diagnoses before and after the step have it
     double rms_after_dph = 0;
   };
-  Diagnosis first;  ///< of the model as it came
-  Diagnosis last;   ///< of the model at the end of the loop
+  Diagnosis first;     ///< of the model as it came
+  NextStep next;       ///< after it
+  Diagnosis last;      ///< of the model at the end of the loop
+  NextStep last_next;  ///< after it; empty where the loop may add no more
   std::vector<Step> steps;
-  /// What the last diagnosis would add, but for so little that it may be how inexactly the effects
-  /// before describe what they took out; "" if nothing.
+  /// What held out of sample, but left more in the rows of the diagnosis than was there before; ""
+  /// where that did not end the loop.
   std::string left_alone;
-  std::vector<model::EffectTerm> terms;  ///< at the end, with coefficients
+  model::Model model;  ///< at the end, as the commands `add` of the steps make it
 
-  /// Effects that the loop added and kept, in that order.
+  /// Names of what the loop added, in that order, each once.
   std::vector<std::string> added() const;
 };
 
-/// Adds up to `most_effects`: what is named, or the likeliest of those that the recordings cannot
-/// tell apart. After each, an effect that the loop had added before and that is no longer needed is
-/// taken out. Ends where nothing is missing, or what is missing is unknown.
-Ladder walk_ladder(const model::Model& model, const DiagnosisData& data, int most_effects,
-                   const DiagnosisSettings& settings = {});
+/// Adds what find_next_step() proposes, up to `max_steps` times, each step made and judged as `add`
+/// does it on `runs`. Ends where it proposes nothing more. Throws InputError as add() does.
+Ladder walk_ladder(const model::Model& model, const DiagnosisData& data, const JudgingRuns& runs,
+                   int max_steps, const DiagnosisSettings& settings = {});
 
 }  // namespace fogcomp::diagnosis

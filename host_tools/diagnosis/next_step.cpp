@@ -1,6 +1,7 @@
 #include "diagnosis/next_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/forms.hpp"
@@ -22,6 +23,7 @@ std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
   const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
                                 [&](const model::EffectTerm& term) { return term.name == effect; });
   if (own == diagnosis.terms.end() || finding == nullptr) return effect;
+  if (model::is_event(*own)) return effect;  // one more
   const model::CatalogueEntry& entry = model::find_effect(effect);
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
     if (finding->term().parameters[i] == own->parameters[i]) continue;
@@ -31,47 +33,99 @@ std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
   return effect;
 }
 
-bool has_event(const Diagnosis& diagnosis, const std::vector<std::string>& effects) {
-  return std::any_of(effects.begin(), effects.end(), [&](const std::string& name) {
+std::vector<std::string> events_among(const Diagnosis& diagnosis,
+                                      const std::vector<std::string>& effects) {
+  std::vector<std::string> events;
+  for (const std::string& name : effects) {
     const CandidateFinding* const finding = diagnosis.find(name);
-    return finding != nullptr && model::is_event(finding->term());
-  });
+    if (finding != nullptr && model::is_event(finding->term())) events.push_back(name);
+  }
+  return events;
 }
 
 // An expression stands alone: `add` takes effects, or one expression.
-std::optional<TriedAddition> addition_of(const Diagnosis& diagnosis,
-                                         const std::vector<std::string>& effects) {
-  TriedAddition trial;
+std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
+                                          const std::vector<std::string>& effects) {
+  AdditionRequest request;
   for (const std::string& effect : effects) {
     const CandidateFinding* const finding = diagnosis.find(effect);
     if (finding == nullptr || !finding->is_expression()) {
-      trial.effects.push_back(to_add(diagnosis, effect));
+      request.effects.push_back(to_add(diagnosis, effect));
       continue;
     }
     if (effects.size() > 1) return std::nullopt;
     const model::Expression& expression = finding->term().expression->expression;
-    trial.expression = expression.name + " = " + expression.text;
+    request.expression = expression.name + " = " + expression.text;
   }
-  return trial;
+  return request;
+}
+
+double square(double value) {
+  return value * value;
+}
+
+// Whether it added something to the model; an event is only masked.
+bool is_addition(const model::HistoryEntry& entry) {
+  const auto did = [&](const std::string& what) { return entry.action.rfind(what, 0) == 0; };
+  const auto is_event = [&](const model::CatalogueEntry& effect) {
+    return effect.description.event && did(std::string("add ") + effect.description.name);
+  };
+  const auto& catalogue = model::catalogue();
+  return did("add ") && std::none_of(catalogue.begin(), catalogue.end(), is_event);
+}
+
+// The model's error before it was given anything beside what it was fitted with, deg/h.
+double error_when_fitted(const model::Model& model, double now_dph) {
+  const auto first = std::find_if(model.history.begin(), model.history.end(), is_addition);
+  return first == model.history.end() ? now_dph : first->rms_before_dph;
+}
+
+// What takes out very little of all may be the inexactness of what was added before, which only a
+// run that was not fitted can tell from an effect. `fall`: of the mean square.
+bool is_worth_adding(double fall, double fitted_dph, double after_dph) {
+  return fall >= rules::kWorthAdding * (square(fitted_dph) - square(after_dph));
+}
+
+// Why an addition that holds out of sample is not proposed all the same; "" where it is.
+std::string objection_to(const model::Model& grown, bool has_holdouts) {
+  const model::HistoryEntry& step = grown.history.back();
+  if (step.rms_after_dph >= step.rms_before_dph) return "it does not lower the error of these runs";
+  const double fall = square(step.rms_before_dph) - square(step.rms_after_dph);
+  const double fitted_dph = error_when_fitted(grown, step.rms_before_dph);
+  if (has_holdouts || is_worth_adding(fall, fitted_dph, step.rms_after_dph)) return "";
+  return "it would bring so little more that it may be the inexactness of what is there: let a run "
+         "that was not fitted decide, with --holdout";
+}
+
+// Whether an addition that takes out this share of what is above the noise is worth a trial.
+bool may_be_worth_adding(const model::Model& model, const Diagnosis& diagnosis, double share) {
+  const double now_dph = diagnosis.residual_rms_dph;
+  const double fall = share * (square(now_dph) - square(diagnosis.noise_floor_dph));
+  return is_worth_adding(fall, error_when_fitted(model, now_dph),
+                         std::sqrt(square(now_dph) - fall));
 }
 
 // As `add` would judge it. The network takes no part in that and is left out.
 class Judge {
  public:
-  Judge(const model::Model& model, const fit::TrainingRuns& runs) : model_(model), runs_(runs) {
+  Judge(const model::Model& model, const JudgingRuns& runs) : model_(model), runs_(runs) {
     model_.network = {};
   }
-  TriedAddition operator()(TriedAddition trial) const {
+  TriedAddition operator()(AdditionRequest request) const {
+    TriedAddition trial;
+    trial.request = std::move(request);
     try {
-      const fit::EffectChange change = trial.expression.empty()
-                                           ? fit::change_effects(model_.terms, trial.effects)
-                                           : fit::change_expression(model_.terms, trial.expression);
-      const fit::Addition addition = fit::add_effect(model_, change, runs_, {}, {});
-      trial.accepted = addition.accepted;
+      fit::Addition addition = add(model_, trial.request, runs_);
+      const std::string objection =
+          addition.accepted ? objection_to(addition.model, !runs_.holdouts.empty()) : "";
+      trial.accepted = addition.accepted && objection.empty();
       trial.may_be_walk = addition.chance_of_walk.value_or(0) >= fit::rules::kMaxChanceOfWalk;
-      trial.reason = addition.reason;
-      trial.rms_before_dph = addition.out_of_sample.rms_before_dph;
-      trial.rms_after_dph = addition.out_of_sample.rms_after_dph;
+      trial.reason = objection.empty() ? addition.reason : objection;
+      if (addition.out_of_sample) {
+        trial.rms_before_dph = addition.out_of_sample->rms_before_dph;
+        trial.rms_after_dph = addition.out_of_sample->rms_after_dph;
+      }
+      if (trial.accepted) trial.model = std::move(addition.model);
     } catch (const InputError& error) {
       trial.reason = error.what();
     }
@@ -80,12 +134,12 @@ class Judge {
 
  private:
   model::Model model_;
-  const fit::TrainingRuns& runs_;
+  const JudgingRuns& runs_;
 };
 
 // Whether it holds; either way `next` has it.
-bool try_out(TriedAddition addition, const Judge& judge, NextStep& next) {
-  addition = judge(std::move(addition));
+bool try_out(AdditionRequest request, const Judge& judge, NextStep& next) {
+  TriedAddition addition = judge(std::move(request));
   const bool accepted = addition.accepted;
   if (accepted) {
     next.addition = std::move(addition);
@@ -97,7 +151,7 @@ bool try_out(TriedAddition addition, const Judge& judge, NextStep& next) {
 
 // Something that could describe what is left, and how much of it.
 struct Description {
-  TriedAddition addition;
+  AdditionRequest request;
   double explained_fraction = 0;
   bool is_part = false;                // surely: of what is missing, with more that is unknown
   std::vector<std::string> effects{};  // of a set, by name
@@ -117,7 +171,7 @@ void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
               const NextStep& next, std::vector<Description>& descriptions) {
   const bool may_be_walk = !next.refused.empty() && next.refused[0].may_be_walk;
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {
-    if (set.effects == named || has_event(diagnosis, set.effects)) continue;
+    if (set.effects == named || !events_among(diagnosis, set.effects).empty()) continue;
     const bool is_around = std::all_of(named.begin(), named.end(), [&](const auto& effect) {
       return std::find(set.effects.begin(), set.effects.end(), effect) != set.effects.end();
     });
@@ -125,8 +179,8 @@ void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
     const bool is_pliable =
         set.effects.size() > kMaxPliable && has_no_own_input(diagnosis, set.effects);
     if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;
-    if (auto addition = addition_of(diagnosis, set.effects)) {
-      descriptions.push_back({std::move(*addition), set.explained_fraction, false, set.effects});
+    if (auto request = request_of(diagnosis, set.effects)) {
+      descriptions.push_back({std::move(*request), set.explained_fraction, false, set.effects});
     }
   }
 }
@@ -162,7 +216,7 @@ void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const D
     next.forms.push_back({form_text(finding.term().expression->expression), finding.lead});
     // Never before a likelier one: a parameter more always explains a little more.
     explained_fraction = std::min(explained_fraction, finding.explained_fraction);
-    descriptions.push_back({*addition_of(offered, {finding.effect}), explained_fraction});
+    descriptions.push_back({*request_of(offered, {finding.effect}), explained_fraction});
   }
 }
 
@@ -171,7 +225,7 @@ bool describe(std::vector<Description> descriptions, const Judge& judge, NextSte
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   for (Description& description : descriptions) {
     next.describes = !description.is_part;
-    if (!try_out(std::move(description.addition), judge, next)) continue;
+    if (!try_out(std::move(description.request), judge, next)) continue;
     next.together = std::move(description.effects);
     return true;
   }
@@ -190,21 +244,36 @@ bool is_function_of_signals(const Diagnosis& diagnosis) {
 
 }  // namespace
 
+std::vector<std::string> AdditionRequest::names() const {
+  std::vector<std::string> names;
+  for (const std::string& effect : effects) names.push_back(effect.substr(0, effect.find(':')));
+  if (!expression.empty()) names.push_back(expression.substr(0, expression.find(' ')));
+  return names;
+}
+
+fit::Addition add(const model::Model& model, const AdditionRequest& request,
+                  const JudgingRuns& runs) {
+  const fit::EffectChange change = request.expression.empty()
+                                       ? fit::change_effects(model.terms, request.effects)
+                                       : fit::change_expression(model.terms, request.expression);
+  return fit::add_effect(model, change, runs.training, runs.holdouts, {});
+}
+
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
-                        const DiagnosisData& data, const fit::TrainingRuns& runs,
+                        const DiagnosisData& data, const JudgingRuns& runs,
                         const DiagnosisSettings& settings) {
   NextStep next;
   if (diagnosis.verdict == Verdict::none) return next;
+  next.little_is_left = runs.holdouts.empty() && !may_be_worth_adding(model, diagnosis, 1);
+  if (next.little_is_left) return next;
   std::vector<std::string> named = effects_together(diagnosis);
   if (const std::string one = effect_to_add(diagnosis); !one.empty()) named = {one};
-  if (has_event(diagnosis, named)) {
-    next.events = named;
-    return next;
-  }
+  const std::vector<std::string> events = events_among(diagnosis, named);
+  if (!events.empty()) named = events;
   const Judge judge(model, runs);
   std::vector<Description> descriptions;
   if (diagnosis.verdict != Verdict::unknown) {
-    if (!named.empty() && try_out(*addition_of(diagnosis, named), judge, next)) {
+    if (!named.empty() && try_out(*request_of(diagnosis, named), judge, next)) {
       if (named.size() > 1) next.together = named;
       return next;
     }
@@ -218,7 +287,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   } else {
     if (!named.empty()) {
       descriptions.push_back(
-          {*addition_of(diagnosis, named), diagnosis.find(named[0])->explained_fraction, true});
+          {*request_of(diagnosis, named), diagnosis.find(named[0])->explained_fraction, true});
     }
     if (is_function_of_signals(diagnosis)) add_sets(diagnosis, named, next, descriptions);
   }

@@ -70,7 +70,7 @@ Json runs_json(const std::vector<fit::Addition::RunError>& runs) {
 
 Json add_json(const fit::Addition& addition, const std::string& written) {
   const model::EffectTerm& term = addition.model.terms[addition.changed.front()];
-  const fit::OutOfSample& judged = addition.out_of_sample;
+  const std::optional<fit::OutOfSample>& judged = addition.out_of_sample;
   Json notes = addition.fit.identified.warnings;
   if (addition.fit.training && !addition.model.network.present()) {
     notes.push(network_verdict(addition.fit));
@@ -81,9 +81,9 @@ Json add_json(const fit::Addition& addition, const std::string& written) {
       .set("terms", added_terms_json(addition))
       .set("accepted", addition.accepted)
       .set("reason", addition.reason)
-      .set("out_of_sample_rms_before_dph", judged.rms_before_dph)
-      .set("out_of_sample_rms_after_dph", judged.rms_after_dph)
-      .set("out_of_sample_gain", judged.gain)
+      .set("out_of_sample_rms_before_dph", judged ? Json(judged->rms_before_dph) : Json())
+      .set("out_of_sample_rms_after_dph", judged ? Json(judged->rms_after_dph) : Json())
+      .set("out_of_sample_gain", judged ? Json(judged->gain) : Json())
       .set("chance_of_walk", addition.chance_of_walk)
       .set("runs", runs_json(addition.runs))
       .set("halves", halves_json(addition.halves))

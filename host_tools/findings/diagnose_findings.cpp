@@ -18,8 +18,10 @@ namespace {
 
 // What the reader named in the recordings and on the command line.
 std::vector<std::string> names_from_outside(const diagnosis::DiagnosisData& data,
-                                            const std::vector<std::string>& files) {
-  std::vector<std::string> names = files;
+                                            const DiagnosedFiles& files) {
+  std::vector<std::string> names = files.runs;
+  names.insert(names.end(), files.holdouts.begin(), files.holdouts.end());
+  names.insert(names.end(), {files.model, files.output});
   for (const recording::Segment& segment : data.segments()) names.push_back(segment.name);
   for (const model::EffectTerm& term : data.offered()) names.push_back(term.name);
   return names;
@@ -32,7 +34,8 @@ void add_next(Document& document, const DiagnosisWords& said, diagnosis::Verdict
   } else if (!said.next.empty()) {
     document.next(words(said.next), "");
   } else if (verdict == diagnosis::Verdict::none) {
-    document.next("make the board's header", "fogcomp export " + model + " -o fog_model.h");
+    document.next("make the board's header",
+                  shell_words({"fogcomp", "export", model, "-o", "fog_model.h"}));
   }
 }
 
@@ -111,24 +114,32 @@ void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
   document.sentence(words("not to be seen in these recordings: " + list));
 }
 
-void add_ladder(Document& document, const diagnosis::Ladder& ladder,
+void add_ladder(Document& document, const diagnosis::Ladder& ladder, const DiagnosedFiles& files,
                 const std::vector<std::string>& names) {
   document.heading("Error ladder");
   Table table;
   table.caption = "everything refitted at each step";
-  table.columns = {"step", {"rms left", "residual"}};
+  table.columns = {"step", {"rms left", "residual"}, "out of sample"};
   table.quantity = "rms left, deg/h";
   table.floor = ladder.first.noise_floor_dph;
   const double first_dph = ladder.first.residual_rms_dph;
-  Table::Row first{"the model, refitted", {number(first_dph), first_dph}};
+  Table::Row first{"the model, refitted", {number(first_dph), first_dph}, ""};
   first.colour = "measured";
   table.rows.push_back(std::move(first));
   for (const diagnosis::Ladder::Step& step : ladder.steps) {
-    table.rows.push_back(
-        {words(step_words(step), names), {number(step.rms_after_dph), step.rms_after_dph}});
+    const diagnosis::TriedAddition& tried = step.addition;
+    const bool judged = tried.rms_before_dph > 0;
+    table.rows.push_back({words(step_words(step), names),
+                          {number(step.rms_after_dph), step.rms_after_dph},
+                          judged
+                              ? number(tried.rms_before_dph) + " -> " + number(tried.rms_after_dph)
+                              : Text("an event, masked")});
   }
   document.table(std::move(table));
   document.sentence(words(end_words(ladder), names));
+  if (ladder.steps.empty()) return;
+  document.sentence("the same, step by step:");
+  document.listing("  " + join(ladder_commands(ladder, files), "\n  ") + "\n");
 }
 
 // What the segments are called: several runs may have the same.
@@ -331,28 +342,31 @@ void add_run(Document& document, const Run& run, const diagnosis::Ladder& ladder
 
 }  // namespace
 
-Document diagnose_findings(const diagnosis::Ladder& ladder, const diagnosis::NextStep& next,
-                           bool loop_wanted, const diagnosis::DiagnosisData& data,
-                           const std::vector<std::string>& files) {
-  const std::string& model = files[0];
-  const std::vector<std::string> files_of_runs(files.begin() + 1, files.end());
-  const std::string runs = join(files_of_runs, " ");
+Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
+                           const diagnosis::DiagnosisData& data, const DiagnosedFiles& files) {
   const diagnosis::Diagnosis& diagnosis = ladder.first;
-  const DiagnosisWords said = words_of(diagnosis, next, model, runs);
+  const DiagnosisWords said = words_of(diagnosis, ladder.next, files);
   const std::vector<std::string> names = names_from_outside(data, files);
-  Document document("fogcomp diagnose " + model + " " + runs, words(said.verdict, names));
-  add_next(document, said, diagnosis.verdict, model);
+  Document document("fogcomp diagnose " + files.model + " " + join(files.runs, " "),
+                    words(said.verdict, names));
+  if (files.output.empty()) {
+    add_next(document, said, diagnosis.verdict, files.model);
+  } else {
+    const std::string& judge = files.holdouts.empty() ? files.runs[0] : files.holdouts[0];
+    document.next("see what the loop's model leaves",
+                  shell_words({"fogcomp", "compare", files.output, judge}));
+  }
   document.sentence(words(said.certainty, names));
   for (const std::string& line : said.findings) document.sentence(words(line, names));
   for (const std::string& line : said.limits) document.sentence(words(line, names));
   add_explanations(document, diagnosis);
   add_candidates(document, diagnosis);
   add_untestable(document, diagnosis);
-  if (loop_wanted) add_ladder(document, ladder, names);
-  add_where(document, diagnosis, data, files_of_runs);
+  if (loop_wanted) add_ladder(document, ladder, files, names);
+  add_where(document, diagnosis, data, files.runs);
   const std::vector<recording::RowRange> ranges = data.series().rows().runs();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    document.file_heading(files_of_runs[i]);
+    document.file_heading(files.runs[i]);
     add_run(document, columns_of(data, ranges[i], ladder), ladder, data, format("run %zu", i));
   }
   return document;

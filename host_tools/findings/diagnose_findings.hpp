@@ -9,10 +9,9 @@
 
 namespace fogcomp::findings {
 
-/// What `fogcomp diagnose` found in `data`, with plots. `files`: the model, then the runs, as on
-/// the command line. The ladder has its section where the loop was wanted (--max-effects).
-Document diagnose_findings(const diagnosis::Ladder& ladder, const diagnosis::NextStep& next,
-                           bool loop_wanted, const diagnosis::DiagnosisData& data,
-                           const std::vector<std::string>& files);
+/// What `fogcomp diagnose` found in `data`, with plots. The ladder has its section where the loop
+/// was wanted (--max-effects).
+Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
+                           const diagnosis::DiagnosisData& data, const DiagnosedFiles& files);
 
 }  // namespace fogcomp::findings

@@ -111,30 +111,32 @@ void set_residual(Json& result, const diagnosis::Diagnosis& diagnosis) {
                           .set("from_quiet_parts", diagnosis.noise.from_quiet_parts));
 }
 
+Json expression_json(const diagnosis::AdditionRequest& request) {
+  return request.expression.empty() ? Json() : Json(request.expression);
+}
+
 // What lowers the error where nothing is named; null where nothing does or something is named.
 Json description_json(const diagnosis::NextStep& next) {
   if (!next.describes || !next.addition) return Json();
   const diagnosis::TriedAddition& trial = *next.addition;
   return Json::object()
-      .set("effects", trial.effects)
-      .set("expression", trial.expression.empty() ? Json() : Json(trial.expression))
+      .set("effects", trial.request.effects)
+      .set("expression", expression_json(trial.request))
       .set("rms_before_dph", trial.rms_before_dph)
       .set("rms_after_dph", trial.rms_after_dph);
 }
 
 // The command to type now; null where there is none.
 Json next_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
-               const std::vector<std::string>& files) {
-  if (files.empty()) return Json();
-  const std::vector<std::string> runs(files.begin() + 1, files.end());
-  const std::string command = words_of(diagnosis, next, files[0], join(runs, " ")).command;
+               const DiagnosedFiles& files) {
+  const std::string command = words_of(diagnosis, next, files).command;
   return command.empty() ? Json() : Json(command);
 }
 
 }  // namespace
 
 Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
-                    const std::vector<std::string>& files) {
+                    const DiagnosedFiles& files) {
   Json result = Json::object();
   set_verdict(result, diagnosis, next);
   result.set("description", description_json(next));
@@ -156,20 +158,26 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
   return result;
 }
 
-Json ladder_json(const diagnosis::Ladder& ladder, const diagnosis::NextStep& next,
-                 const std::vector<std::string>& files) {
+Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
   Json steps = json_array(ladder.steps, [&](const diagnosis::Ladder::Step& step) {
+    const diagnosis::TriedAddition& tried = step.addition;
+    const bool judged = tried.rms_before_dph > 0;
     return Json::object()
-        .set("effect", step.effect)
-        .set("removed", step.removed)
+        .set("effects", tried.request.effects)
+        .set("expression", expression_json(tried.request))
+        .set("describes", step.describes)
         .set("alternatives", step.alternatives)
         .set("rms_before_dph", step.rms_before_dph)
-        .set("rms_after_dph", step.rms_after_dph);
+        .set("rms_after_dph", step.rms_after_dph)
+        .set("out_of_sample_rms_before_dph", judged ? Json(tried.rms_before_dph) : Json())
+        .set("out_of_sample_rms_after_dph", judged ? Json(tried.rms_after_dph) : Json());
   });
-  Json result = diagnosis_json(ladder.first, next, files);
+  Json result = diagnosis_json(ladder.first, ladder.next, files);
   result.set("added", ladder.added()).set("ladder", std::move(steps));
+  result.set("commands", ladder_commands(ladder, files));
+  result.set("model", files.output.empty() ? Json() : Json(files.output));
   result.set("left_alone", ladder.left_alone.empty() ? Json() : Json(ladder.left_alone));
-  result.set("last", diagnosis_json(ladder.last, {}, {}));
+  result.set("last", diagnosis_json(ladder.last, {}, files));
   return result;
 }
 

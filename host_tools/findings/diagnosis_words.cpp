@@ -26,16 +26,23 @@ std::string joined(const std::vector<std::string>& names, const char* last) {
   return text;
 }
 
-std::string add_command_line(const diagnosis::TriedAddition& trial, const std::string& model,
-                             const std::string& runs) {
-  if (!trial.expression.empty()) {  // which has no quotes in it
-    return "fogcomp add " + model + " " + runs + " --effect-expr '" + trial.expression + "'";
+std::string add_command_line(const diagnosis::AdditionRequest& request, const std::string& model,
+                             const DiagnosedFiles& files) {
+  std::vector<std::string> line{"fogcomp", "add", model};
+  line.insert(line.end(), request.effects.begin(), request.effects.end());
+  line.insert(line.end(), files.runs.begin(), files.runs.end());
+  if (!request.expression.empty()) {
+    line.insert(line.end(), {"--effect-expr", request.expression});
   }
-  return "fogcomp add " + model + " " + join(trial.effects, " ") + " " + runs;
+  for (const std::string& holdout : files.holdouts) {
+    line.insert(line.end(), {"--holdout", holdout});
+  }
+  line.insert(line.end(), {"-o", files.output.empty() ? "NEW.model" : files.output});
+  return shell_words(line);
 }
 
-std::string what_is_tried(const diagnosis::TriedAddition& trial) {
-  return trial.expression.empty() ? joined(trial.effects, "and") : trial.expression;
+std::string what_is_tried(const diagnosis::AdditionRequest& request) {
+  return request.expression.empty() ? joined(request.effects, "and") : request.expression;
 }
 
 std::string walk_words(const diagnosis::Diagnosis& diagnosis) {
@@ -223,7 +230,7 @@ std::vector<std::string> description_words(const diagnosis::NextStep& next) {
   }
   if (next.addition) {
     lines.push_back(
-        what_is_tried(*next.addition) +
+        what_is_tried(next.addition->request) +
         format(" lowers the error out of sample from %s to %s deg/h: this describes it, it does "
                "not say what it is. Beyond the trained temperatures it is held at its value there",
                rounded(next.addition->rms_before_dph).c_str(),
@@ -239,25 +246,26 @@ std::vector<std::string> description_words(const diagnosis::NextStep& next) {
   return lines;
 }
 
-// The first was named, or describes most.
+// Why nothing is proposed; "" where nothing was tried. The first was named, or describes most.
 std::string nothing_holds_words(const diagnosis::NextStep& next) {
-  std::string text = "nothing to add: " + what_is_tried(next.refused[0]) +
+  if (next.little_is_left) {
+    return "nothing to add: what is left is so little beside what was taken out that it may be the "
+           "inexactness of what is there: let a run that was not fitted decide, with --holdout";
+  }
+  if (next.refused.empty()) return "";
+  std::string text = "nothing to add: " + what_is_tried(next.refused[0].request) +
                      " was tried and refused, " + next.refused[0].reason;
   std::vector<std::string> others;
   for (std::size_t i = 1; i < next.refused.size(); ++i) {
-    others.push_back(what_is_tried(next.refused[i]));
+    others.push_back(what_is_tried(next.refused[i].request));
   }
-  return others.empty() ? text : text + "; so were " + joined(others, "and");
+  return others.empty() ? text : text + "; so were: " + join(others, "; ");
 }
 
-void add_next(DiagnosisWords& words, const diagnosis::NextStep& next, const std::string& model,
-              const std::string& runs) {
-  if (!next.events.empty()) {
-    words.next = "fit again with " + joined(next.events, "and") +
-                 " among the --effects: it finds steps and masks them";
-  } else if (next.addition) {
-    words.command = add_command_line(*next.addition, model, runs) + " -o NEW.model";
-  } else if (!next.refused.empty()) {
+void add_next(DiagnosisWords& words, const diagnosis::NextStep& next, const DiagnosedFiles& files) {
+  if (next.addition) {
+    words.command = add_command_line(next.addition->request, files.model, files);
+  } else {
     words.next = nothing_holds_words(next);
   }
 }
@@ -278,7 +286,7 @@ std::string shape_words(const model::EffectTerm& term) {
 }
 
 DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
-                        const std::string& model, const std::string& runs) {
+                        const DiagnosedFiles& files) {
   DiagnosisWords words;
   std::tie(words.verdict, words.certainty) = verdict_words(diagnosis, !next.describes);
   if (!next.together.empty()) {
@@ -304,7 +312,7 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
     if (next.describes) {
       for (const std::string& line : description_words(next)) words.findings.push_back(line);
     }
-    add_next(words, next, model, runs);
+    add_next(words, next, files);
   }
   if (diagnosis.outliers > 0)
     words.limits.push_back(noise::outlier_words(diagnosis.outliers, diagnosis.row_s));
@@ -322,20 +330,32 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
 }
 
 std::string step_words(const diagnosis::Ladder::Step& step) {
-  std::string what = (step.removed ? "- " : "+ ") + step.effect;
-  if (step.removed) what += " (no longer needed)";
+  std::string what = "+ " + what_is_tried(step.addition.request);
+  if (step.describes) what += " (a description)";
   if (!step.alternatives.empty()) what += " (or " + joined(step.alternatives, "or") + ")";
   return what;
 }
 
+std::vector<std::string> ladder_commands(const diagnosis::Ladder& ladder,
+                                         const DiagnosedFiles& files) {
+  std::vector<std::string> lines;
+  std::string model = files.model;
+  for (const diagnosis::Ladder::Step& step : ladder.steps) {
+    lines.push_back(add_command_line(step.addition.request, model, files));
+    model = files.output.empty() ? "NEW.model" : files.output;
+  }
+  return lines;
+}
+
 std::string end_words(const diagnosis::Ladder& ladder) {
-  if (ladder.steps.empty()) return "nothing to add";
   if (!ladder.left_alone.empty()) {
-    return ladder.left_alone +
-           " would bring so little more that it may be the inexactness of what is there: not added";
+    return ladder.left_alone + " holds out of sample and leaves more in these rows: not added";
   }
   const auto [verdict, certainty] = verdict_words(ladder.last);
-  return "at the end: " + verdict + (certainty.empty() ? "" : "; " + certainty);
+  std::string text = "at the end: " + verdict + (certainty.empty() ? "" : "; " + certainty);
+  const diagnosis::NextStep& next = ladder.last_next;
+  const std::string why = next.addition ? "" : nothing_holds_words(next);
+  return why.empty() ? text : text + "; " + why;
 }
 
 }  // namespace fogcomp::findings

@@ -8,6 +8,14 @@
 
 namespace fogcomp::findings {
 
+/// What a diagnosis read and wrote, as on the command line.
+struct DiagnosedFiles {
+  std::string model;
+  std::vector<std::string> runs;
+  std::vector<std::string> holdouts{};
+  std::string output{};  ///< the model at the end of the loop; "": none was written
+};
+
 /// What a diagnosis found, for people, without figures that belong in tables.
 struct DiagnosisWords {
   std::string verdict;                ///< the finding itself
@@ -18,12 +26,14 @@ struct DiagnosisWords {
   std::vector<std::string> limits;    ///< what limits the answer
 };
 
-/// `model` and `runs` as on the command line.
 DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
-                        const std::string& model, const std::string& runs);
+                        const DiagnosedFiles& files);
 
 /// A step of the loop: "+ temperature_rate (or shupe)".
 std::string step_words(const diagnosis::Ladder::Step& step);
+/// The command lines that make the model at its end step by step, the same to the byte.
+std::vector<std::string> ladder_commands(const diagnosis::Ladder& ladder,
+                                         const DiagnosedFiles& files);
 /// Why the loop came to its end.
 std::string end_words(const diagnosis::Ladder& ladder);
 

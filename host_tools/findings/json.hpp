@@ -7,7 +7,7 @@
 #include "compare/model_on_runs.hpp"
 #include "compare/run_summary.hpp"
 #include "diagnosis/ladder.hpp"
-#include "diagnosis/next_step.hpp"
+#include "findings/diagnosis_words.hpp"
 #include "fit/add_effect.hpp"
 #include "research/study.hpp"
 #include "support/json.hpp"
@@ -24,13 +24,11 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output);
 /// The first model's runs at the top; all under "models".
 Json compare_json(const std::vector<compare::ModelOnRuns>& models);
 
-/// `files`: the model, then its runs, as a command names them.
 Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
-                    const std::vector<std::string>& files);
+                    const DiagnosedFiles& files);
 /// The diagnosis of the model as given, the steps of the loop, and the diagnosis at its end, which
 /// is of no file.
-Json ladder_json(const diagnosis::Ladder& ladder, const diagnosis::NextStep& next,
-                 const std::vector<std::string>& files);
+Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files);
 
 /// `written`: the model file that was written, "" for none.
 Json add_json(const fit::Addition& addition, const std::string& written);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "fit/decision_rules.hpp"
@@ -63,6 +64,7 @@ FitSettings fit_settings(const model::Model& model, const AddSettings& settings)
   FitSettings fit;
   if (model.network.present()) fit.network_inputs = model.network.inputs;
   fit.identify.run_offsets = settings.run_offsets;
+  fit.identify.max_new_steps = 1;  // the next: what is missing beside it may look like more
   fit.network.hidden = static_cast<int>(model.network.hidden.biases.size());
   fit.network.training.seed = settings.seed;
   return fit;
@@ -91,25 +93,48 @@ struct Judge {
   }
 };
 
-// The effects of `given` with some of a change made, refitted; without a network.
-model::Model with_some(const model::Model& given, const EffectChange& change,
-                       const std::vector<std::size_t>& chosen, const series::SignalSeries& series,
-                       const AddSettings& settings) {
-  model::Model model = given;
-  model.network = model::RealNetwork();
-  for (const std::size_t i : chosen) {
-    const model::EffectTerm& term = change.terms[i];
-    if (i < given.terms.size()) {
-      model.terms[i] = term;
-    } else {
-      model.terms.push_back(term);
-    }
+// The model with any of a set of effects, refitted, each once; without a network.
+class PartsOfSet {
+ public:
+  /// `given`: the terms from which the change was made; a fit may put steps elsewhere.
+  PartsOfSet(const std::vector<model::EffectTerm>& given, const model::Model& before,
+             const model::Model& after, const EffectChange& change,
+             const series::SignalSeries& series, const AddSettings& settings)
+      : given_(given), change_(change), series_(series), settings_(settings) {
+    take({}, before);
+    take(change.changed, after);
   }
-  FitSettings fitting = fit_settings(model, settings);
-  fitting.network.hidden = 0;
-  fit_model(model, series, fitting);
-  return model;
-}
+  // Throws InputError where the data do not determine that part.
+  const model::Model& fitted(const std::vector<std::size_t>& chosen) {
+    const auto known = fitted_.find(chosen);
+    if (known != fitted_.end()) return known->second;
+    model::Model model = fitted_.at({});
+    model.terms = given_;
+    for (const std::size_t i : chosen) {
+      const model::EffectTerm& term = change_.terms[i];
+      if (i < model.terms.size()) {
+        model.terms[i] = term;
+      } else {
+        model.terms.push_back(term);
+      }
+    }
+    FitSettings fitting = fit_settings(model, settings_);
+    fit_model(model, series_, fitting);
+    return fitted_[chosen] = std::move(model);
+  }
+
+ private:
+  void take(const std::vector<std::size_t>& chosen, const model::Model& model) {
+    fitted_[chosen] = model;
+    fitted_[chosen].network = {};
+  }
+
+  const std::vector<model::EffectTerm>& given_;
+  const EffectChange& change_;
+  const series::SignalSeries& series_;
+  const AddSettings& settings_;
+  std::map<std::vector<std::size_t>, model::Model> fitted_;
+};
 
 // Of `after`, what has a name.
 std::vector<std::size_t> places_of(const EffectChange& change,
@@ -121,25 +146,21 @@ std::vector<std::size_t> places_of(const EffectChange& change,
 }
 
 // Each effect of a set by itself, and beside the others.
-std::vector<Addition::Part> judge_parts(const model::Model& given, const EffectChange& change,
-                                        const Judge& judge, const AddSettings& settings) {
+std::vector<Addition::Part> judge_parts(const EffectChange& change, const Judge& judge,
+                                        PartsOfSet& models) {
   std::vector<Addition::Part> parts;
-  const auto fitted = [&](const std::vector<std::size_t>& chosen) {
-    return with_some(given, change, chosen, judge.series, settings);
-  };
-  const model::Model none = fitted({});
-  const model::Model all = fitted(change.changed);
   for (const std::size_t i : change.changed) {
     Addition::Part part{change.terms[i].name, {}, {}};
     std::vector<std::size_t> others = change.changed;
     others.erase(std::find(others.begin(), others.end(), i));
     try {
-      const model::Model alone = fitted({i});
-      part.alone = judge(none, alone, places_of(change, {i}, alone));
+      const model::Model& alone = models.fitted({i});
+      part.alone = judge(models.fitted({}), alone, places_of(change, {i}, alone));
     } catch (const InputError&) {  // the data determine it only with the others
     }
     try {
-      part.beside = judge(fitted(others), all, places_of(change, {i}, all));
+      const model::Model& all = models.fitted(change.changed);
+      part.beside = judge(models.fitted(others), all, places_of(change, {i}, all));
     } catch (const InputError&) {
     }
     parts.push_back(std::move(part));
@@ -160,6 +181,27 @@ double chance_of_walk_instead(const model::Model& before, const Addition& after,
   return chance_of_walk(rows, after.fit.identified.noise, after.fit.identified.row_weights,
                         side_by_side(columns, rows.size()), side_by_side(added, rows.size()),
                         rows.drift_dph);
+}
+
+// The effects alone, by what was not fitted.
+void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const model::Model& before,
+                         const EffectChange& change, const series::SignalSeries& series,
+                         const std::vector<compare::RunInBlocks>& holdouts,
+                         const AddSettings& settings, Addition& result) {
+  const Identification& identified = result.fit.identified;
+  const Judge judge{
+      series, holdouts, {identified.noise, identified.row_weights, settings.run_offsets}};
+  result.changed = places_of(change, change.changed, result.model);
+  result.out_of_sample = judge(before, result.model, result.changed);
+  if (change.changed.size() > 1) {
+    PartsOfSet models(given, before, result.model, change, series, settings);
+    result.parts = judge_parts(change, judge, models);
+  }
+  result.halves =
+      judge_halves(series, before.terms, result.model.terms, result.changed, judge.with);
+  if (result.out_of_sample->within_runs && identified.noise.from_quiet_parts) {
+    result.chance_of_walk = chance_of_walk_instead(before, result, series, settings.run_offsets);
+  }
 }
 
 // Why what is new in a term is not believed although it helps; "" where nothing speaks against it.
@@ -206,10 +248,31 @@ RiseTest compare_on_runs(const model::Model& before,
   return on_holdouts;
 }
 
+// Steps are found anew by every fit and stand behind all other terms. One more than `before` had is
+// accepted.
+void take_up_steps(const std::string& name, const model::Model& before, Addition& result) {
+  const std::vector<FoundStep>& steps = result.fit.identified.steps;
+  const auto has_name = [&](const model::EffectTerm& term) { return term.name == name; };
+  const auto known = std::count_if(before.terms.begin(), before.terms.end(), has_name);
+  if (steps.size() <= static_cast<std::size_t>(known)) {
+    throw InputError(name, "is not found: no jump of these recordings stands out of their noise");
+  }
+  result.changed.clear();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    result.changed.push_back(result.model.terms.size() - steps.size() + i);
+  }
+  std::vector<std::string> places;
+  for (const FoundStep& step : steps) {
+    places.push_back(format("%+.2g deg/h at %.6g s", step.size_dph, step.time_s));
+  }
+  result.accepted = true;
+  result.reason = "found " + join(places, ", ") + "; the rows around are masked";
+}
+
 // Accepted or not, and why. `risen`: on the holdouts, where the whole model became worse there.
 void decide(const model::Model& model, const std::optional<model::HistoryEntry::Holdout>& risen,
             Addition& result) {
-  const OutOfSample& judged = result.out_of_sample;
+  const OutOfSample& judged = *result.out_of_sample;
   result.accepted = false;
   result.reason =
       format("%s out of sample: the effects alone leave %s",
@@ -259,24 +322,19 @@ Addition add_effect(const model::Model& model, const EffectChange& change,
   series::SignalSeries series(result.model);
   for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
   refit_both(before, result, series, settings);
-  result.changed = places_of(change, change.changed, result.model);
-
-  const Identification& identified = result.fit.identified;
-  const Judge judge{
-      series, holdouts, {identified.noise, identified.row_weights, settings.run_offsets}};
-  result.out_of_sample = judge(before, result.model, result.changed);
-  if (change.changed.size() > 1) result.parts = judge_parts(before, change, judge, settings);
-  result.halves =
-      judge_halves(series, before.terms, result.model.terms, result.changed, judge.with);
-  if (result.out_of_sample.within_runs && identified.noise.from_quiet_parts) {
-    result.chance_of_walk = chance_of_walk_instead(before, result, series, settings.run_offsets);
+  const model::EffectTerm& first = change.terms[change.changed.front()];
+  const bool is_event = searches_steps({first});
+  if (is_event) {
+    take_up_steps(first.name, before, result);
+  } else {
+    judge_out_of_sample(model.terms, before, change, series, holdouts, settings, result);
   }
   const RiseTest on_holdouts = compare_on_runs(before, training.runs, holdouts, result);
   model::HistoryEntry step{"add " + change.what, training.data_hash, before.residual_rms_dph,
                            result.model.residual_rms_dph, training.noise_floor_dph};
   if (!holdouts.empty()) step.holdout = on_holdouts.rms_dph();
   const bool rose = !holdouts.empty() && on_holdouts.rose();
-  decide(model, rose ? step.holdout : std::nullopt, result);
+  if (!is_event) decide(model, rose ? step.holdout : std::nullopt, result);
   step.forced = !result.accepted;
   result.model.history.push_back(step);
   return result;

@@ -46,7 +46,8 @@ struct Addition {
   std::vector<Part> parts;           ///< of a set, as `changed`; empty for one effect
   FitResult fit;                     ///< of the new model
   std::vector<RunError> runs;        ///< training runs, then holdouts
-  OutOfSample out_of_sample;         ///< the effects alone, before against after
+  /// The effects alone, before against after; nothing for an event.
+  std::optional<OutOfSample> out_of_sample;
   /// Where no other run judged: chance that a random walk of the bias, and no effect, is what the
   /// addition explains, 0..1. Stretches of one run lie between others that walked along.
   std::optional<double> chance_of_walk;
@@ -67,8 +68,10 @@ struct Addition {
 /// not risen beyond chance; on stretches of one run, if a random walk of the bias is unlikely, too
 /// (rules::kMaxChanceOfWalk); and if the data determine what is new: no shape at a bound or
 /// anywhere within its range, a coefficient larger than its uncertainty; and of several, if each
-/// helps beside the others. Throws InputError for a
-/// run that lacks what the effect needs, and for data that cannot determine it.
+/// helps beside the others. An event has no other run or stretch that could judge it: it is
+/// accepted where the search finds it (fit_with_steps()), and the rows around it are masked. Throws
+/// InputError for a run that lacks what the effect needs, for data that cannot determine it, and
+/// for an event that is not found.
 Addition add_effect(const model::Model& model, const EffectChange& change,
                     const TrainingRuns& training, const std::vector<compare::RunInBlocks>& holdouts,
                     const AddSettings& settings);

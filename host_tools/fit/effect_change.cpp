@@ -51,21 +51,16 @@ model::EffectTerm with_settings(const model::EffectTerm& old, const std::string&
 EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const std::string& effect) {
   EffectChange change{terms, {}, effect};
   const model::EffectTerm added = parse_one(effect);
-  if (model::is_event(added)) {
-    throw InputError("effect '" + effect + "'",
-                     "is an event of one recording, which nothing out of sample can confirm; "
-                     "fit --effects ...," +
-                         added.name + " finds steps and masks them");
-  }
   const auto old = std::find_if(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
     return term.name == added.name;
   });
-  const auto place = static_cast<std::size_t>(old - terms.begin());
-  change.changed = {place};
-  if (old == terms.end()) {
+  if (old == terms.end() || model::is_event(added)) {  // there may be several events
+    change.changed = {terms.size()};
     change.terms.push_back(added);
     return change;
   }
+  const auto place = static_cast<std::size_t>(old - terms.begin());
+  change.changed = {place};
   const std::vector<model::EffectTerm> grown = model::grown_terms(*old);
   if (effect.find(':') == std::string::npos && !grown.empty()) {
     change.terms[place] = grown.front();
@@ -90,6 +85,11 @@ EffectChange change_effects(const std::vector<model::EffectTerm>& terms,
   for (const std::string& effect : effects) {
     const EffectChange one = change_effect(all.terms, effect);
     const std::size_t place = one.changed.front();
+    if (effects.size() > 1 && model::is_event(one.terms[place])) {
+      throw InputError("effect '" + effect + "'",
+                       "is an event of one recording, which nothing out of sample can confirm; add "
+                       "it by itself, then the others");
+    }
     if (std::find(all.changed.begin(), all.changed.end(), place) != all.changed.end()) {
       throw InputError("effect '" + effect + "'", "is named twice; name it once");
     }

@@ -80,22 +80,31 @@ bool is_sought(const model::EffectTerm& term) {
   return model::is_event(term) && term.identified[0];
 }
 
-// A step without its time leaves the list: it has no regressors before it is found.
-std::optional<model::EffectTerm> take_out_step(std::vector<model::EffectTerm>& terms) {
-  const auto sought = std::find_if(terms.begin(), terms.end(), is_sought);
-  if (sought == terms.end()) return std::nullopt;
-  model::EffectTerm step = std::move(*sought);
-  terms.erase(sought);
-  if (terms.empty()) {
-    throw InputError("--effects", "names no effect beside " + step.name + "; add bias");
+struct SoughtSteps {
+  std::optional<model::EffectTerm> step;  // as it was asked for
+  std::size_t max = 0;
+};
+
+// Steps leave the list: without a time one has no regressors before it is found.
+SoughtSteps take_out_steps(std::vector<model::EffectTerm>& terms, std::size_t max_new) {
+  SoughtSteps sought;
+  for (const model::EffectTerm& term : terms) {
+    if (!is_sought(term)) continue;
+    const bool was_found = !term.coefficients_dph.empty();
+    sought.max += was_found ? 1 : max_new;
+    sought.step = term;
   }
-  return step;
+  terms.erase(std::remove_if(terms.begin(), terms.end(), is_sought), terms.end());
+  if (terms.empty() && sought.step) {
+    throw InputError("--effects", "names no effect beside " + sought.step->name + "; add bias");
+  }
+  return sought;
 }
 
 FitWithSteps fit_all(const series::SignalSeries& series,
-                     const std::vector<model::EffectTerm>& terms, bool with_steps,
+                     const std::vector<model::EffectTerm>& terms, std::size_t max_steps,
                      const Eigen::MatrixXd& offsets, const IdentifySettings& settings) {
-  if (with_steps) return fit_with_steps(series, terms, offsets, settings.progress);
+  if (max_steps > 0) return fit_with_steps(series, terms, offsets, max_steps, settings.progress);
   FitWithSteps found;
   found.fit = fit_determined(series, terms, offsets, Eigen::VectorXd::Ones(series.rows().size()),
                              settings.progress);
@@ -205,12 +214,12 @@ bool searches_steps(const std::vector<model::EffectTerm>& terms) {
 Identification identify(model::Model& model, const series::SignalSeries& series,
                         const IdentifySettings& settings) {
   const series::Rows& rows = series.rows();
-  const std::optional<model::EffectTerm> step = take_out_step(model.terms);
+  const SoughtSteps sought = take_out_steps(model.terms, settings.max_new_steps);
   require_moving_input_rate(model.terms, rows);
   set_references(model.terms, series);
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
-  const FitWithSteps found = fit_all(series, model.terms, step.has_value(), offsets, settings);
+  const FitWithSteps found = fit_all(series, model.terms, sought.max, offsets, settings);
   const NoiseWeightedFit& fit = found.fit;
   model.terms = fit.terms;
 
@@ -230,7 +239,8 @@ Identification identify(model::Model& model, const series::SignalSeries& series,
   result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());
   for (std::size_t i = 0; i < found.steps.size(); ++i) {
     const Eigen::Index column = behind + offsets.cols() + static_cast<Eigen::Index>(i);
-    add_step(model, result, rows, found.steps[i], *step, fit.coefficients[column], sigma[column]);
+    add_step(model, result, rows, found.steps[i], *sought.step, fit.coefficients[column],
+             sigma[column]);
   }
   set_ranges(model, rows);
   judge_model(model, fit, series, result);

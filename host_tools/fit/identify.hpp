@@ -42,6 +42,9 @@ struct IdentifySettings {
   /// Every recording has a bias of its own (turn-on repeatability); the model keeps the first
   /// one's.
   bool run_offsets = false;
+  /// How many steps an event without a time may become. Those that a fit found before are searched
+  /// for anew, as many as they are.
+  std::size_t max_new_steps = 8;
   /// Told how much of the search for shape parameters is done, 0..1; or empty.
   std::function<void(double)> progress{};
 };

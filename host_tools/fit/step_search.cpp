@@ -11,8 +11,6 @@
 namespace fogcomp::fit {
 namespace {
 
-constexpr std::size_t kMostSteps = 8;
-
 Eigen::MatrixXd with_column(const Eigen::MatrixXd& columns, const Eigen::VectorXd& column) {
   Eigen::MatrixXd all(columns.rows(), columns.cols() + 1);
   all << columns, column;
@@ -52,14 +50,14 @@ double least_chi_square(const NoiseWeightedFit& fit, std::size_t steps) {
 
 FitWithSteps fit_with_steps(const series::SignalSeries& series,
                             const std::vector<model::EffectTerm>& terms,
-                            const Eigen::MatrixXd& nuisance,
+                            const Eigen::MatrixXd& nuisance, std::size_t max_steps,
                             const std::function<void(double)>& progress) {
   const series::Rows& rows = series.rows();
   Eigen::VectorXd kept = Eigen::VectorXd::Ones(rows.size());
   Eigen::MatrixXd columns = nuisance;
   FitWithSteps result;
   result.fit = fit_determined(series, terms, columns, kept, progress);
-  while (result.steps.size() < kMostSteps) {
+  while (result.steps.size() < max_steps) {
     const auto seen = locate(rows, result.fit, result.fit.linear());
     if (!seen || !earns(*seen, rules::kWorthALook)) break;
     const NoiseWeightedFit tried = fit_rows(

@@ -19,11 +19,11 @@ struct FitWithSteps {
 /// of the noise that is left then, by more than 60: flicker noise imitates smaller ones. It must do
 /// so beside cosines over hours, so that slow drift which the model lacks is no step, and every
 /// step must still do so in the fit with all of them. The noise that judges a step is estimated
-/// with that step already taken out. Rows in which a jump may lie count for nothing. At most eight.
-/// `progress` is told how much of the first fit is done, 0..1.
+/// with that step already taken out. Rows in which a jump may lie count for nothing. At most
+/// `max_steps`. `progress` is told how much of the first fit is done, 0..1.
 FitWithSteps fit_with_steps(const series::SignalSeries& series,
                             const std::vector<model::EffectTerm>& terms,
-                            const Eigen::MatrixXd& nuisance,
+                            const Eigen::MatrixXd& nuisance, std::size_t max_steps,
                             const std::function<void(double)>& progress);
 
 }  // namespace fogcomp::fit

@@ -16,6 +16,11 @@ std::vector<std::string> split(std::string_view text, char separator);
 /// What split() takes apart: the words with `separator` between them.
 std::string join(const std::vector<std::string>& words, std::string_view separator);
 
+/// A word of a command line as a shell takes it: in quotes where it has to be.
+std::string shell_word(const std::string& word);
+/// Such words with blanks between them.
+std::string shell_words(const std::vector<std::string>& words);
+
 /// Without white space at both ends.
 std::string_view trim(std::string_view text);
 

@@ -17,34 +17,46 @@ std::vector<model::EffectTerm> offered(const DiagnoseRequest& request, const mod
 }  // namespace
 
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer) {
-  auto own = std::make_unique<model::Model>(model::load_model(request.model));
-  own->average_s = request.average_s.value_or(own->average_s);
-  const model::Model& model = *own;
-  DiagnoseOutcome outcome{
-      std::move(own), diagnosis::DiagnosisData(model, offered(request, model)), {}, {}, {}};
+  const model::Model model = model::load_model(request.model);
+  auto in_rows = std::make_unique<model::Model>(model);
+  in_rows->average_s = request.average_s.value_or(model.average_s);
   recording::ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = model.scale_factor;
   reading.model_limits = model.limits;
-  const fit::TrainingRuns training =
-      fit::read_training_runs(request.runs, reading, model.average_s);
-  observer.say(training.notes);
+  diagnosis::JudgingRuns judging{fit::read_training_runs(request.runs, reading, model.average_s),
+                                 {}};
+  fit::Holdouts holdouts =
+      fit::read_holdouts(request.hold_outs, reading, model.average_s, judging.training.runs);
+  observer.say(judging.training.notes);
+  observer.say(holdouts.notes);
+  judging.holdouts = std::move(holdouts.runs);
+
+  diagnosis::DiagnosisData data(*in_rows, offered(request, model));
+  DiagnoseOutcome outcome{std::move(in_rows), std::move(data), {}, {}};
   compare::BoardError as_given;
-  for (const compare::RunInBlocks& run : training.runs) {
+  const auto add = [&](const compare::RunInBlocks& run) {
     outcome.data.add(run);
-    as_given.add(compare::board_error(model, run, compare::compare_with(model, run)));
+    as_given.add(
+        compare::board_error(*outcome.model, run, compare::compare_with(*outcome.model, run)));
     outcome.runs.push_back(run.file);
+  };
+  if (outcome.model->average_s == model.average_s) {
+    for (const compare::RunInBlocks& run : judging.training.runs) add(run);
+  } else {
+    const fit::TrainingRuns in_other_rows =
+        fit::read_training_runs(request.runs, reading, outcome.model->average_s);
+    for (const compare::RunInBlocks& run : in_other_rows.runs) add(run);
   }
   diagnosis::DiagnosisSettings settings;
   settings.seed = request.seed;
   settings.progress = observer.of_stage("diagnosing");
   if (request.at_rest) {
     settings.noise = diagnosis::noise_of_static(
-        model, recording::read_recording(*request.at_rest, reading), outcome.data);
+        *outcome.model, recording::read_recording(*request.at_rest, reading), outcome.data);
   }
-  outcome.ladder = diagnosis::walk_ladder(model, outcome.data, request.max_effects, settings);
+  outcome.ladder =
+      diagnosis::walk_ladder(model, outcome.data, judging, request.max_steps, settings);
   outcome.ladder.first.as_given = as_given;
-  outcome.next =
-      diagnosis::find_next_step(model, outcome.ladder.first, outcome.data, training, settings);
   return outcome;
 }
 

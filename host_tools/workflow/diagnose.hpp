@@ -17,7 +17,8 @@ struct DiagnoseRequest {
   recording::ReadOptions reading;        ///< model_scale_factor is the model's
   std::vector<std::string> expressions;  ///< `NAME = EXPRESSION`: candidates beside the catalogue
   std::optional<std::string> at_rest;    ///< recording that the noise is taken from
-  int max_effects = 0;                   ///< of the loop; 0: only say what is missing
+  std::vector<std::string> hold_outs;    ///< by which additions are judged, as `add` has them
+  int max_steps = 0;                     ///< of the loop; 0: only say what is missing
   std::optional<double> average_s;       ///< rows; nothing: as the model was fitted
   std::uint64_t seed = 1;                ///< of the draws that calibrate the test
 };
@@ -26,11 +27,11 @@ struct DiagnoseOutcome {
   std::unique_ptr<const model::Model> model;  ///< as given; data refers to it
   diagnosis::DiagnosisData data;
   std::vector<std::string> runs;  ///< that counted: none twice
-  diagnosis::Ladder ladder;       ///< without steps where max_effects is 0
-  diagnosis::NextStep next;       ///< after its first diagnosis
+  diagnosis::Ladder ladder;       ///< without steps where max_steps is 0
 };
 
-/// Throws InputError as DiagnosisData::add(), noise_of_static() and walk_ladder() do.
+/// Throws InputError as DiagnosisData::add(), noise_of_static(), read_holdouts() and walk_ladder()
+/// do. Additions are judged on rows of the model's own length, whatever average_s is.
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

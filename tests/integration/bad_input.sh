@@ -129,7 +129,10 @@ add() { refuses "$1" add good.model "$2" good.csv -o kept; }
 add "^effect 'termal_lag': .*did you mean 'thermal_lag'" termal_lag
 add "^effect 'bias': is in the model already" bias
 add "^effect 'thermal_lag,warm_up': is more than one; add them one after the other" thermal_lag,warm_up
-add "^effect 'bias_step': is an event of one recording" bias_step
+add '^bias_step: is not found: no jump of these recordings' bias_step
+refuses "^effect 'bias_step': is an event of one recording" add good.model thermal_lag bias_step good.csv -o kept
+refuses '^-o kept: is the model at the loop.s end; give --max-effects' diagnose good.model good.csv -o kept
+refuses '^good\.model: -o would overwrite the input good\.model; ' diagnose good.model good.csv --max-effects 2 -o good.model
 add "^effect: is not named" ''
 add "no parameter 'tua' \(did you mean 'tau'" thermal_lag:tua=3
 add '^good\.csv: magnetic needs the column magnetic_ut' magnetic

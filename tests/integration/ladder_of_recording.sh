@@ -10,11 +10,9 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-"$fogcomp" fit "$recording" -o gyro.model --effects bias,bias_temperature:order=3 --average 2 >/dev/null
-"$fogcomp" diagnose gyro.model "$recording" --max-effects 4 >ladder.txt
-sed -n '/^error ladder/,$p' ladder.txt
-first=$(awk '/the model, refitted/ { print $NF }' ladder.txt)
-last=$(grep '^  [+-] ' ladder.txt | tail -n 1 | awk '{print $NF}')
+"$fogcomp" fit "$recording" -o gyro.model --effects bias,bias_temperature:order=3 >/dev/null
+"$fogcomp" diagnose gyro.model "$recording" --max-effects 4 -o ladder.model --json >ladder.json
+first=$(value ladder.json residual_rms_dph) last=$(value ladder.json last residual_rms_dph)
 echo "$first -> $last deg/h rms"
 awk -v first="$first" -v last="$last" -v most="$most_left" \
   'BEGIN { exit !(first > 0 && last > 0 && last <= most * first) }' || fail "it ends at $last of $first"

@@ -44,7 +44,7 @@ struct Useless {
   void count(const Addition& addition) {
     ++tried;
     accepted += addition.accepted ? 1 : 0;
-    above_zero += addition.out_of_sample.gain > 0 ? 1 : 0;
+    above_zero += addition.out_of_sample->gain > 0 ? 1 : 0;
     if (addition.accepted) std::printf("%s\n", addition.reason.c_str());
     EXPECT_EQ(addition.model.history.back().forced, !addition.accepted);
   }

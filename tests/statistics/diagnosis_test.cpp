@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/run_in_blocks.hpp"
 #include "diagnosis/ladder.hpp"
 #include "model/effect_list.hpp"
 #include "statistics/hidden_drift.hpp"
@@ -295,28 +296,47 @@ TEST(Diagnosis, RefusesAnExpressionThatTheRecordingCannotHave) {
   EXPECT_THROW(diagnosed(kBasic, recording, {"root = T^0.5"}), fogcomp::InputError);
 }
 
-TEST(Ladder, AddsAnExpression) {
+// The loop from a model of temperature alone, up to four steps.
+fogcomp::diagnosis::Ladder ladder_of(const fogcomp::recording::Recording& recording,
+                                     const std::vector<std::string>& offered = {}) {
   const Model model = model_of(fogcomp::model::parse_effects("bias,bias_temperature:order=2"));
-  fogcomp::diagnosis::DiagnosisData data(model, expressions({kLateSquare}));
-  data.add(recording_with({late_square(1200, 0.12)}, 2));
-  const fogcomp::diagnosis::Ladder ladder = fogcomp::diagnosis::walk_ladder(model, data, 4);
-  std::vector<std::string> added = ladder.added();
-  std::sort(added.begin(), added.end());
-  EXPECT_EQ(added, (std::vector<std::string>{"late", "temperature_rate"}));
+  fogcomp::diagnosis::DiagnosisData data(model, expressions(offered));
+  fogcomp::diagnosis::JudgingRuns runs;
+  runs.training.runs.push_back(fogcomp::compare::run_in_blocks(recording, model.average_s));
+  data.add(runs.training.runs[0]);
+  return fogcomp::diagnosis::walk_ladder(model, data, runs, 4);
+}
+
+std::vector<std::string> sorted(std::vector<std::string> names) {
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(Ladder, AddsAnExpression) {
+  const auto ladder = ladder_of(recording_with({late_square(1200, 0.12)}, 2), {kLateSquare});
+  EXPECT_EQ(sorted(ladder.added()), (std::vector<std::string>{"late", "temperature_rate"}));
   EXPECT_LT(ladder.steps.back().rms_after_dph,
             1.05 * std::hypot(fog::test::kQuietNoise.white_dph, fog::test::kQuietNoise.slow_dph));
 }
 
 TEST(Ladder, FindsTwoEffectsAndStops) {
-  const Model model = model_of(fogcomp::model::parse_effects("bias,bias_temperature:order=2"));
-  fogcomp::diagnosis::DiagnosisData data(model);
-  data.add(recording_with({fog::test::natural_term("polarization_ripple", {13, 0}, {0.02, 0})}, 2));
-  const fogcomp::diagnosis::Ladder ladder = fogcomp::diagnosis::walk_ladder(model, data, 4);
-  std::vector<std::string> added = ladder.added();
-  std::sort(added.begin(), added.end());
-  EXPECT_EQ(added, (std::vector<std::string>{"polarization_ripple", "temperature_rate"}));
+  const auto ladder = ladder_of(
+      recording_with({fog::test::natural_term("polarization_ripple", {13, 0}, {0.02, 0})}, 2));
+  EXPECT_EQ(sorted(ladder.added()),
+            (std::vector<std::string>{"polarization_ripple", "temperature_rate"}));
   EXPECT_LT(ladder.steps.back().rms_after_dph,
             1.05 * std::hypot(fog::test::kQuietNoise.white_dph, fog::test::kQuietNoise.slow_dph));
+}
+
+// A jump is masked, and what is missing beside it is found.
+TEST(Ladder, MasksAStepAndGoesOn) {
+  fogcomp::recording::Recording recording = recording_with({}, 3);
+  for (std::size_t i = recording.rate_dph.size() / 3; i < recording.rate_dph.size(); ++i) {
+    recording.rate_dph[i] += 0.3;
+  }
+  const auto ladder = ladder_of(recording);
+  EXPECT_EQ(sorted(ladder.added()), (std::vector<std::string>{"bias_step", "temperature_rate"}));
+  EXPECT_EQ(ladder.last.verdict, Verdict::none);
 }
 
 }  // namespace

@@ -21,24 +21,19 @@ using fog::test::written_term;
 struct Asked {
   Asked(const std::string& effects, const recording::Recording& recording)
       : model(fog::test::incomplete(effects)) {
-    runs.runs.push_back(compare::run_in_blocks(recording, model.average_s));
-    runs.noise_floor_dph = runs.runs[0].noise_floor_dph;
+    fit::TrainingRuns& training = runs.training;
+    training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
+    training.noise_floor_dph = training.runs[0].noise_floor_dph;
     DiagnosisData data(model);
-    data.add(runs.runs[0]);
+    data.add(training.runs[0]);
     found = diagnose(model, data);
     next = find_next_step(model, found, data, runs);
   }
   // As the printed command would.
-  bool add_accepts() const {
-    const fit::EffectChange change =
-        next.addition->expression.empty()
-            ? fit::change_effects(model.terms, next.addition->effects)
-            : fit::change_expression(model.terms, next.addition->expression);
-    return fit::add_effect(model, change, runs, {}, {}).accepted;
-  }
+  bool add_accepts() const { return add(model, next.addition->request, runs).accepted; }
 
   model::Model model;
-  fit::TrainingRuns runs;
+  JudgingRuns runs;
   Diagnosis found;
   NextStep next;
 };
@@ -47,7 +42,7 @@ TEST(NextStep, IsTheEffectThatIsNamed) {
   const Asked asked("bias,bias_temperature:order=2", recording_with({}, 1));
   ASSERT_TRUE(asked.next.addition);
   EXPECT_FALSE(asked.next.describes);
-  EXPECT_EQ(asked.next.addition->effects, std::vector<std::string>{"temperature_rate"});
+  EXPECT_EQ(asked.next.addition->request.effects, std::vector<std::string>{"temperature_rate"});
   EXPECT_TRUE(asked.add_accepts());
 }
 

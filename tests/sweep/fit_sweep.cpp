@@ -267,7 +267,6 @@ void see_diagnosis(Numbers& numbers, const diagnosis::Diagnosis& diagnosis) {
   numbers.see("diagnosis",
               {diagnosis.residual_rms_dph, diagnosis.noise_floor_dph,
                diagnosis.unexplained_fraction, diagnosis.chance, diagnosis.fast.share});
-  numbers.see("gain of a term", diagnosis.term_gain);
   for (const diagnosis::CandidateFinding& finding : diagnosis.candidates) {
     numbers.see("candidate", {finding.explained_fraction, finding.rms_after_dph, finding.evidence,
                               finding.probability});
@@ -366,9 +365,10 @@ void run_case(std::uint64_t id, const Options& options, Tally& tally) {
     const fit::Addition addition =
         fit::add_effect(model, fit::change_effect(model.terms, added), training, {}, {});
     see_fit(numbers, addition.model, addition.fit);
+    if (!addition.out_of_sample) return;
     numbers.see("out of sample",
-                {addition.out_of_sample.rms_before_dph, addition.out_of_sample.rms_after_dph,
-                 addition.out_of_sample.gain});
+                {addition.out_of_sample->rms_before_dph, addition.out_of_sample->rms_after_dph,
+                 addition.out_of_sample->gain});
   });
 }
 

@@ -10,23 +10,18 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Ladder::Step step(const std::string& effect, bool removed = false) {
+Ladder::Step step(const Names& effects, const std::string& expression = "") {
   Ladder::Step one;
-  one.effect = effect;
-  one.removed = removed;
+  one.addition.request = {effects, expression};
   return one;
 }
 
-TEST(Ladder, ListsWhatItAddedAndKeptOnceEach) {
+TEST(Ladder, ListsWhatItAddedOnceEach) {
   Ladder ladder;
   EXPECT_TRUE(ladder.added().empty());
-  ladder.steps = {step("aging"),
-                  step("shupe"),
-                  step("bias_temperature"),
-                  step("aging", true),
-                  step("bias_temperature"),
-                  step("aging")};
-  EXPECT_EQ(ladder.added(), (Names{"shupe", "bias_temperature", "aging"}));
+  ladder.steps = {step({"thermal_hysteresis"}), step({"shupe", "bias_temperature:order=4"}),
+                  step({}, "square = dTdt^2"), step({"thermal_hysteresis:radius2=20"})};
+  EXPECT_EQ(ladder.added(), (Names{"thermal_hysteresis", "shupe", "bias_temperature", "square"}));
 }
 
 // A rate term is missing.
@@ -36,7 +31,9 @@ TEST(Ladder, AddsNoMoreThanItMayAndSaysWhatAStepBrought) {
       fog::test::thinned(fog::test::recording_of(model, fog::test::kQuietNoise, 1), 3);
   model.terms = model::parse_effects("bias,bias_temperature:order=3");
   DiagnosisData data(model);
-  data.add(recording);
+  JudgingRuns runs;
+  runs.training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
+  data.add(runs.training.runs[0]);
   double progress = 0;
   DiagnosisSettings settings;
   settings.progress = [&](double done) {
@@ -44,16 +41,17 @@ TEST(Ladder, AddsNoMoreThanItMayAndSaysWhatAStepBrought) {
     EXPECT_LE(done, 1);
     progress = done;
   };
-  const Ladder ladder = walk_ladder(model, data, 1, settings);
+  const Ladder ladder = walk_ladder(model, data, runs, 1, settings);
   ASSERT_EQ(ladder.steps.size(), 1U);
   const Ladder::Step& step = ladder.steps[0];
-  EXPECT_EQ(step.effect, effect_to_add(ladder.first));
-  EXPECT_FALSE(step.removed);
+  EXPECT_EQ(ladder.added(), Names{effect_to_add(ladder.first)});
+  EXPECT_FALSE(step.describes);
   EXPECT_EQ(step.rms_before_dph, ladder.first.residual_rms_dph);
   EXPECT_EQ(step.rms_after_dph, ladder.last.residual_rms_dph);
   EXPECT_LT(step.rms_after_dph, 0.5 * step.rms_before_dph);
-  ASSERT_EQ(ladder.terms.size(), 3U);
-  EXPECT_EQ(ladder.terms.back().name, step.effect);
+  ASSERT_EQ(ladder.model.terms.size(), 3U);
+  EXPECT_EQ(ladder.model.terms.back().name, effect_to_add(ladder.first));
+  EXPECT_EQ(ladder.model.history.back().action, "add " + effect_to_add(ladder.first));
 }
 
 }  // namespace

@@ -28,11 +28,12 @@ diagnosis::Diagnosis only_together() {
   return diagnosis;
 }
 
+const DiagnosedFiles kFiles{"x.model", {"run.csv"}};
+
 diagnosis::TriedAddition tried(const std::vector<std::string>& effects,
                                const std::string& expression = "") {
   diagnosis::TriedAddition addition;
-  addition.effects = effects;
-  addition.expression = expression;
+  addition.request = {effects, expression};
   addition.reason = "gain 3.1, needed 10";
   return addition;
 }
@@ -41,7 +42,7 @@ TEST(DiagnosisWords, OfASetAddAllOfIt) {
   diagnosis::NextStep next;
   next.addition = tried({"thermal_lag", "aging"});
   next.together = {"thermal_lag", "aging"};
-  const DiagnosisWords words = words_of(only_together(), next, "x.model", "run.csv");
+  const DiagnosisWords words = words_of(only_together(), next, kFiles);
   EXPECT_EQ(words.verdict, "several effects together are missing: thermal_lag and aging");
   EXPECT_EQ(words.command, "fogcomp add x.model thermal_lag aging run.csv -o NEW.model");
 }
@@ -54,7 +55,7 @@ TEST(DiagnosisWords, SayOfADescriptionThatItIsNoCause) {
   next.describes = true;
   next.forms = {{"dTdt^2", 0.86}, {"lag(dTdt^2,tau)", 0.14}};
   next.addition = tried({}, "dTdt_squared = dTdt^2");
-  const DiagnosisWords words = words_of(diagnosis, next, "x.model", "run.csv");
+  const DiagnosisWords words = words_of(diagnosis, next, kFiles);
   const std::string all = join(words.findings, "\n");
   EXPECT_NE(all.find("looks like dTdt^2 (0.86), rather than lag(dTdt^2,tau) (0.14)"),
             std::string::npos)
@@ -67,22 +68,32 @@ TEST(DiagnosisWords, SayOfADescriptionThatItIsNoCause) {
 TEST(DiagnosisWords, SayWhyNothingCanBeAdded) {
   diagnosis::NextStep next;
   next.describes = true;
-  next.refused = {tried({"aging"}), tried({"shupe", "warm_up"})};
-  const DiagnosisWords words = words_of(only_together(), next, "x.model", "run.csv");
+  next.refused = {tried({"aging"}), tried({"shupe", "warm_up"}), tried({"warm_up"})};
+  const DiagnosisWords words = words_of(only_together(), next, kFiles);
   EXPECT_EQ(words.command, "");
   EXPECT_EQ(words.next,
-            "nothing to add: aging was tried and refused, gain 3.1, needed 10; so were shupe and "
-            "warm_up");
+            "nothing to add: aging was tried and refused, gain 3.1, needed 10; so were: shupe and "
+            "warm_up; warm_up");
 }
 
-TEST(DiagnosisWords, ASetWithAStepIsFittedAgain) {
+TEST(DiagnosisWords, SayThatWhatIsLeftIsNotWorthATrial) {
   diagnosis::NextStep next;
-  next.events = {"aging", "bias_step"};
-  const DiagnosisWords words = words_of(only_together(), next, "x.model", "run.csv");
+  next.little_is_left = true;
+  const DiagnosisWords words = words_of(only_together(), next, kFiles);
   EXPECT_EQ(words.command, "");
-  EXPECT_EQ(
-      words.next,
-      "fit again with aging and bias_step among the --effects: it finds steps and masks them");
+  EXPECT_EQ(words.next.find("nothing to add: what is left is so little"), 0U);
+}
+
+// Each command goes on from the file that the one before wrote.
+TEST(DiagnosisWords, OfALadderAreTheCommandsThatMakeItsModel) {
+  diagnosis::Ladder ladder;
+  ladder.steps = {{tried({"bias_step"}), false, {}, 3, 2}, {tried({}, "q = T^2"), true, {}, 2, 1}};
+  const DiagnosedFiles files{"my gyro.model", {"a.csv", "b.csv"}, {"c.csv"}, "best.model"};
+  EXPECT_EQ(ladder_commands(ladder, files),
+            (std::vector<std::string>{
+                "fogcomp add 'my gyro.model' bias_step a.csv b.csv --holdout c.csv -o best.model",
+                "fogcomp add best.model a.csv b.csv --effect-expr 'q = T^2' --holdout c.csv -o "
+                "best.model"}));
 }
 
 }  // namespace

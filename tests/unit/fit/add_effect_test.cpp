@@ -46,7 +46,7 @@ TEST(AddEffect, RefusesASetOfWhichOneBringsNothing) {
       fogcomp::fit::change_effects(given.terms,
                                    {"temperature_rate", "thermal_hysteresis:radius=5"}),
       runs_of(truth(), {1}), {}, {});
-  EXPECT_TRUE(result.out_of_sample.helps());
+  EXPECT_TRUE(result.out_of_sample->helps());
   EXPECT_FALSE(result.accepted);
   EXPECT_NE(result.reason.find("thermal_hysteresis"), std::string::npos) << result.reason;
 }
@@ -68,7 +68,7 @@ TEST(AddEffect, RefusesAnEffectAtTheBoundOfItsShape) {
   Model drifting = truth();
   drifting.terms.push_back(fog::test::natural_term("aging", {2e6}, {30}));
   const Addition result = add(kComplete, "aging", drifting, {1});
-  EXPECT_TRUE(result.out_of_sample.helps());
+  EXPECT_TRUE(result.out_of_sample->helps());
   EXPECT_FALSE(result.accepted);
   EXPECT_NE(result.reason.find("t0 is"), std::string::npos) << result.reason;
 }
@@ -120,14 +120,14 @@ TEST(AddEffect, RefusesWhatHoldsOnlyForTheTrainingRun) {
   const Addition result =
       add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1}, {run_of(other, 2)});
   EXPECT_FALSE(result.accepted);
-  EXPECT_LT(result.out_of_sample.gain, 0);
+  EXPECT_LT(result.out_of_sample->gain, 0);
 }
 
 TEST(AddEffect, LeavesEachOfThreeRunsOutOnce) {
   const Addition result =
       add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1, 2, 3});
   EXPECT_TRUE(result.accepted);
-  EXPECT_EQ(result.out_of_sample.how, "on 3 runs, each left out once");
+  EXPECT_EQ(result.out_of_sample->how, "on 3 runs, each left out once");
 }
 
 // Without the one run that was shaken, the others know nothing of vibration: leaving runs out would
@@ -150,7 +150,7 @@ TEST(AddEffect, LeavesStretchesOutWhereOneRunAloneShowsTheEffect) {
   const Addition result =
       add_effect(model, fogcomp::fit::change_effect(model.terms, "vibration"), training, {}, {});
   EXPECT_TRUE(result.accepted) << result.reason;
-  EXPECT_NE(result.out_of_sample.how.find("stretches"), std::string::npos);
+  EXPECT_NE(result.out_of_sample->how.find("stretches"), std::string::npos);
 }
 
 // Half of a run with the same phases as the other confirms a true effect.

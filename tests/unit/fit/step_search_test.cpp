@@ -14,7 +14,7 @@ FitWithSteps searched(
   series::SignalSeries series(model);
   series.add(series::make_blocks(recording));
   return fit_with_steps(series, model::parse_effects(effects),
-                        Eigen::MatrixXd(series.rows().size(), 0), {});
+                        Eigen::MatrixXd(series.rows().size(), 0), 8, {});
 }
 
 TEST(StepSearch, FindsAStepWithItsTimeAndSize) {

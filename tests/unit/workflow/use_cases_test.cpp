@@ -100,10 +100,11 @@ TEST_F(UseCases, FitCompareDiagnoseAndAddWithoutACommandLine) {
   const DiagnoseOutcome answer = diagnose(question);
   EXPECT_EQ(answer.runs, question.runs);
   EXPECT_EQ(answer.ladder.first.verdict, diagnosis::Verdict::missing_effect);
+  ASSERT_TRUE(answer.ladder.next.addition);
 
   AddRequest addition;
   addition.model = file;
-  addition.effects = {diagnosis::effect_to_add(answer.ladder.first)};
+  addition.effects = answer.ladder.next.addition->request.effects;
   addition.runs = question.runs;
   addition.hold_outs = {path("second.csv")};
   const fit::Addition added = add(addition);
