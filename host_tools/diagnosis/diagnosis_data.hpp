@@ -55,6 +55,14 @@ class DiagnosisData {
   recording::KnownRows known_;
 };
 
+/// The length of rows in which runs are looked at, whatever rows a model was fitted in: so that the
+/// verdict does not depend on how it is asked (rules::kRowLengths_s).
+struct RowLength {
+  double row_s = 0;
+  std::string why;  ///< a line where it is not the usual one, else ""
+};
+RowLength row_length(const std::vector<compare::RunInBlocks>& runs);
+
 /// The noise of a recording at rest, for `data`'s row length. Throws InputError where that differs
 /// or the recording is too short, or is one of `data`'s own.
 noise::NoiseModel noise_of_static(const model::Model& model, const recording::Recording& recording,

@@ -81,28 +81,30 @@ double error_when_fitted(const model::Model& model, double now_dph) {
 }
 
 // What takes out very little of all may be the inexactness of what was added before, which only a
-// run that was not fitted can tell from an effect. `fall`: of the mean square.
-bool is_worth_adding(double fall, double fitted_dph, double after_dph) {
-  return fall >= rules::kWorthAdding * (square(fitted_dph) - square(after_dph));
+// run that was not fitted can tell from an effect.
+bool is_worth_adding(double before_dph, double after_dph, double fitted_dph) {
+  const double fall = square(before_dph) - square(after_dph);
+  return fall >= rules::kWorthAdding * (square(fitted_dph) - square(after_dph)) ||
+         after_dph <= (1 - rules::kHardlyHelps) * before_dph;
 }
 
 // Why an addition that holds out of sample is not proposed all the same; "" where it is.
 std::string objection_to(const model::Model& grown, bool has_holdouts) {
   const model::HistoryEntry& step = grown.history.back();
   if (step.rms_after_dph >= step.rms_before_dph) return "it does not lower the error of these runs";
-  const double fall = square(step.rms_before_dph) - square(step.rms_after_dph);
   const double fitted_dph = error_when_fitted(grown, step.rms_before_dph);
-  if (has_holdouts || is_worth_adding(fall, fitted_dph, step.rms_after_dph)) return "";
+  if (has_holdouts || is_worth_adding(step.rms_before_dph, step.rms_after_dph, fitted_dph)) {
+    return "";
+  }
   return "it would bring so little more that it may be the inexactness of what is there: let a run "
          "that was not fitted decide, with --holdout";
 }
 
-// Whether an addition that takes out this share of what is above the noise is worth a trial.
-bool may_be_worth_adding(const model::Model& model, const Diagnosis& diagnosis, double share) {
+// Whether anything at all could be: what takes out all that is above the noise.
+bool may_be_worth_adding(const model::Model& model, const Diagnosis& diagnosis) {
   const double now_dph = diagnosis.residual_rms_dph;
-  const double fall = share * (square(now_dph) - square(diagnosis.noise_floor_dph));
-  return is_worth_adding(fall, error_when_fitted(model, now_dph),
-                         std::sqrt(square(now_dph) - fall));
+  return is_worth_adding(now_dph, std::min(now_dph, diagnosis.noise_floor_dph),
+                         error_when_fitted(model, now_dph));
 }
 
 // As `add` would judge it. The network takes no part in that and is left out.
@@ -264,7 +266,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisSettings& settings) {
   NextStep next;
   if (diagnosis.verdict == Verdict::none) return next;
-  next.little_is_left = runs.holdouts.empty() && !may_be_worth_adding(model, diagnosis, 1);
+  next.little_is_left = runs.holdouts.empty() && !may_be_worth_adding(model, diagnosis);
   if (next.little_is_left) return next;
   std::vector<std::string> named = effects_together(diagnosis);
   if (const std::string one = effect_to_add(diagnosis); !one.empty()) named = {one};

@@ -2,6 +2,7 @@
 
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::workflow {
 namespace {
@@ -14,12 +15,23 @@ std::vector<model::EffectTerm> offered(const DiagnoseRequest& request, const mod
   return {terms.begin() + static_cast<std::ptrdiff_t>(model.terms.size()), terms.end()};
 }
 
+// Other rows than those of `compare`, with other figures.
+void note_rows(const diagnosis::RowLength& rows, const model::Model& model,
+               std::vector<std::string>& notes) {
+  if (!rows.why.empty()) {
+    notes.push_back(rows.why);
+  } else if (rows.row_s != model.average_s) {
+    notes.push_back(
+        format("looked at in rows of %g s, so that the verdict does not depend on the "
+               "%g s in which the model was fitted; --average %g takes those",
+               rows.row_s, model.average_s, model.average_s));
+  }
+}
+
 }  // namespace
 
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer) {
   const model::Model model = model::load_model(request.model);
-  auto in_rows = std::make_unique<model::Model>(model);
-  in_rows->average_s = request.average_s.value_or(model.average_s);
   recording::ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = model.scale_factor;
   reading.model_limits = model.limits;
@@ -31,21 +43,22 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observe
   observer.say(holdouts.notes);
   judging.holdouts = std::move(holdouts.runs);
 
+  const diagnosis::RowLength rows = diagnosis::row_length(judging.training.runs);
+  auto in_rows = std::make_unique<model::Model>(model);
+  in_rows->average_s = request.average_s.value_or(rows.row_s);
   diagnosis::DiagnosisData data(*in_rows, offered(request, model));
   DiagnoseOutcome outcome{std::move(in_rows), std::move(data), {}, {}};
-  compare::BoardError as_given;
-  const auto add = [&](const compare::RunInBlocks& run) {
-    outcome.data.add(run);
-    as_given.add(
-        compare::board_error(*outcome.model, run, compare::compare_with(*outcome.model, run)));
+  compare::BoardError as_given;  // as compare has it
+  for (const compare::RunInBlocks& run : judging.training.runs) {
+    as_given.add(compare::board_error(model, run, compare::compare_with(model, run)));
     outcome.runs.push_back(run.file);
-  };
+  }
   if (outcome.model->average_s == model.average_s) {
-    for (const compare::RunInBlocks& run : judging.training.runs) add(run);
+    for (const compare::RunInBlocks& run : judging.training.runs) outcome.data.add(run);
   } else {
     const fit::TrainingRuns in_other_rows =
         fit::read_training_runs(request.runs, reading, outcome.model->average_s);
-    for (const compare::RunInBlocks& run : in_other_rows.runs) add(run);
+    for (const compare::RunInBlocks& run : in_other_rows.runs) outcome.data.add(run);
   }
   diagnosis::DiagnosisSettings settings;
   settings.seed = request.seed;
@@ -57,6 +70,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observe
   outcome.ladder =
       diagnosis::walk_ladder(model, outcome.data, judging, request.max_steps, settings);
   outcome.ladder.first.as_given = as_given;
+  if (!request.average_s) note_rows(rows, model, outcome.ladder.first.notes);
   return outcome;
 }
 

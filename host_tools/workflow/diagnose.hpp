@@ -19,7 +19,7 @@ struct DiagnoseRequest {
   std::optional<std::string> at_rest;    ///< recording that the noise is taken from
   std::vector<std::string> hold_outs;    ///< by which additions are judged, as `add` has them
   int max_steps = 0;                     ///< of the loop; 0: only say what is missing
-  std::optional<double> average_s;       ///< rows; nothing: as the model was fitted
+  std::optional<double> average_s;       ///< rows; nothing: diagnosis::row_length()
   std::uint64_t seed = 1;                ///< of the draws that calibrate the test
 };
 
@@ -31,7 +31,7 @@ struct DiagnoseOutcome {
 };
 
 /// Throws InputError as DiagnosisData::add(), noise_of_static(), read_holdouts() and walk_ladder()
-/// do. Additions are judged on rows of the model's own length, whatever average_s is.
+/// do. Additions are judged in the model's own rows, as `add` does.
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

@@ -24,7 +24,7 @@ same() {
   "$fogcomp" fit "$run" -o gyro.model "$@" --json >fit.json
   "$fogcomp" compare gyro.model "$run" --json >compare.json
   "$fogcomp" info "$run" --average "$(value compare.json runs 0 row_s)" --json >info.json
-  "$fogcomp" diagnose gyro.model "$run" --json >diagnose.json
+  "$fogcomp" diagnose gyro.model "$run" --average "$(value compare.json runs 0 row_s)" --json >diagnose.json
   "$fogcomp" history gyro.model --json >history.json
   "$fogcomp" add gyro.model warm_up "$run" -o next.model --force --json >add.json
   mkdir -p gyros/G1
