@@ -127,27 +127,42 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
 }
 
 // What limits the answer.
-std::vector<std::string> limits_of(const Diagnosis& diagnosis, const series::Rows& rows,
-                                   bool noise_is_known) {
+std::vector<std::string> limits_of(const Diagnosis& diagnosis, bool noise_is_known) {
   std::vector<std::string> notes;
   if (diagnosis.candidates.empty()) {
     notes.emplace_back("these recordings can show none of the catalogue's effects");
   }
-  if (noise_is_known) return notes;
-  const double above_white = diagnosis.residual_rms_dph / diagnosis.noise.white_dph() - 1;
-  if (!diagnosis.noise.from_quiet_parts) {
+  if (!noise_is_known && !diagnosis.noise.from_quiet_parts && diagnosis.verdict != Verdict::none) {
     notes.emplace_back(
         "no part of these recordings is quiet (settled temperature), so that slow noise is not "
         "known: give a recording at rest with --static");
-  } else if (diagnosis.verdict == Verdict::none && above_white > rules::kMuchAboveWhite &&
-             !at_rest(rows)) {
-    notes.push_back(
-        format("what is left is %.0f %% above white noise, and only the soaks here say that this "
-               "is slow noise of the gyro's own: a recording at rest, given with --static, would "
-               "settle it",
-               100 * above_white));
   }
   return notes;
+}
+
+// Slow noise hides what is slow. Only a recording at rest knows it surely.
+std::string blind_spot_of(const Diagnosis& diagnosis, const series::Rows& rows,
+                          bool noise_is_known) {
+  if (diagnosis.verdict != Verdict::none) return "";
+  if (diagnosis.walk.may_be_all()) {
+    return format(
+        "slow changes of less than a fifth of a row's noise are left, which a random "
+        "walk of the bias of %.2g deg/h/sqrt(h) explains as well as any effect: the "
+        "programme once more, or a recording at rest with --static, would tell",
+        diagnosis.walk.coefficient);
+  }
+  if (noise_is_known || at_rest(rows)) return "";
+  if (!diagnosis.noise.from_quiet_parts) {
+    return "no part of them is quiet (settled temperature), so that slow noise is not known and "
+           "may be a missing effect: a recording at rest, given with --static, would show it";
+  }
+  const double above_white = diagnosis.residual_rms_dph / diagnosis.noise.white_dph() - 1;
+  if (above_white <= rules::kMuchAboveWhite) return "";
+  return format(
+      "what is left is %.0f %% above white noise, and only the soaks here say that this "
+      "is slow noise of the gyro's own: a recording at rest, given with --static, would "
+      "show it",
+      100 * above_white);
 }
 
 }  // namespace
@@ -184,7 +199,8 @@ Diagnosis diagnose(const model::Model& model, const DiagnosisData& data,
         ask_network(model.network, series, evidence.candidates,
                     [&](const Eigen::MatrixXd& columns) { return evidence.remover(columns); });
   }
-  diagnosis.notes = limits_of(diagnosis, rows, settings.noise.has_value());
+  diagnosis.notes = limits_of(diagnosis, settings.noise.has_value());
+  diagnosis.blind_spot = blind_spot_of(diagnosis, rows, settings.noise.has_value());
   return diagnosis;
 }
 

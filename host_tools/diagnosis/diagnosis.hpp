@@ -39,6 +39,9 @@ struct Diagnosis {
   std::vector<Explanation> explanations;
 
   std::optional<Experiment> experiment;  ///< where effects are ambiguous
+  /// Where nothing is missing: why these recordings could not show it, and what would; "" where
+  /// they could.
+  std::string blind_spot;
 
   std::vector<model::EffectTerm> terms;  ///< of the model, refitted to these runs
 

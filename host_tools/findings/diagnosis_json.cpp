@@ -74,7 +74,8 @@ void set_verdict(Json& result, const diagnosis::Diagnosis& diagnosis,
   result.set("effects", effects);
   result.set("confusable", diagnosis.confusable);
   const bool proposed = diagnosis.experiment && !diagnosis.experiment->sentence.empty();
-  result.set("experiment", proposed ? Json(diagnosis.experiment->sentence) : Json());
+  const std::string experiment = proposed ? diagnosis.experiment->sentence : diagnosis.blind_spot;
+  result.set("experiment", experiment.empty() ? Json() : Json(experiment));
   const bool recordable = proposed && !diagnosis.experiment->profile.empty();
   result.set("experiment_profile", recordable ? Json(diagnosis.experiment->profile) : Json());
   result.set("candidates", candidates_json(diagnosis.candidates));

@@ -93,10 +93,8 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
 Headline verdict_words(const diagnosis::Diagnosis& diagnosis, bool main_part_holds = true) {
   switch (diagnosis.verdict) {
     case diagnosis::Verdict::none:
-      if (diagnosis.walk.may_be_all()) {
-        return {"nothing is missing that these recordings can show",
-                "slow changes of less than a fifth of a row's noise are left, which " +
-                    walk_words(diagnosis)};
+      if (!diagnosis.blind_spot.empty()) {
+        return {"nothing is missing that these recordings can show", diagnosis.blind_spot};
       }
       return {"nothing is missing: what is left is noise, as far as these recordings can show", ""};
     case diagnosis::Verdict::missing_effect:

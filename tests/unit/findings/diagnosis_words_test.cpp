@@ -76,6 +76,15 @@ TEST(DiagnosisWords, SayWhyNothingCanBeAdded) {
             "warm_up; warm_up");
 }
 
+TEST(DiagnosisWords, SayWhatWouldShowWhatTheseRecordingsCannot) {
+  diagnosis::Diagnosis diagnosis;
+  EXPECT_EQ(words_of(diagnosis, {}, kFiles).verdict.find("nothing is missing: "), 0U);
+  diagnosis.blind_spot = "a recording at rest would show it";
+  const DiagnosisWords words = words_of(diagnosis, {}, kFiles);
+  EXPECT_EQ(words.verdict, "nothing is missing that these recordings can show");
+  EXPECT_EQ(words.certainty, diagnosis.blind_spot);
+}
+
 TEST(DiagnosisWords, SayThatWhatIsLeftIsNotWorthATrial) {
   diagnosis::NextStep next;
   next.little_is_left = true;
