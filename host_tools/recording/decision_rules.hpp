@@ -43,9 +43,28 @@ constexpr double kMaxFrozenSampleS = 1;
 constexpr std::ptrdiff_t kControlOneIn = 50;
 /// Blocks of 1 MiB without a frame: what comes then is no sensor's. stream_reader_test.
 constexpr std::size_t kMaxBlocksWithoutFrame = 64;
+/// UTF-16 is told by its first characters, of which a sensor stream has few that are Latin: so many
+/// are looked at, so many are needed, and so large a part has to be Latin. foreign_files_test.
+constexpr std::size_t kUtf16UnitsLookedAt = 512;
+constexpr std::size_t kMinUtf16Units = 8;
+constexpr double kMinLatinShare = 0.9;
 /// Seconds between rows: beyond, time_s has another unit. csv_reader_test.
 constexpr double kMinPeriodS = 1e-6;
 constexpr double kMaxPeriodS = 86400;
+
+/// Lines before the header (what a logger says of itself), and rows by which separator and decimal
+/// mark are told: more than any logger writes, and more than begin with whole numbers by chance.
+/// foreign_files_test.
+constexpr std::size_t kMaxLinesBeforeHeader = 200;
+constexpr std::size_t kMaxRowsLookedAt = 2000;
+/// Columns whose names are looked at closely: ten times the widest log of an autopilot.
+constexpr std::size_t kMaxColumnsUnderstood = 1000;
+/// Seconds: no gyro has been powered for 31 years, so such a time counts from 1970.
+/// foreign_files_test.
+constexpr double kMinUnixTimeS = 1e9;
+/// Seconds: readings of a slow column that lie further apart are not joined by a line, as a board
+/// holds a temperature no longer (board_limits.hpp, kHoldSeconds). foreign_files_test.
+constexpr double kMaxBridgeS = 60;
 
 /// Roundings of double precision in a value that was calculated: a rate that moves by less stands
 /// still. rate_resolution_test.

@@ -69,9 +69,7 @@ void refuse_other_formats(std::string_view head, const std::string& path) {
   };
   using namespace std::string_view_literals;
   constexpr Format kFormats[] = {
-      {"\xFF\xFE"sv, "is UTF-16 text; save it as UTF-8"},
-      {"\xFE\xFF"sv, "is UTF-16 text; save it as UTF-8"},
-      {"\x1F\x8B"sv, "is compressed by gzip; unpack it with gunzip"},
+      {"\x1F\x8B"sv, "is compressed by gzip; give it unpacked: zcat FILE | fogcomp ... -"},
       {"PK\x03\x04"sv, "is a ZIP archive or an Excel workbook; save the sheet as CSV"},
       {"MATLAB 5.0 MAT-file"sv, "is a MATLAB file; write it with writetable as CSV"},
       {"\x89HDF"sv, "is an HDF5 file; write its columns as CSV"},
@@ -82,6 +80,12 @@ void refuse_other_formats(std::string_view head, const std::string& path) {
       throw InputError(path, format.remedy);
     }
   }
+}
+
+// Real UTF-16 has been decoded before it comes here.
+void refuse_false_utf16(std::string_view head, const std::string& path) {
+  if (head.substr(0, 2) != "\xFF\xFE" && head.substr(0, 2) != "\xFE\xFF") return;
+  throw InputError(path, "begins with the mark of UTF-16 text, which it is not; save it as UTF-8");
 }
 
 }  // namespace
@@ -123,6 +127,7 @@ Recording read_recording(const std::string& path, const ReadOptions& options) {
   if (is_sensor_stream(head)) {
     recording = read_sensor_stream(file, options);
   } else {
+    refuse_false_utf16(head, path);
     recording = read_csv(file, options, lines);
     if (options.stream_rate_hz) {
       options.watch.say(path, "a CSV has its own time; --rate changes nothing");

@@ -50,7 +50,10 @@ struct Recording {
     std::string text;
   };
   std::vector<Label> labels;
+  /// time_s begins with the first row, whose time was one of the calendar.
+  bool power_on_unknown = false;
   std::size_t bad_rows = 0;      ///< left out by skip_bad_rows
+  std::size_t empty_rows = 0;    ///< left out for a value that the file does not have
   std::size_t refused_rows = 0;  ///< left out because the board would refuse them
   std::optional<CaptureCounts> capture;
 
@@ -87,6 +90,12 @@ struct ReadOptions {
   /// By which the board judges the rate, and those of the model in hand where none are given.
   GivenLimits limits{};
   GyroLimits model_limits{};
+  /// Which column of a CSV is which: "time=Time[ms],rate=Gyro_X[deg/s]" (column_map.hpp); "": by
+  /// their names.
+  std::string columns{};
+  /// The same as the model in hand remembers it: for files that have all of those names, where
+  /// nothing else is given.
+  std::string model_columns{};
   bool skip_bad_rows = false;
   /// Keeps the rows that the board would refuse: for its own code, which judges them itself.
   bool keep_refused_rows = false;
@@ -105,7 +114,8 @@ std::vector<double> bias_dph(const Recording& recording);
 
 constexpr double kDefaultStreamRateHz = 200;
 
-/// Reads a CSV, or a captured sensor stream (told apart by content, not by name). Rows that the
+/// Reads a CSV of any layout (csv_layout.hpp), or a captured sensor stream (told apart by content,
+/// not by name); "-" is standard input. Rows that the
 /// board would refuse (row_judge.hpp) are left out. What was ignored or left out
 /// is told to options.watch. Throws InputError `FILE:LINE: what is wrong; what to do`.
 Recording read_recording(const std::string& path, const ReadOptions& options);

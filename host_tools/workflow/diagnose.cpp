@@ -2,6 +2,7 @@
 
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
+#include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {
 namespace {
@@ -22,9 +23,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observe
   const model::Model& model = *own;
   DiagnoseOutcome outcome{
       std::move(own), diagnosis::DiagnosisData(model, offered(request, model)), {}, {}, {}};
-  recording::ReadOptions reading = observer.heard(request.reading);
-  reading.model_scale_factor = model.scale_factor;
-  reading.model_limits = model.limits;
+  const recording::ReadOptions reading = reading_for(model, request.reading, observer);
   const fit::TrainingRuns training =
       fit::read_training_runs(request.runs, reading, model.average_s);
   observer.say(training.notes);
