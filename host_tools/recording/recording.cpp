@@ -7,6 +7,7 @@
 #include "recording/csv_reader.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/line_numbers.hpp"
+#include "recording/output_stream_reader.hpp"
 #include "recording/refused_rows.hpp"
 #include "recording/row_range.hpp"
 #include "recording/stream_reader.hpp"
@@ -118,13 +119,20 @@ std::vector<double> bias_dph(const Recording& recording) {
 
 Recording read_recording(const std::string& path, const ReadOptions& options) {
   InputFile file(path, options.watch.progress);
+  return read_recording(file, options);
+}
+
+Recording read_recording(InputFile& file, const ReadOptions& options) {
+  const std::string& path = file.path();
   const std::string_view head = file.peek();
   if (head.empty()) throw InputError(path, "is empty; is it the right file?");
   refuse_other_formats(head, path);
 
   Recording recording;
   LineNumbers lines;
-  if (is_sensor_stream(head)) {
+  if (const auto frames = find_output_frames(head)) {
+    recording = read_output_stream(file, *frames, options);
+  } else if (is_sensor_stream(head)) {
     recording = read_sensor_stream(file, options);
   } else {
     refuse_false_utf16(head, path);

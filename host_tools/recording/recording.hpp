@@ -108,6 +108,8 @@ struct ReadOptions {
   ReadWatch watch{};
 };
 
+class InputFile;
+
 /// Measured rate less input rate (0 where the file has none): what drift and noise are looked for
 /// in.
 std::vector<double> bias_dph(const Recording& recording);
@@ -119,5 +121,7 @@ constexpr double kDefaultStreamRateHz = 200;
 /// board would refuse (row_judge.hpp) are left out. What was ignored or left out
 /// is told to options.watch. Throws InputError `FILE:LINE: what is wrong; what to do`.
 Recording read_recording(const std::string& path, const ReadOptions& options);
+/// The same from a file that is open, of which nothing has been taken yet.
+Recording read_recording(InputFile& file, const ReadOptions& options);
 
 }  // namespace fogcomp::recording
