@@ -51,6 +51,11 @@ has_keys history.json "steps 2 action" "steps 2 data_hash" "steps 2 rms_before_d
 has_keys export.json words quantization_error_dph network_error_dph network_points
 "$fogcomp" replay gyro.model run.csv -o out.bin --json >replay.json
 has_keys replay.json frames bytes
+"$fogcomp" apply gyro.model run.csv -o applied.csv --json >apply.json
+has_keys apply.json output rows without_rate temperature_clamped raw_std_dph compensated_std_dph
+"$fogcomp" convert run.csv -o plain.csv --json >convert.json
+has_keys convert.json output rows bad_rows empty_rows period_s
+cmp run.csv plain.csv
 mkdir -p gyros/G1
 cp run.csv gyros/G1
 "$fogcomp" batch gyros -o results --effects bias,temperature_rate --json >batch.json
