@@ -66,6 +66,26 @@ constexpr double kMinUnixTimeS = 1e9;
 /// holds a temperature no longer (board_limits.hpp, kHoldSeconds). foreign_files_test.
 constexpr double kMaxBridgeS = 60;
 
+// ---- Figures that nothing has: another unit? --------------------------------------------------
+/// deg/sqrt(h). Shot noise of 100 uW at 1550 nm, sqrt(2 h nu / P) = 5e-8 rad/sqrt(Hz), over the
+/// Sagnac phase of 5 km on a diameter of 0.2 m, 2 pi L D / (lambda c) = 13 s, is 1.3e-5: more light
+/// and fibre than gyros have. The most: 1 deg/s in a mean of 1 s, a hundred times a cheap MEMS
+/// gyro's. plausibility_test.
+constexpr double kMinAngleRandomWalkDprh = 1e-5;
+constexpr double kMaxAngleRandomWalkDprh = 60;
+/// Hours: a year without a pause. plausibility_test.
+constexpr double kMaxRunHours = 8766;
+/// degC/min over a minute: chambers for thermal stress do 15 to 25 with the air, and a coil follows
+/// in minutes. plausibility_test.
+constexpr double kMaxCoilDegcPerMin = 30;
+constexpr double kFastWindowS = 60;
+/// degC/min over an hour: a room does more between day and night (3 degC in 12 h, 0.25 degC/h).
+/// plausibility_test.
+constexpr double kMinChamberDegcPerMin = 0.003;
+constexpr double kSlowWindowS = 3600;
+/// degC: smaller changes may be noise and steps of a sensor. plausibility_test.
+constexpr double kMinDoubtedDegc = 10;
+
 /// Roundings of double precision in a value that was calculated: a rate that moves by less stands
 /// still. rate_resolution_test.
 constexpr double kRoundings = 16;

@@ -124,6 +124,7 @@ FitOutcome fit(const FitRequest& request, const Observer& observer) {
   fit::TrainingRuns training =
       fit::read_training_runs(request.runs, observer.heard(reading), model.average_s);
   observer.say(training.notes);
+  observer.say(training.doubts);
   model.noise_dph_rthz = training.noise_dph_rthz;
   series::SignalSeries series(model);
   for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
