@@ -38,6 +38,7 @@ StreamSource::StreamSource(const std::string& path, const recording::ReadOptions
   }
   recording::ReadOptions all_rows = options;
   all_rows.keep_refused_rows = true;
+  all_rows.every_row = true;
   recording_ = recording::read_recording(*file, all_rows);
   if (has(needs, fog::Input::elapsed)) warn_of_late_start(recording_, watch_);
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {

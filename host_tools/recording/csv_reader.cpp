@@ -10,6 +10,7 @@
 
 #include "recording/columns.hpp"
 #include "recording/csv_row.hpp"
+#include "recording/long_recording.hpp"
 #include "recording/sparse_columns.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -44,7 +45,9 @@ class RowCollector {
   /// Room for all rows of a file of `bytes`, judged by the length of one of them: growing as it
   /// goes would copy every column several times.
   void reserve(std::size_t bytes, std::size_t bytes_of_line) {
-    const std::size_t rows = std::min(bytes / (bytes_of_line + 1) + 1, kMostRows);
+    const std::size_t expected = bytes / (bytes_of_line + 1) + 1;
+    long_recording_ = LongRecording(options_, expected);
+    const std::size_t rows = std::min(expected, long_recording_.part_rows());
     for (const auto& [slot, values] : columns_) values->reserve(rows);
   }
 
@@ -60,10 +63,7 @@ class RowCollector {
     }
     const double time_s = row.values[kTimeSlot];
     if (!(time_s > previous_s_)) return refuse(fault_of_time(previous_s_, time_s));
-    if (recording_.rows() == kMostRows) {
-      throw InputError(file_.where(), format("more than %zu million rows; average or cut the file",
-                                             kMostRows / 1'000'000));
-    }
+    if (recording_.rows() == long_recording_.part_rows()) hand_over();
     previous_s_ = time_s;
     lines_.add(recording_.rows(), file_.line_number());
     if (!row.label.empty() || !recording_.labels.empty()) add_label(row.label);
@@ -72,10 +72,11 @@ class RowCollector {
   }
 
   Recording finish() {
-    if (recording_.rows() == 0 && recording_.bad_rows == 0 && recording_.empty_rows > 0) {
+    const bool none = recording_.rows() == 0 && long_recording_.rows_taken() == 0;
+    if (none && recording_.bad_rows == 0 && recording_.empty_rows > 0) {
       throw InputError(file_.path(), "has no row with a time and a rate");
     }
-    if (recording_.rows() == 0) {
+    if (none) {
       throw InputError(file_.path(), recording_.bad_rows == 0
                                          ? "has a header but no rows"
                                          : "has no good row; the first bad one: " + first_fault_);
@@ -89,8 +90,13 @@ class RowCollector {
       options_.watch.say(file_.path(), counted(recording_.bad_rows, "bad row") +
                                            " left out, the first: " + first_fault_);
     }
-    if (sparse_) complete_sparse_columns(recording_, lines_, options_.watch);
-    return std::move(recording_);
+    complete_sparse();
+    if (!long_recording_.begun()) return std::move(recording_);
+    hand_over();
+    Recording means = long_recording_.finish(file_.path());
+    means.bad_rows = recording_.bad_rows;
+    means.empty_rows = recording_.empty_rows;
+    return means;
   }
 
  private:
@@ -98,6 +104,17 @@ class RowCollector {
     std::size_t slot;
     std::vector<double>* values;
   };
+
+  void complete_sparse() {
+    if (sparse_) complete_sparse_columns(recording_, lines_, options_.watch);
+    sparse_ = false;
+  }
+
+  void hand_over() {
+    complete_sparse();
+    long_recording_.take(recording_, lines_, file_.where());
+    for (const auto& [slot, values] : columns_) values->reserve(long_recording_.part_rows());
+  }
 
   // A row without its time or rate says nothing; without anything else it is completed later.
   bool lacks_needed(const CsvRow& row) {
@@ -126,6 +143,7 @@ class RowCollector {
   const ReadOptions& options_;
   LineNumbers& lines_;
   Recording recording_;
+  LongRecording long_recording_{options_, 0};
   std::vector<Target> columns_;
   double previous_s_ = -std::numeric_limits<double>::infinity();
   std::string first_fault_;

@@ -66,6 +66,13 @@ constexpr double kMinUnixTimeS = 1e9;
 /// holds a temperature no longer (board_limits.hpp, kHoldSeconds). foreign_files_test.
 constexpr double kMaxBridgeS = 60;
 
+// ---- Recordings longer than memory should hold ------------------------------------------------
+/// Rows that are judged together: hours at 200 Hz, longer than any excursion (kMaxExcursionS).
+/// long_recording_test.
+constexpr std::size_t kPartRows = std::size_t{1} << 20U;
+/// Means that are kept: 100 MB in three columns. long_recording_test.
+constexpr std::size_t kMaxMeanRows = std::size_t{1} << 22U;
+
 // ---- Figures that nothing has: another unit? --------------------------------------------------
 /// deg/sqrt(h). Shot noise of 100 uW at 1550 nm, sqrt(2 h nu / P) = 5e-8 rad/sqrt(Hz), over the
 /// Sagnac phase of 5 km on a diameter of 0.2 m, 2 pi L D / (lambda c) = 13 s, is 1.3e-5: more light

@@ -25,7 +25,6 @@ constexpr const char* kStandardInput = "/dev/stdin";
 InputFile::InputFile(std::string path, std::function<void(const std::string&, double)> progress)
     : path_(std::move(path)), buffer_bytes_(kMostBufferBytes), progress_(std::move(progress)) {
   descriptor_ = open_input(path_ == "-" ? kStandardInput : path_);
-  if (path_ == "-") path_ = "standard input";
   struct stat status {};
   if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) {
     size_ = static_cast<std::size_t>(status.st_size);

@@ -13,7 +13,8 @@
 
 namespace fogcomp::recording {
 
-/// Longest recording that is read: 27 h at 200 Hz; 0.5 GB in memory with three columns.
+/// Longest recording of which every row is kept: 27 h at 200 Hz; 0.5 GB in memory with three
+/// columns. Of a longer one means of neighbours are (long_recording.hpp).
 constexpr std::size_t kMostRows = 20'000'000;
 
 /// What a captured sensor stream held besides the rows.
@@ -52,6 +53,7 @@ struct Recording {
   std::vector<Label> labels;
   /// time_s begins with the first row, whose time was one of the calendar.
   bool power_on_unknown = false;
+  std::size_t rows_per_row = 1;  ///< of the file: more than one where it is too long for memory
   std::size_t bad_rows = 0;      ///< left out by skip_bad_rows
   std::size_t empty_rows = 0;    ///< left out for a value that the file does not have
   std::size_t refused_rows = 0;  ///< left out because the board would refuse them
@@ -99,6 +101,9 @@ struct ReadOptions {
   bool skip_bad_rows = false;
   /// Keeps the rows that the board would refuse: for its own code, which judges them itself.
   bool keep_refused_rows = false;
+  /// Refuses a recording of more than kMostRows rather than taking means: for what is written row
+  /// by row.
+  bool every_row = false;
   /// Constant input rate (Earth rate by latitude and axis) for a file without that column, which it
   /// then gets; left at 0 the column stays empty.
   double default_input_rate_dph = 0;

@@ -16,9 +16,11 @@ namespace fogcomp::recording {
 
 SampleCollector::SampleCollector(const InputFile& file, const ReadOptions& options,
                                  std::size_t frame_bytes)
-    : rate_hz_(options.stream_rate_hz.value_or(kDefaultStreamRateHz)), watch_(options.watch) {
+    : rate_hz_(options.stream_rate_hz.value_or(kDefaultStreamRateHz)),
+      watch_(options.watch),
+      long_recording_(options, file.size() / frame_bytes) {
   recording_.file = file.path();
-  const std::size_t rows = std::min(file.size() / frame_bytes + 1, kMostRows);
+  const std::size_t rows = std::min(file.size() / frame_bytes + 1, long_recording_.part_rows());
   for (auto* column : {&recording_.time_s, &recording_.temperature_degc, &recording_.rate_dph}) {
     column->reserve(rows);
   }
@@ -49,9 +51,9 @@ void SampleCollector::add(const CapturedSample& sample) {
     return;
   }
   if (!sample.temperature_valid) ++counts_.held_temperatures;
-  if (recording_.rows() == kMostRows) {
-    throw InputError(recording_.file, format("more than %zu million samples; cut the capture",
-                                             kMostRows / 1'000'000));
+  if (recording_.rows() == long_recording_.part_rows()) {
+    LineNumbers lines;
+    long_recording_.take(recording_, lines, recording_.file);
   }
   recording_.time_s.push_back(static_cast<double>(number_) / rate_hz_);
   recording_.temperature_degc.push_back(temperature_degc_);
@@ -70,13 +72,18 @@ Recording SampleCollector::finish(std::size_t discarded_bytes, const char* what)
     throw InputError(recording_.file, std::string("neither text nor ") + what +
                                           ": it holds no good frame; is it the right file?");
   }
-  if (recording_.rows() == 0) {
+  if (recording_.rows() == 0 && long_recording_.rows_taken() == 0) {
     throw InputError(recording_.file, "no sample is valid: " + describe(counts_));
   }
   const std::string disorder = describe(counts_);
   if (!disorder.empty()) watch_.say(recording_.file, disorder);
   recording_.capture = counts_;
-  return std::move(recording_);
+  if (!long_recording_.begun()) return std::move(recording_);
+  LineNumbers lines;
+  long_recording_.take(recording_, lines, recording_.file);
+  Recording means = long_recording_.finish(recording_.file);
+  means.capture = counts_;
+  return means;
 }
 
 // A board without a temperature has a drift no longer than this, and then no valid rate.

@@ -7,6 +7,7 @@
 #include "core/acquisition/sequence_monitor.hpp"
 #include "core/frames/extension_frame.hpp"
 #include "recording/input_file.hpp"
+#include "recording/long_recording.hpp"
 #include "recording/recording.hpp"
 
 namespace fogcomp::recording {
@@ -40,6 +41,7 @@ class SampleCollector {
   double rate_hz_;
   const ReadWatch& watch_;
   Recording recording_;
+  LongRecording long_recording_;
   CaptureCounts counts_;
   fog::SequenceMonitor sequence_;
   bool any_ = false;

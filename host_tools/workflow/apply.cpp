@@ -219,8 +219,9 @@ ApplyOutcome apply(const ApplyRequest& request, const SeriesSink& sink, const Ob
     return out.finish();
   }
   const model::Model model = model::load_model(request.weights);
-  const recording::Recording recording =
-      recording::read_recording(request.run, reading_for(model, request.reading, observer));
+  recording::ReadOptions reading = reading_for(model, request.reading, observer);
+  reading.every_row = true;
+  const recording::Recording recording = recording::read_recording(request.run, reading);
   RealSeries(model, recording, out).run();
   return out.finish();
 }

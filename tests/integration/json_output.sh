@@ -27,6 +27,8 @@ has_keys info.json rows refused_rows period_s mean_dph std_dph noise_floor_dph "
   "segments 0 temperature_min_degc" "segments 0 temperature_max_degc" "allan tau_s" \
   "allan sigma_dph" "allan one_sigma_dph" angle_random_walk_dprh bias_instability_dph \
   rate_random_walk_dphrh rate_ramp_dphh quantization_deg
+"$fogcomp" info - --json <run.csv | sed 's/"file":"-"/"file":"run.csv"/' >info_of_pipe.json
+cmp info.json info_of_pipe.json
 "$fogcomp" denoise run.csv -o denoised.csv --json >denoise.json
 has_keys denoise.json output rows outliers "levels 4 noise_dph" "levels 4 threshold_dph" \
   "segments 0 raw_std_dph" "segments 0 denoised_std_dph"
