@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <string>
 
 #include "recording/scan_decimal.hpp"
@@ -14,6 +15,8 @@ namespace fogcomp::recording {
 namespace {
 
 constexpr std::size_t kLongestNumber = 60;
+// Of a time, so that the difference of two does not overflow: nanoseconds since 1970 until 2096.
+constexpr std::int64_t kMostWhole = 4'000'000'000'000'000'000;
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
@@ -161,9 +164,10 @@ std::optional<TimeReading> read_long_number(std::string_view field, bool decimal
   const auto [end, error] =
       std::from_chars(field.data(), field.data() + field.size(), reading.whole);
   const std::string_view rest = field.substr(static_cast<std::size_t>(end - field.data()));
-  if (error == std::errc() && rest.empty()) return reading;
+  if (reading.whole > kMostWhole || reading.whole < -kMostWhole) return std::nullopt;
   const bool point = !rest.empty() && rest[0] == (decimal_comma ? ',' : '.');
   const bool digits = rest.find_first_not_of("0123456789", 1) == std::string_view::npos;
+  if (error == std::errc() && rest.empty()) return reading;
   if (error == std::errc() && point && digits && rest.size() < kLongestNumber) {
     const std::string fraction = "0." + std::string(rest.substr(1)) + "0";
     std::from_chars(fraction.data(), fraction.data() + fraction.size(), reading.fraction);
@@ -171,10 +175,9 @@ std::optional<TimeReading> read_long_number(std::string_view field, bool decimal
     return reading;
   }
   // "1.7e9", "+3"
-  constexpr double kLargest = 9e18;
   double value = 0;
   if (read_number(field, decimal_comma, value) != FieldKind::number) return std::nullopt;
-  if (value > kLargest || value < -kLargest) return std::nullopt;
+  if (std::fabs(value) > static_cast<double>(kMostWhole)) return std::nullopt;
   reading.whole = static_cast<std::int64_t>(value);
   reading.fraction = value - static_cast<double>(reading.whole);
   return reading;

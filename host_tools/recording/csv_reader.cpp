@@ -33,8 +33,12 @@ std::string fault_of_time(double previous_s, double time_s) {
 class RowCollector {
  public:
   RowCollector(const CsvLayout& layout, const InputFile& file, const ReadOptions& options,
-               LineNumbers& lines)
-      : reader_(layout), file_(file), options_(options), lines_(lines) {
+               LineNumbers& lines, std::size_t least_rows)
+      : reader_(layout),
+        file_(file),
+        options_(options),
+        lines_(lines),
+        long_recording_(options, least_rows) {
     recording_.file = file.path();
     recording_.power_on_unknown = layout.time != TimeFormat::number;
     for (const std::size_t slot : layout.header.slots) {
@@ -45,9 +49,7 @@ class RowCollector {
   /// Room for all rows of a file of `bytes`, judged by the length of one of them: growing as it
   /// goes would copy every column several times.
   void reserve(std::size_t bytes, std::size_t bytes_of_line) {
-    const std::size_t expected = bytes / (bytes_of_line + 1) + 1;
-    long_recording_ = LongRecording(options_, expected);
-    const std::size_t rows = std::min(expected, long_recording_.part_rows());
+    const std::size_t rows = std::min(bytes / (bytes_of_line + 1) + 1, long_recording_.part_rows());
     for (const auto& [slot, values] : columns_) values->reserve(rows);
   }
 
@@ -143,7 +145,7 @@ class RowCollector {
   const ReadOptions& options_;
   LineNumbers& lines_;
   Recording recording_;
-  LongRecording long_recording_{options_, 0};
+  LongRecording long_recording_;
   std::vector<Target> columns_;
   double previous_s_ = -std::numeric_limits<double>::infinity();
   std::string first_fault_;
@@ -151,6 +153,14 @@ class RowCollector {
   bool sparse_ = false;
   std::string last_label_;
 };
+
+// By the length of its first lines; later ones, with longer times, are not twice as long.
+std::size_t least_rows_of(const InputFile& file, std::string_view head) {
+  const auto lines = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n'));
+  if (head.empty() || file.is_utf16()) return 0;
+  return static_cast<std::size_t>(static_cast<double>(file.size()) / 2 *
+                                  static_cast<double>(lines) / static_cast<double>(head.size()));
+}
 
 }  // namespace
 
@@ -161,7 +171,7 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
   if (head.find('\n') == std::string_view::npos && !file.at_end()) file.next_line(line);
   const CsvLayout layout =
       find_csv_layout({head, file.at_end(), file.is_utf16(), file.path()}, options);
-  RowCollector collector(layout, file, options, lines);
+  RowCollector collector(layout, file, options, lines, least_rows_of(file, head));
   for (std::size_t i = 0; i < layout.lines_before_rows; ++i) file.next_line(line);
   bool reserved = false;
   while (file.next_line(line)) {

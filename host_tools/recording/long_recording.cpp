@@ -37,9 +37,9 @@ std::vector<std::size_t> breaks_of(const Recording& part) {
 
 }  // namespace
 
-LongRecording::LongRecording(const ReadOptions& options, std::size_t expected_rows)
+LongRecording::LongRecording(const ReadOptions& options, std::size_t least_rows)
     : options_(&options), part_rows_(kMostRows) {
-  if (options.every_row || expected_rows <= kMostRows) return;
+  if (options.every_row || least_rows <= kMostRows) return;
   rows_per_mean_ = 1;
   part_rows_ = rules::kPartRows;
 }

@@ -18,7 +18,9 @@ SampleCollector::SampleCollector(const InputFile& file, const ReadOptions& optio
                                  std::size_t frame_bytes)
     : rate_hz_(options.stream_rate_hz.value_or(kDefaultStreamRateHz)),
       watch_(options.watch),
-      long_recording_(options, file.size() / frame_bytes) {
+      // With an extension record of every input before each sample.
+      long_recording_(options, file.size() / (frame_bytes +
+                                              fog::kExtensionInputs * fog::kExtensionFrameBytes)) {
   recording_.file = file.path();
   const std::size_t rows = std::min(file.size() / frame_bytes + 1, long_recording_.part_rows());
   for (auto* column : {&recording_.time_s, &recording_.temperature_degc, &recording_.rate_dph}) {

@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <functional>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "heard_in.hpp"
+#include "recording/columns.hpp"
 #include "recording/recording.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -476,6 +478,40 @@ TEST(ForeignFiles, LeaveOutRowsWhoseValuesNobodyKnows) {
                       "line 2"),
             std::string::npos)
       << said;
+}
+
+// Whatever is wrong with a file, it is read or refused, and every column of what is read is whole.
+TEST(ForeignFiles, DamagedAreReadWholeOrRefused) {
+  const std::vector<Property> all = properties();
+  std::mt19937 random(1);
+  const std::string alphabet = "0123456789.,;-+eE\n\r\t #%[]()\"naifTZ:/\xC2\xB0\xB5";
+  std::size_t read = 0;
+  for (int round = 0; round < 3000; ++round) {
+    FileWriter file;
+    for (int i = 0; i < 3; ++i) all[random() % all.size()].apply(file);
+    std::string content = file.content();
+    for (unsigned change = random() % 4; change > 0 && !content.empty(); --change) {
+      const std::size_t at = random() % content.size();
+      if (random() % 2 == 0) {
+        content[at] = alphabet[random() % alphabet.size()];
+      } else {
+        content.erase(at, 1 + random() % 20);
+      }
+    }
+    ReadOptions options;
+    options.skip_bad_rows = random() % 2 == 0;
+    try {
+      const Recording recording = read_recording(temporary_file("damaged.csv", content), options);
+      ++read;
+      for (const ColumnInfo& info : kColumns) {
+        const std::vector<double>& column = recording[info.column];
+        EXPECT_TRUE(column.empty() || column.size() == recording.rows());
+        for (const double value : column) EXPECT_TRUE(std::isfinite(value));
+      }
+    } catch (const InputError&) {
+    }
+  }
+  EXPECT_GT(read, 1000U);
 }
 
 TEST(ForeignFiles, AreToldFromAStreamByTheirText) {

@@ -92,6 +92,18 @@ TEST(LongRecording, LeavesOutWhatTheBoardWouldRefuseBeforeItTakesMeans) {
       << said;
 }
 
+TEST(LongRecording, BeginsWithMeansOnlyWhereTheFileIsSurelyTooLong) {
+  const ReadOptions options;
+  EXPECT_FALSE(LongRecording(options, kMostRows).begun());
+  EXPECT_TRUE(LongRecording(options, kMostRows + 1).begun());
+  // Found to be too long on the way: the rows so far become means.
+  LongRecording recording(options, 0);
+  Recording part = rows_from(0, rules::kMaxMeanRows + 2);
+  LineNumbers lines;
+  recording.take(part, lines, "long.csv:1");
+  EXPECT_EQ(recording.finish("long.csv").rows_per_row, 2U);
+}
+
 TEST(LongRecording, IsRefusedWhereEveryRowIsNeeded) {
   ReadOptions options;
   options.every_row = true;
