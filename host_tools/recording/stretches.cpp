@@ -53,8 +53,10 @@ void find_stretches(Recording& recording) {
   }
   const double period_s = spanned_s / static_cast<double>(spacings);
   if (period_s < rules::kMinPeriodS || period_s > rules::kMaxPeriodS) {
-    throw InputError(recording.file,
-                     format("rows are %g s apart; is time_s in seconds?", period_s));
+    throw InputError(
+        recording.file,
+        format("rows are %g s apart; is the time in s? if not, give --columns time=NAME[us]",
+               period_s));
   }
   recording.period_s = without_rounding_dust(period_s);
 }

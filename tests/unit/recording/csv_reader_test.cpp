@@ -199,7 +199,7 @@ TEST(CsvReader, SaysWhatIsWrongWithTheFile) {
 
 TEST(CsvReader, RefusesTimesThatCannotBeSeconds) {
   EXPECT_EQ(fault(kHeader + "0,20,1\n5e6,20,1\n1e7,20,1\n"),
-            ": rows are 5e+06 s apart; is time_s in seconds?");
+            ": rows are 5e+06 s apart; is the time in s? if not, give --columns time=NAME[us]");
 }
 
 TEST(CsvReader, NeverCrashesOnAMutatedFile) {
