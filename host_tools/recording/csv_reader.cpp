@@ -24,7 +24,10 @@ std::string fault_of_range(std::size_t slot, const CsvRow& row) {
                 column.least, column.most);
 }
 
-std::string fault_of_time(double previous_s, double time_s) {
+std::string fault_of_time(double previous_s, double time_s, bool of_calendar) {
+  if (time_s == previous_s && of_calendar) {
+    return format("time repeats, %.15g s from the first row; has it enough digits?", time_s);
+  }
   if (time_s == previous_s) return format("time_s repeats %.15g", time_s);
   return format("time_s goes back from %.15g to %.15g", previous_s, time_s);
 }
@@ -64,7 +67,9 @@ class RowCollector {
       }
     }
     const double time_s = row.values[kTimeSlot];
-    if (!(time_s > previous_s_)) return refuse(fault_of_time(previous_s_, time_s));
+    if (!(time_s > previous_s_)) {
+      return refuse(fault_of_time(previous_s_, time_s, recording_.power_on_unknown));
+    }
     if (recording_.rows() == long_recording_.part_rows()) hand_over();
     previous_s_ = time_s;
     lines_.add(recording_.rows(), file_.line_number());

@@ -370,6 +370,8 @@ TEST(ForeignFiles, AreRefusedWithTheLineThatHelpsWhereTheyMeanTwoThings) {
        "is no ISO 8601 date and time"},
       {"comma twice", "time_s,temperature_degc,rate_dph\n0,5,20,1,1,5\n1,5,20,1,1,5\n",
        ":2: 6 fields where the header has 3 (a ',' within numbers? separate columns by ';')"},
+      {"too few digits", "unix_s,temperature_degc,rate_dph\n1.7097e9,20,1\n1.7097e9,20,2\n",
+       ":3: time repeats, 0 s from the first row; has it enough digits?"},
       {"no header", "0\t20\t1\n1\t20\t1\n",
        "put a line such as time_s,temperature_degc,rate_dph before them, or give --columns "
        "'time=1[s],temperature=2[degC],rate=3[deg/h]'"},
