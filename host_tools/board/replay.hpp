@@ -35,6 +35,8 @@ class Replay {
   fog::Span<const std::uint8_t> feed(fog::Span<const std::uint8_t> bytes,
                                      fog::SampleTime time = {});
 
+  /// The sample behind the last bytes.
+  const fog::OutputSample& last() const { return compensator_->last(); }
   const ReplaySummary& summary() const { return summary_; }
 
  private:

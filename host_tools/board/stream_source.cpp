@@ -1,6 +1,8 @@
 #include "board/stream_source.hpp"
 
-#include "recording/input_file.hpp"
+#include <utility>
+
+#include "recording/output_stream_reader.hpp"
 #include "recording/stream_reader.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -21,16 +23,23 @@ void warn_of_late_start(const recording::Recording& recording, const recording::
 
 StreamSource::StreamSource(const std::string& path, const recording::ReadOptions& options,
                            double scale_factor, fog::InputMask needs)
-    : path_(path),
-      scale_factor_(scale_factor),
+    : scale_factor_(scale_factor),
       extension_(needs & fog::kAllExtensionInputs),
       watch_(options.watch) {
-  recording::InputFile file(path);
-  capture_ = recording::is_sensor_stream(file.peek());
-  if (capture_) return;
+  auto file = std::make_unique<recording::InputFile>(path, options.watch.progress);
+  if (recording::find_output_frames(file->peek())) {
+    throw InputError(path,
+                     "is what a board has sent; give what a board is sent: a recording of the "
+                     "gyro or a capture of the sensor stream");
+  }
+  if (recording::is_sensor_stream(file->peek())) {
+    capture_ = std::move(file);
+    return;
+  }
   recording::ReadOptions all_rows = options;
   all_rows.keep_refused_rows = true;
-  recording_ = recording::read_recording(path, all_rows);
+  all_rows.every_row = true;
+  recording_ = recording::read_recording(*file, all_rows);
   if (has(needs, fog::Input::elapsed)) warn_of_late_start(recording_, watch_);
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     const fog::Input input = fog::extension_input(i);
@@ -40,14 +49,13 @@ StreamSource::StreamSource(const std::string& path, const recording::ReadOptions
   }
 }
 
-void StreamSource::send(const TimedByteSink& sink) const {
+void StreamSource::send(const TimedByteSink& sink) {
   if (!capture_) {
     make_sensor_stream(recording_, scale_factor_, extension_, sink, watch_);
     return;
   }
-  recording::InputFile file(path_, watch_.progress);
   for (;;) {
-    const std::string_view block = file.next_block();
+    const std::string_view block = capture_->next_block();
     if (block.empty()) return;
     sink({reinterpret_cast<const std::uint8_t*>(block.data()), block.size()}, {});
   }

@@ -22,6 +22,11 @@ bool is_model_or_header(const std::string& path) {
   return head.rfind(kModelTitle, 0) == 0 || head == kHeaderTitle;
 }
 
+// Standard input.
+bool is_dash(const std::string& word) {
+  return word == "-";
+}
+
 // A word that names no file cannot be lost.
 bool is_overwritten_by(const std::string& output, const std::string& input) {
   std::error_code error;
@@ -192,7 +197,7 @@ std::vector<Fault> absent_inputs(const Command& command) {
     const std::string& word = command.arguments[i];
     const bool effect = !command.words.empty() && i == 1 && !has_replacement(command);
     std::error_code error;
-    if (!reads_positionals(command) || effect || is_word(command, word)) continue;
+    if (!reads_positionals(command) || effect || is_word(command, word) || is_dash(word)) continue;
     if (!std::filesystem::exists(word, error)) absent.push_back({word, "does not exist"});
   }
   return absent;

@@ -55,9 +55,11 @@ class Command : public OptionGroup {
 
 using CommandPointer = std::unique_ptr<Command>;
 CommandPointer add_command();
+CommandPointer apply_command();
 CommandPointer batch_command();
 CommandPointer compare_command();
 CommandPointer completion_command();
+CommandPointer convert_command();
 CommandPointer denoise_command();
 CommandPointer diagnose_command();
 CommandPointer effects_command();

@@ -1,6 +1,5 @@
 // fogcomp denoise: a recording without its noise.
 
-#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -8,12 +7,10 @@
 #include "cli/command.hpp"
 #include "cli/denoise_options.hpp"
 #include "cli/gyro_limit_options.hpp"
+#include "cli/recording_file.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/watch.hpp"
-#include "recording/columns.hpp"
-#include "recording/recording_writer.hpp"
 #include "support/json.hpp"
-#include "support/progress.hpp"
 #include "support/text.hpp"
 #include "workflow/denoise.hpp"
 
@@ -21,29 +18,6 @@ namespace fogcomp::cli {
 namespace {
 
 using workflow::DenoiseOutcome;
-
-void write_recording(const recording::Recording& recording, const std::string& path) {
-  std::vector<recording::Column> columns;
-  std::vector<const double*> values;
-  for (const recording::ColumnInfo& info : recording::kColumns) {
-    const std::vector<double>& column = recording[info.column];
-    if (column.empty()) continue;
-    columns.push_back(info.column);
-    values.push_back(column.data());
-  }
-  recording::RecordingWriter writer(path, recording::RecordingFormat::csv, columns,
-                                    recording::kDefaultScaleFactor,
-                                    recording::kDefaultStreamRateHz);
-  Progress progress("writing " + path);
-  constexpr std::size_t kRowsAtOnce = 100'000;
-  for (std::size_t first = 0; first < recording.rows(); first += kRowsAtOnce) {
-    const std::size_t rows = std::min(kRowsAtOnce, recording.rows() - first);
-    writer.append(values, rows);
-    for (const double*& column : values) column += rows;
-    progress.update(static_cast<double>(first + rows) / static_cast<double>(recording.rows()));
-  }
-  writer.commit();
-}
 
 void print_json(const std::string& output, const DenoiseOutcome& found) {
   Json levels = json_array(found.report.levels, [&](const denoise::DenoiseReport::Level& level) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "recording/column_map.hpp"
 #include "support/input_error.hpp"
 #include "support/units.hpp"
 
@@ -21,8 +22,17 @@ double RecordingOptions::earth_rate_dph() const {
   return axis.value() * kEarthRateDph * std::sin(latitude.value() * kRadiansPerDegree);
 }
 
+// --rate-column is the part of --columns that files of several axes need.
+std::string RecordingOptions::column_map() const {
+  std::string map = columns.text();
+  if (rate_column.given()) map += (map.empty() ? "rate=" : ",rate=") + rate_column.value();
+  recording::parse_column_map(map);  // what is wrong with it is said before a file is read
+  return map;
+}
+
 recording::ReadOptions RecordingOptions::value() const {
   recording::ReadOptions options;
+  options.columns = column_map();
   options.scale_factor = scale_factor.find();
   options.skip_bad_rows = skip_bad_rows.given();
   options.default_input_rate_dph = earth_rate_dph();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "cli/option.hpp"
 #include "recording/recording.hpp"
 
@@ -15,18 +17,24 @@ struct RecordingOptions : OptionGroup {
       this,
       {"scale-factor", "C", "counts per deg/s of a `counts` column or a sensor stream"},
       {1e-6, 1e15}};
+  Text columns{this, {"columns", "MAP", "which is which: time=Stamp[ms],rate=Gyro_X[deg/s]"}};
+  Text rate_column{
+      this,
+      {"rate-column", "NAME", "of several rates the one to take: 'Gyro_X [deg/s]'", "", kRare}};
   Flag skip_bad_rows{this, "skip-bad-rows",
                      "leave bad rows out and count them instead of stopping"};
   Number latitude{
       this,
       {"latitude", "DEG", "subtract the Earth rate there, for a file without input_rate_dph"},
       {-90, 90}};
-  Choice<double> axis{this,
-                      {"axis", "up|down", "where the input axis points, with --latitude", "up"},
-                      {{"up", 1}, {"down", -1}}};
+  Choice<double> axis{
+      this,
+      {"axis", "up|down", "where the input axis points, with --latitude", "up", kRare},
+      {{"up", 1}, {"down", -1}}};
   Number rate{this, {"rate", "HZ", "sample rate of a captured sensor stream", "200"}, {1e-3, 1e6}};
 
  private:
+  std::string column_map() const;
   double earth_rate_dph() const;
 };
 

@@ -71,9 +71,13 @@ void add_extent(Document& document, const recording::Recording& recording) {
     text += format(" at %.6g Hz, %s", 1 / recording.period_s,
                    duration(length_s + recording.period_s).c_str());
   }
+  if (recording.rows_per_row > 1) text += format(", each the mean of %zu", recording.rows_per_row);
   const std::size_t gaps = recording.stretch_starts.size() - 1;
   if (gaps > 0) text += ", " + counted(gaps, "gap");
   if (recording.bad_rows > 0) text += ", " + counted(recording.bad_rows, "bad row") + " left out";
+  if (recording.empty_rows > 0) {
+    text += ", " + counted(recording.empty_rows, "row") + " without a value left out";
+  }
   document.sentence(words(text));
   if (recording.refused_rows > 0) {
     document.sentence(

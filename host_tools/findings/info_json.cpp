@@ -72,7 +72,9 @@ Json info_json(const recording::Recording& recording, const compare::RunSummary&
   Json object = Json::object();
   object.set("file", recording.file)
       .set("rows", recording.rows())
+      .set("rows_per_row", recording.rows_per_row)
       .set("bad_rows", recording.bad_rows)
+      .set("empty_rows", recording.empty_rows)
       .set("refused_rows", recording.refused_rows)
       .set("gaps", recording.stretch_starts.size() - 1)
       .set("period_s", recording.period_s)

@@ -6,6 +6,7 @@
 #include "core/bytes/crc.hpp"
 #include "noise/white_noise.hpp"
 #include "recording/data_hash.hpp"
+#include "recording/plausibility.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::fit {
@@ -43,7 +44,10 @@ TrainingRuns read_training_runs(const std::vector<std::string>& files,
     known.add(run.rows_hash, file);
     training.notes.insert(training.notes.end(), run.notes.begin(), run.notes.end());
     training.data_hash = recording::data_hash(recording, training.data_hash);
-    noise_square += std::pow(noise::white_noise_dph_rthz(recording), 2);
+    const double noise_dph_rthz = noise::white_noise_dph_rthz(recording);
+    const std::vector<std::string> doubts = recording::doubts(recording, noise_dph_rthz);
+    training.doubts.insert(training.doubts.end(), doubts.begin(), doubts.end());
+    noise_square += std::pow(noise_dph_rthz, 2);
     training.runs.push_back(std::move(run));
   }
   training.noise_dph_rthz = std::sqrt(noise_square / static_cast<double>(training.runs.size()));

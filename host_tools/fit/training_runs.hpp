@@ -17,6 +17,7 @@ struct TrainingRuns {
   double noise_dph_rthz = 0;    ///< white noise density, rms of the runs'
   /// Of a row, rms of the runs' by their length; nothing where no run shows one.
   std::optional<double> noise_floor_dph;
+  std::vector<std::string> doubts;  ///< figures that no gyro has (recording/plausibility.hpp)
   std::vector<std::string>
       notes;  ///< a line for each file that is left out, and what its rows lack
 };

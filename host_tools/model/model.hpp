@@ -90,8 +90,11 @@ struct Model {
 
   double scale_factor = 0;         ///< counts per deg/s of the board's sensor stream
   recording::GyroLimits limits{};  ///< by which the board judges the rate
-  double derivative_tau_s = 0;     ///< of each of the two lags behind dT/dt
-  double least_degc = 0;           ///< trained range; the board clamps to it
+  /// Which column of a file is which (recording::ReadOptions::columns), where its recordings needed
+  /// it; else empty.
+  std::string columns{};
+  double derivative_tau_s = 0;  ///< of each of the two lags behind dT/dt
+  double least_degc = 0;        ///< trained range; the board clamps to it
   double most_degc = 0;
   /// What else the training data covered, for warnings; files from before these were kept have
   /// none.

@@ -303,6 +303,7 @@ const std::map<std::string, LineReader> kLines{
                      Model& m) { m.limits.range_dps = in.number(1e-3, recording::kMaxRangeDps); }},
     {"max_acceleration_dps2",
      [](ModelReader& in, Model& m) { m.limits.max_acceleration_dps2 = in.number(1e-3, 1e9); }},
+    {"columns", [](ModelReader& in, Model& m) { m.columns = displayable(in.rest_of_line()); }},
     {"derivative_tau_s",
      [](ModelReader& in, Model& m) { m.derivative_tau_s = in.number(1e-3, 1e5); }},
     {"average_s", [](ModelReader& in, Model& m) { m.average_s = in.number(1e-6, 1e6); }},
@@ -360,6 +361,7 @@ std::string model_text(const Model& model) {
   out.word("scale_factor").number(model.scale_factor).end_line();
   out.word("range_dps").number(model.limits.range_dps).end_line();
   out.word("max_acceleration_dps2").number(model.limits.max_acceleration_dps2).end_line();
+  if (!model.columns.empty()) out.word("columns").word(model.columns).end_line();
   out.word("derivative_tau_s").number(model.derivative_tau_s).end_line();
   out.word("range_degc").number(model.least_degc).number(model.most_degc).end_line();
   if (const auto& rate = model.rate_range_degc_per_min) {

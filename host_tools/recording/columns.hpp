@@ -42,6 +42,15 @@ inline constexpr auto kColumns = [] {
   return columns;
 }();
 
+/// Index into kColumns.
+constexpr std::size_t slot_of(Column column) {
+  return static_cast<std::size_t>(column);
+}
+constexpr std::size_t kTimeSlot = slot_of(Column::time_s);
+constexpr std::size_t kTemperatureSlot = slot_of(Column::temperature_degc);
+constexpr std::size_t kRateSlot = slot_of(Column::rate_dph);
+constexpr std::size_t kInputRateSlot = slot_of(Column::input_rate_dph);
+
 constexpr const ColumnInfo& column_info(Column column) {
   return kColumns[static_cast<std::size_t>(column)];
 }

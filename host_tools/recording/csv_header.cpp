@@ -2,29 +2,23 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <utility>
 
-#include "recording/column_units.hpp"
+#include "recording/column_map.hpp"
 #include "recording/columns.hpp"
+#include "recording/decision_rules.hpp"
 #include "support/input_error.hpp"
-#include "support/model_title.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::recording {
 namespace {
 
-constexpr std::size_t kRateSlot = static_cast<std::size_t>(Column::rate_dph);
-constexpr std::size_t kInputRateSlot = static_cast<std::size_t>(Column::input_rate_dph);
+constexpr std::size_t kRequiredSlots[] = {kTimeSlot, kTemperatureSlot, kRateSlot};
 constexpr std::string_view kCountsName = "counts";
 constexpr std::string_view kSegmentName = "segment";
 constexpr std::size_t kMostNamesShown = 12;
-
-std::string without_quotes(std::string_view name) {
-  if (name.size() >= 2 && name.front() == '"' && name.back() == '"') {
-    name = name.substr(1, name.size() - 2);
-  }
-  return std::string(trim(name));
-}
 
 std::string joined(const std::vector<std::string>& names) {
   std::string list;
@@ -41,7 +35,7 @@ std::vector<std::string> known_names() {
   return names;
 }
 
-std::size_t slot_of(std::string_view name) {
+std::size_t slot_named(std::string_view name) {
   if (name == kSegmentName) return CsvHeader::kSegmentLabel;
   for (std::size_t slot = 0; slot < kColumns.size(); ++slot) {
     if (kColumns[slot].name == name) return slot;
@@ -49,100 +43,265 @@ std::size_t slot_of(std::string_view name) {
   return CsvHeader::kIgnored;
 }
 
-void refuse_what_is_no_header(const std::vector<std::string>& names, std::string_view text,
-                              const std::string& where) {
-  if (text.rfind(kModelTitle, 0) == 0) {
-    throw InputError(where, "a model, where a recording should be; name a recording");
-  }
-  if (std::all_of(names.begin(), names.end(),
-                  [](const std::string& name) { return parse_number(name).has_value(); })) {
-    throw InputError(where,
-                     "numbers where the column names should be; put a line such as "
-                     "time_s,temperature_degc,rate_dph before them");
-  }
-  if (text.find('\r') != std::string_view::npos) {
-    throw InputError(where, "lines end in CR alone; save the file with LF or CRLF");
-  }
-  if (names.size() > 1) return;
-  if (text.find(';') != std::string_view::npos || text.find('\t') != std::string_view::npos) {
-    throw InputError(where, "columns separated by ';' or tabs; save the file with ','");
-  }
+std::string quoted(const ColumnName& column) {
+  return "'" + printable(column.text) + "'";
 }
 
-void refuse_duplicates(const std::vector<std::string>& names, const std::string& where) {
-  const std::vector<std::string> known = known_names();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    // First: with a header of many columns the search below is long.
-    if (std::find(known.begin(), known.end(), names[i]) == known.end()) continue;
-    const auto twin =
-        std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]);
-    if (twin == names.begin() + static_cast<std::ptrdiff_t>(i)) continue;
-    throw InputError(where, "column '" + names[i] + "' stands twice, in fields " +
-                                std::to_string(twin - names.begin() + 1) + " and " +
-                                std::to_string(i + 1) + "; rename or remove one");
-  }
-}
-
-// What a wrong name alone can be the matter with: not a column in its own right, nor another unit.
-std::vector<std::string> renamable(const std::vector<std::string>& names) {
-  std::vector<std::string> chosen;
-  std::copy_if(names.begin(), names.end(), std::back_inserter(chosen), [](const auto& name) {
-    return slot_of(name) == CsvHeader::kIgnored && !has_foreign_unit(name);
-  });
-  return chosen;
-}
-
-void require(const CsvHeader& header, Column column, const std::string& where) {
-  if (header.has(static_cast<std::size_t>(column))) return;
-  const std::string name(column_info(column).name);
-  const std::string conversion = how_to_convert(column, header.names);
-  if (!conversion.empty()) throw InputError(where, "no column '" + name + "': " + conversion);
-  throw InputError(where, "no column '" + name + "'" + did_you_mean(name, renamable(header.names)) +
-                              "; the header has " + joined(header.names) + "; rename or add it");
-}
-
-// `counts` take the place of the rate where there is a scale factor, or nothing else.
-void choose_rate(CsvHeader& header, const std::string& file, const std::string& where,
-                 const ReadOptions& options) {
-  const auto counts = std::find(header.names.begin(), header.names.end(), kCountsName);
-  const bool has_counts = counts != header.names.end();
-  if (!has_counts || (header.has(kRateSlot) && !options.scale_factor)) {
-    if (options.scale_factor) {
-      options.watch.say(file, "no column 'counts': --scale-factor changes nothing");
+/// Gives the fields of one header their meanings.
+class HeaderReader {
+ public:
+  HeaderReader(const HeaderLines& lines, const ReadOptions& options)
+      : lines_(lines), options_(options) {
+    for (std::size_t i = 0; i < lines.names.size(); ++i) {
+      // Beyond, only a recording's own names count: looking closer would take seconds.
+      const bool close = i < rules::kMaxColumnsUnderstood ||
+                         slot_named(without_quotes(lines.names[i])) != CsvHeader::kIgnored;
+      columns_.emplace_back(close ? lines.names[i] : "",
+                            close && i < lines.units.size() ? lines.units[i] : "");
+      header_.names.push_back(without_quotes(lines.names[i]));
     }
-    return;
+    header_.slots.assign(header_.names.size(), CsvHeader::kIgnored);
   }
-  const auto scale_factor =
-      options.scale_factor ? options.scale_factor : options.model_scale_factor;
-  if (!scale_factor) {
-    throw InputError(where,
-                     "'counts' without a scale factor; give --scale-factor (counts per "
-                     "deg/s) or a column 'rate_dph'");
-  }
-  std::replace(header.slots.begin(), header.slots.end(), kRateSlot, CsvHeader::kIgnored);
-  header.slots[static_cast<std::size_t>(counts - header.names.begin())] = kRateSlot;
-  header.dph_per_rate_unit = kDphPerDegreePerSecond / *scale_factor;
-}
 
-void name_ignored_columns(const CsvHeader& header, const std::string& file,
-                          const ReadWatch& watch) {
-  std::vector<std::string> ignored;
-  for (std::size_t i = 0; i < header.names.size(); ++i) {
-    if (header.slots[i] == CsvHeader::kIgnored) ignored.push_back(header.names[i]);
+  CsvHeader read() {
+    take_chosen();
+    take_own_names();
+    take_counts();
+    for (std::size_t slot = 0; slot < kColumns.size(); ++slot) {
+      if (!header_.has(slot)) take_likely(slot);
+    }
+    for (const std::size_t slot : kRequiredSlots) require(slot);
+    name_ignored_columns();
+    if (header_.has(kInputRateSlot) && options_.default_input_rate_dph != 0) {
+      say("its input_rate_dph is used; --latitude changes nothing");
+    }
+    return std::move(header_);
   }
-  if (ignored.empty()) return;
-  std::string hint;
-  for (const ColumnInfo& info : kColumns) {
-    if (!hint.empty() || header.has(static_cast<std::size_t>(info.column))) continue;
-    hint = how_to_convert(info.column, ignored);
-    if (!hint.empty()) hint = " (" + hint + ")";
+
+ private:
+  using Fields = std::vector<std::size_t>;
+
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(lines_.where, what); }
+  void say(const std::string& what) const { options_.watch.say(lines_.file, what); }
+
+  std::string place(std::size_t field) const {
+    return "column " + std::to_string(field + 1) + " " + quoted(columns_[field]);
   }
-  if (ignored.size() == 1 && !has_foreign_unit(ignored[0])) {
-    hint = did_you_mean(ignored[0], known_names());
+
+  /// What --columns says, or, where the file has all of its names, what the model remembers.
+  void take_chosen() {
+    if (!options_.columns.empty()) {
+      for (const ColumnChoice& choice : parse_column_map(options_.columns)) {
+        const auto chosen = find_field(choice, columns_);
+        if (!chosen) {
+          fail("no column '" + printable(choice.name) +
+               "', which --columns names; the header has " + joined(header_.names));
+        }
+        take(chosen->field, choice.slot, chosen->unit);
+      }
+      return;
+    }
+    std::vector<std::pair<ColumnChoice, ChosenField>> remembered;
+    for (const ColumnChoice& choice : parse_column_map(options_.model_columns)) {
+      const auto chosen = find_field(choice, columns_);
+      if (!chosen) return;
+      remembered.emplace_back(choice, *chosen);
+    }
+    for (const auto& [choice, chosen] : remembered) take(chosen.field, choice.slot, chosen.unit);
   }
-  watch.say(file, std::string("column") + (ignored.size() == 1 ? "" : "s") +
-                      " ignored: " + joined(ignored) + hint);
-}
+
+  /// The names of a recording's columns, as they are or in capitals.
+  void take_own_names() {
+    const auto take_names = [&](auto name_of) {
+      std::vector<std::size_t> found(kColumns.size(), header_.names.size());
+      for (std::size_t i = 0; i < header_.names.size(); ++i) {
+        const std::size_t slot = slot_named(name_of(i));
+        if (slot == CsvHeader::kSegmentLabel && !header_.has(slot)) header_.slots[i] = slot;
+        if (slot >= kColumns.size() || header_.slots[i] != CsvHeader::kIgnored) continue;
+        if (found[slot] == header_.names.size() && header_.has(slot)) continue;
+        if (found[slot] < header_.names.size()) {
+          fail("column '" + printable(header_.names[i]) + "' stands twice, in fields " +
+               std::to_string(found[slot] + 1) + " and " + std::to_string(i + 1) +
+               "; rename or remove one");
+        }
+        found[slot] = i;
+        take(i, slot, std::nullopt);
+      }
+    };
+    take_names([&](std::size_t i) { return header_.names[i]; });
+    take_names([&](std::size_t i) { return columns_[i].key; });
+  }
+
+  /// `counts` take the place of the rate where there is a scale factor, or nothing else.
+  void take_counts() {
+    const auto counts = std::find_if(columns_.begin(), columns_.end(), [](const ColumnName& each) {
+      return each.key == kCountsName;
+    });
+    const bool has_counts = counts != columns_.end();
+    if (chosen_rate_ || !has_counts || (header_.has(kRateSlot) && !options_.scale_factor)) return;
+    std::replace(header_.slots.begin(), header_.slots.end(), kRateSlot, CsvHeader::kIgnored);
+    drop_conversion(kRateSlot);
+    const auto field = static_cast<std::size_t>(counts - columns_.begin());
+    header_.slots[field] = kRateSlot;
+    convert(kRateSlot, counts_unit("'counts'"));
+  }
+
+  Unit counts_unit(const std::string& name) {
+    const auto scale_factor =
+        options_.scale_factor ? options_.scale_factor : options_.model_scale_factor;
+    if (!scale_factor) {
+      fail(name +
+           " without a scale factor; give --scale-factor (counts per deg/s) or a column "
+           "'rate_dph'");
+    }
+    uses_scale_factor_ = true;
+    return {Quantity::rate, "counts", kDphPerDegreePerSecond / *scale_factor};
+  }
+
+  /// The one column whose name means it. Where several do, nobody but the user can tell.
+  void take_likely(std::size_t slot) {
+    Fields fields = likely(slot);
+    if (slot == kTimeSlot && fields.size() > 1) {
+      const Fields all = fields;
+      fields.erase(std::remove_if(fields.begin(), fields.end(),
+                                  [&](std::size_t field) { return !columns_[field].unit; }),
+                   fields.end());
+      if (fields.empty()) fields = all;
+    }
+    if (fields.empty()) return;
+    const bool required = slot == kTimeSlot || slot == kTemperatureSlot || slot == kRateSlot;
+    if (fields.size() == 1) return take(fields.front(), slot, std::nullopt);
+    if (required) fail_for_several(slot, fields);
+  }
+
+  Fields likely(std::size_t slot) const {
+    Fields fields;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (header_.slots[i] != CsvHeader::kIgnored || columns_[i].key.empty()) continue;
+      const auto meaning = columns_[i].meaning();
+      if (meaning && meaning->slot == slot) fields.push_back(i);
+    }
+    return fields;
+  }
+
+  [[noreturn]] void fail_for_several(std::size_t slot, const Fields& fields) const {
+    std::vector<std::string> places;
+    for (const std::size_t field : fields) {
+      if (places.size() < kMostNamesShown) places.push_back(place(field));
+    }
+    std::string what = map_key(slot) + " could be " + join(places, " or ") +
+                       "; say which: --columns '" + map_key(slot) + "=" +
+                       proposal(fields.front(), slot) + "'";
+    if (slot == kRateSlot) {
+      what += ", or --rate-column '" + proposal(fields.front(), slot) + "'";
+    }
+    fail(what);
+  }
+
+  // The column as --columns takes it.
+  std::string proposal(std::size_t field, std::size_t slot) const {
+    const ColumnName& column = columns_[field];
+    const bool number = column.text.find(',') != std::string::npos || column.text.empty();
+    const std::string name = number ? std::to_string(field + 1) : displayable(column.text);
+    if (column.unit) return number ? name + "[" + column.unit->words + "]" : name;
+    return name + (slot == kRateSlot ? "[deg/s]" : slot == kTimeSlot ? "[s]" : "[degC]");
+  }
+
+  void take(std::size_t field, std::size_t slot, const std::optional<Unit>& given) {
+    const ColumnName& column = columns_[field];
+    if (slot == kRateSlot && (given || !options_.columns.empty())) chosen_rate_ = true;
+    header_.slots[field] = slot;
+    if (slot >= kColumns.size()) return;
+    if (!column.contradiction.empty()) fail(column.contradiction + "; correct one of them");
+    if (given && column.unit && given->words != column.unit->words) {
+      fail(place(field) + " is in " + column.unit->words + ", --columns says " + given->words +
+           "; correct one of them");
+    }
+    use_unit(field, slot, given ? given : column.unit);
+  }
+
+  void use_unit(std::size_t field, std::size_t slot, std::optional<Unit> unit) {
+    const ColumnName& column = columns_[field];
+    if (unit && unit->quantity == Quantity::counts && quantity_of(slot) == Quantity::rate) {
+      unit = counts_unit(place(field));
+    }
+    if (unit && unit->quantity != quantity_of(slot)) {
+      fail(place(field) + " is in " + unit->words + ", which is no unit of " + map_key(slot));
+    }
+    if (!unit && !column.unknown_unit.empty()) {
+      fail(place(field) + ": unit '" + printable(column.unknown_unit) +
+           "' is not known; say it: --columns '" + map_key(slot) + "=" + std::to_string(field + 1) +
+           unit_proposal(slot) + "'");
+    }
+    const bool own = column.key == kColumns[slot].name;
+    if (!unit && slot == kRateSlot && !own) {
+      fail(place(field) + " has no unit; say it: --columns 'rate=" + proposal(field, slot) +
+           "' (or deg/h, rad/s, ...)");
+    }
+    if (slot == kTimeSlot) header_.time_has_unit = unit.has_value() || own;
+    if (unit) convert(slot, *unit);
+    if (column.text == kColumns[slot].name && (!unit || unit->is_ours())) return;
+    header_.understood.push_back(map_key(slot) + ": " + place(field) +
+                                 (unit ? unit->conversion_words() : " as " + own_unit(slot)));
+  }
+
+  static std::string own_unit(std::size_t slot) {
+    if (slot == kTimeSlot) return "s";
+    return slot == kTemperatureSlot ? "degC" : "it is";
+  }
+
+  static std::string unit_proposal(std::size_t slot) {
+    if (slot == kTimeSlot) return "[s]";
+    return quantity_of(slot) == Quantity::rate ? "[deg/s]" : "[degC]";
+  }
+
+  void convert(std::size_t slot, const Unit& unit) {
+    drop_conversion(slot);
+    if (!unit.is_ours()) header_.conversions.push_back({slot, unit});
+  }
+
+  void drop_conversion(std::size_t slot) {
+    auto& all = header_.conversions;
+    all.erase(
+        std::remove_if(all.begin(), all.end(), [&](const auto& each) { return each.slot == slot; }),
+        all.end());
+  }
+
+  void require(std::size_t slot) const {
+    if (header_.has(slot)) return;
+    const std::string name(kColumns[slot].name);
+    std::vector<std::string> free;  // what a wrong name alone can be the matter with
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const bool other_unit = columns_[i].unit && columns_[i].unit->quantity != Quantity::other;
+      if (header_.slots[i] == CsvHeader::kIgnored && !other_unit) free.push_back(header_.names[i]);
+    }
+    fail("no column '" + name + "'" + did_you_mean(name, free) + "; the header has " +
+         joined(header_.names) + "; rename or add it, or say which it is: --columns " +
+         map_key(slot) + "=NAME" + unit_proposal(slot));
+  }
+
+  void name_ignored_columns() const {
+    if (options_.scale_factor && !uses_scale_factor_) {
+      say("no column 'counts': --scale-factor changes nothing");
+    }
+    std::vector<std::string> ignored;
+    for (std::size_t i = 0; i < header_.names.size(); ++i) {
+      if (header_.slots[i] == CsvHeader::kIgnored) ignored.push_back(header_.names[i]);
+    }
+    if (ignored.empty()) return;
+    std::string hint;
+    if (ignored.size() == 1) hint = did_you_mean(ignored[0], known_names());
+    say(std::string("column") + (ignored.size() == 1 ? "" : "s") + " ignored: " + joined(ignored) +
+        hint);
+  }
+
+  const HeaderLines& lines_;
+  const ReadOptions& options_;
+  std::vector<ColumnName> columns_;
+  CsvHeader header_;
+  bool chosen_rate_ = false;
+  bool uses_scale_factor_ = false;
+};
 
 }  // namespace
 
@@ -155,24 +314,37 @@ bool CsvHeader::has(std::size_t slot) const {
   return std::find(slots.begin(), slots.end(), slot) != slots.end();
 }
 
-CsvHeader parse_csv_header(std::string_view text, const std::string& file, const std::string& where,
-                           const ReadOptions& options) {
-  CsvHeader header;
-  for (const std::string& name : split(text, ',')) {
-    header.names.push_back(without_quotes(trim(name)));
-    header.slots.push_back(slot_of(header.names.back()));
+std::size_t CsvHeader::field_of(std::size_t slot) const {
+  return static_cast<std::size_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
+}
+
+std::size_t required_columns_among(const std::vector<std::string>& names,
+                                   const ReadOptions& options) {
+  std::vector<ColumnName> columns;
+  for (const std::string& name : names) {
+    const bool close = columns.size() < rules::kMaxColumnsUnderstood ||
+                       slot_named(without_quotes(name)) != CsvHeader::kIgnored;
+    columns.emplace_back(close ? name : "");
   }
-  refuse_what_is_no_header(header.names, text, where);
-  refuse_duplicates(header.names, where);
-  choose_rate(header, file, where, options);
-  for (const Column column : {Column::time_s, Column::temperature_degc, Column::rate_dph}) {
-    require(header, column, where);
+  std::set<std::size_t> found;
+  for (const ColumnName& column : columns) {
+    if (column.key.empty()) continue;
+    if (column.key == kCountsName) found.insert(kRateSlot);
+    if (const auto meaning = column.meaning()) found.insert(meaning->slot);
+    found.insert(slot_named(column.key));
   }
-  name_ignored_columns(header, file, options.watch);
-  if (header.has(kInputRateSlot) && options.default_input_rate_dph != 0) {
-    options.watch.say(file, "its input_rate_dph is used; --latitude changes nothing");
+  for (const std::string& map : {options.columns, options.model_columns}) {
+    for (const ColumnChoice& choice : parse_column_map(map)) {
+      if (find_field(choice, columns)) found.insert(choice.slot);
+    }
   }
-  return header;
+  return static_cast<std::size_t>(
+      std::count_if(std::begin(kRequiredSlots), std::end(kRequiredSlots),
+                    [&](std::size_t slot) { return found.count(slot) > 0; }));
+}
+
+CsvHeader understand_header(const HeaderLines& lines, const ReadOptions& options) {
+  return HeaderReader(lines, options).read();
 }
 
 }  // namespace fogcomp::recording

@@ -1,8 +1,7 @@
 #include "recording/csv_reader.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -10,108 +9,42 @@
 #include <vector>
 
 #include "recording/columns.hpp"
-#include "recording/csv_header.hpp"
-#include "recording/scan_decimal.hpp"
+#include "recording/csv_row.hpp"
+#include "recording/long_recording.hpp"
+#include "recording/sparse_columns.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::recording {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-bool is_space(char character) {
-  return character == ' ' || character == '\t';
-}
-
-bool is_comment_or_blank(std::string_view line) {
-  while (!line.empty() && is_space(line.front())) line.remove_prefix(1);
-  return line.empty() || line.front() == '#';
-}
-
-struct Row {
-  std::array<double, kColumns.size()> values{};
-  std::string_view label;
-};
-
-/// Reads the fields of `line` into `row`; false where a field is missing, surplus or no number.
-bool parse_row(const CsvHeader& header, std::string_view line, Row& row) {
-  const char* p = line.data();
-  const char* const end = p + line.size();
-  const std::size_t fields = header.slots.size();
-  for (std::size_t field = 0; field < fields; ++field) {
-    const std::size_t slot = header.slots[field];
-    if (slot < row.values.size()) {
-      while (p < end && is_space(*p)) ++p;
-      p = scan_decimal(p, end, row.values[slot]);
-      if (p == nullptr) return false;
-      while (p < end && is_space(*p)) ++p;
-    } else {
-      const char* const start = p;
-      p = std::find(p, end, ',');
-      if (slot == CsvHeader::kSegmentLabel) {
-        row.label = trim({start, static_cast<std::size_t>(p - start)});
-      }
-    }
-    const bool last = field + 1 == fields;
-    if (last != (p == end)) return false;
-    if (!last && *p++ != ',') return false;
-  }
-  return true;
-}
-
-/// Why parse_row refused `line`.
-std::string fault_of(const CsvHeader& header, std::string_view line) {
-  const std::vector<std::string> fields = split(line, ',');
-  if (fields.size() != header.slots.size()) {
-    return counted(fields.size(), "field") + " where the header has " +
-           std::to_string(header.slots.size());
-  }
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (header.slots[i] >= kColumns.size()) continue;
-    const std::string text(trim(fields[i]));
-    if (text.empty()) return header.names[i] + " is empty";
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    if (scan_decimal(text.data(), end, value) != end) {
-      return header.names[i] + " is '" + printable(text) + "', not a finite number";
-    }
-  }
-  return "not a row of numbers";
-}
-
-std::string fault_of_range(std::size_t slot, const Row& row) {
+std::string fault_of_range(std::size_t slot, const CsvRow& row) {
   const ColumnInfo& column = kColumns[slot];
   return format("%s is %.6g, outside %g to %g", std::string(column.name).c_str(), row.values[slot],
                 column.least, column.most);
 }
 
-std::string fault_of_time(double previous_s, double time_s) {
+std::string fault_of_time(double previous_s, double time_s, bool of_calendar) {
+  if (time_s == previous_s && of_calendar) {
+    return format("time repeats, %.15g s from the first row; has it enough digits?", time_s);
+  }
   if (time_s == previous_s) return format("time_s repeats %.15g", time_s);
   return format("time_s goes back from %.15g to %.15g", previous_s, time_s);
-}
-
-CsvHeader read_header(InputFile& file, const ReadOptions& options) {
-  std::string_view line;
-  while (file.next_line(line)) {
-    if (file.line_number() == 1 && line.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
-      line.remove_prefix(kByteOrderMark.size());
-    }
-    if (!is_comment_or_blank(line)) {
-      return parse_csv_header(line, file.path(), file.where(), options);
-    }
-  }
-  throw InputError(file.path(), "has no header line and no rows; is it the right file?");
 }
 
 /// Collects good rows into a Recording and bad ones into a count.
 class RowCollector {
  public:
-  RowCollector(const CsvHeader& header, const InputFile& file, const ReadOptions& options,
-               LineNumbers& lines)
-      : header_(header), file_(file), options_(options), lines_(lines) {
+  RowCollector(const CsvLayout& layout, const InputFile& file, const ReadOptions& options,
+               LineNumbers& lines, std::size_t least_rows)
+      : reader_(layout),
+        file_(file),
+        options_(options),
+        lines_(lines),
+        long_recording_(options, least_rows) {
     recording_.file = file.path();
-    for (const std::size_t slot : header.slots) {
+    recording_.power_on_unknown = layout.time != TimeFormat::number;
+    for (const std::size_t slot : layout.header.slots) {
       if (slot < kColumns.size()) columns_.push_back({slot, &(recording_[kColumns[slot].column])});
     }
   }
@@ -119,50 +52,83 @@ class RowCollector {
   /// Room for all rows of a file of `bytes`, judged by the length of one of them: growing as it
   /// goes would copy every column several times.
   void reserve(std::size_t bytes, std::size_t bytes_of_line) {
-    const std::size_t rows = std::min(bytes / (bytes_of_line + 1) + 1, kMostRows);
+    const std::size_t rows = std::min(bytes / (bytes_of_line + 1) + 1, long_recording_.part_rows());
     for (const auto& [slot, values] : columns_) values->reserve(rows);
   }
 
   void add(std::string_view line) {
-    Row row;
-    if (!parse_row(header_, line, row)) return refuse(fault_of(header_, line));
-    row.values[kRateSlot] *= header_.dph_per_rate_unit;
+    CsvRow row;
+    if (!reader_.read(line, row)) return refuse(reader_.fault_of(line));
+    if (row.lacks_values && lacks_needed(row)) return;
     for (const auto& [slot, values] : columns_) {
-      if (!kColumns[slot].can_be(row.values[slot])) return refuse(fault_of_range(slot, row));
+      const double value = row.values[slot];
+      if (!kColumns[slot].can_be(value) && !std::isnan(value)) {
+        return refuse(fault_of_range(slot, row));
+      }
     }
     const double time_s = row.values[kTimeSlot];
-    if (!(time_s > previous_s_)) return refuse(fault_of_time(previous_s_, time_s));
-    if (recording_.rows() == kMostRows) {
-      throw InputError(file_.where(), format("more than %zu million rows; average or cut the file",
-                                             kMostRows / 1'000'000));
+    if (!(time_s > previous_s_)) {
+      return refuse(fault_of_time(previous_s_, time_s, recording_.power_on_unknown));
     }
+    if (recording_.rows() == long_recording_.part_rows()) hand_over();
     previous_s_ = time_s;
     lines_.add(recording_.rows(), file_.line_number());
     if (!row.label.empty() || !recording_.labels.empty()) add_label(row.label);
     for (const auto& [slot, values] : columns_) values->push_back(row.values[slot]);
+    sparse_ = sparse_ || row.lacks_values;
   }
 
   Recording finish() {
-    if (recording_.rows() == 0) {
+    const bool none = recording_.rows() == 0 && long_recording_.rows_taken() == 0;
+    if (none && recording_.bad_rows == 0 && recording_.empty_rows > 0) {
+      throw InputError(file_.path(), "has no row with a time and a rate");
+    }
+    if (none) {
       throw InputError(file_.path(), recording_.bad_rows == 0
                                          ? "has a header but no rows"
                                          : "has no good row; the first bad one: " + first_fault_);
+    }
+    if (recording_.empty_rows > 0) {
+      options_.watch.say(file_.path(), counted(recording_.empty_rows, "row") +
+                                           " left out: no time or rate, the first at line " +
+                                           std::to_string(first_empty_));
     }
     if (recording_.bad_rows > 0) {
       options_.watch.say(file_.path(), counted(recording_.bad_rows, "bad row") +
                                            " left out, the first: " + first_fault_);
     }
-    return std::move(recording_);
+    complete_sparse();
+    if (!long_recording_.begun()) return std::move(recording_);
+    hand_over();
+    Recording means = long_recording_.finish(file_.path());
+    means.bad_rows = recording_.bad_rows;
+    means.empty_rows = recording_.empty_rows;
+    return means;
   }
 
  private:
-  static constexpr std::size_t kTimeSlot = static_cast<std::size_t>(Column::time_s);
-  static constexpr std::size_t kRateSlot = static_cast<std::size_t>(Column::rate_dph);
-
   struct Target {
     std::size_t slot;
     std::vector<double>* values;
   };
+
+  void complete_sparse() {
+    if (sparse_) complete_sparse_columns(recording_, lines_, options_.watch);
+    sparse_ = false;
+  }
+
+  void hand_over() {
+    complete_sparse();
+    long_recording_.take(recording_, lines_, file_.where());
+    for (const auto& [slot, values] : columns_) values->reserve(long_recording_.part_rows());
+  }
+
+  // A row without its time or rate says nothing; without anything else it is completed later.
+  bool lacks_needed(const CsvRow& row) {
+    if (!std::isnan(row.values[kTimeSlot]) && !std::isnan(row.values[kRateSlot])) return false;
+    if (recording_.empty_rows++ == 0) first_empty_ = file_.line_number();
+    return true;
+  }
 
   void refuse(const std::string& fault) {
     if (!options_.skip_bad_rows) {
@@ -179,24 +145,40 @@ class RowCollector {
     recording_.labels.push_back({recording_.rows(), displayable(label)});
   }
 
-  const CsvHeader& header_;
+  CsvRowReader reader_;
   const InputFile& file_;
   const ReadOptions& options_;
   LineNumbers& lines_;
   Recording recording_;
+  LongRecording long_recording_;
   std::vector<Target> columns_;
   double previous_s_ = -std::numeric_limits<double>::infinity();
   std::string first_fault_;
+  std::size_t first_empty_ = 0;  // line of the first row without time or rate
+  bool sparse_ = false;
   std::string last_label_;
 };
+
+// By the length of its first lines; later ones, with longer times, are not twice as long.
+std::size_t least_rows_of(const InputFile& file, std::string_view head) {
+  const auto lines = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n'));
+  if (head.empty() || file.is_utf16()) return 0;
+  return static_cast<std::size_t>(static_cast<double>(file.size()) / 2 *
+                                  static_cast<double>(lines) / static_cast<double>(head.size()));
+}
 
 }  // namespace
 
 Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lines) {
-  const CsvHeader header = read_header(file, options);
-  RowCollector collector(header, file, options, lines);
-  bool reserved = false;
+  // Once for a line that is longer than what can be looked at.
+  const std::string_view head = file.peek();
   std::string_view line;
+  if (head.find('\n') == std::string_view::npos && !file.at_end()) file.next_line(line);
+  const CsvLayout layout =
+      find_csv_layout({head, file.at_end(), file.is_utf16(), file.path()}, options);
+  RowCollector collector(layout, file, options, lines, least_rows_of(file, head));
+  for (std::size_t i = 0; i < layout.lines_before_rows; ++i) file.next_line(line);
+  bool reserved = false;
   while (file.next_line(line)) {
     if (is_comment_or_blank(line)) continue;
     if (!reserved) collector.reserve(file.size(), line.size());

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -16,12 +17,14 @@ namespace {
 
 constexpr std::size_t kMostBufferBytes = 1U << 20U;
 constexpr std::size_t kFewestBufferBytes = 1U << 16U;
+constexpr std::size_t kPieceBytes = 1U << 14U;
+constexpr const char* kStandardInput = "/dev/stdin";
 
 }  // namespace
 
 InputFile::InputFile(std::string path, std::function<void(const std::string&, double)> progress)
     : path_(std::move(path)), buffer_bytes_(kMostBufferBytes), progress_(std::move(progress)) {
-  descriptor_ = open_input(path_);
+  descriptor_ = open_input(path_ == "-" ? kStandardInput : path_);
   struct stat status {};
   if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) {
     size_ = static_cast<std::size_t>(status.st_size);
@@ -36,20 +39,50 @@ InputFile::~InputFile() {
   ::close(descriptor_);
 }
 
-// Moves the unread bytes to the front and reads until the buffer is full or the file ends.
-void InputFile::fill() {
-  std::memmove(buffer_.get(), buffer_.get() + begin_, end_ - begin_);
-  end_ -= begin_;
-  begin_ = 0;
-  while (!at_end_ && end_ < buffer_bytes_) {
-    const ssize_t got = ::read(descriptor_, buffer_.get() + end_, buffer_bytes_ - end_);
+std::size_t InputFile::read_into(char* place, std::size_t bytes) {
+  for (;;) {
+    const ssize_t got = ::read(descriptor_, place, bytes);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) {
       throw InputError(path_, std::string("cannot be read (") + std::strerror(errno) + ")");
     }
     at_end_ = got == 0;
-    end_ += static_cast<std::size_t>(got);
     read_bytes_ += static_cast<std::size_t>(got);
+    return static_cast<std::size_t>(got);
+  }
+}
+
+void InputFile::append_decoded(std::string_view bytes) {
+  char* const end = utf16_->decode(bytes, buffer_.get() + end_);
+  end_ = static_cast<std::size_t>(end - buffer_.get());
+}
+
+// What has been read so far is UTF-16: from here on the buffer holds UTF-8.
+void InputFile::begin_decoding(ByteOrder order) {
+  const std::string raw(buffer_.get(), end_);
+  buffer_bytes_ = 2 * kMostBufferBytes;
+  buffer_.reset(new char[buffer_bytes_ + 1]);
+  utf16_.emplace(order);
+  end_ = 0;
+  append_decoded(raw);
+}
+
+// Moves the unread bytes to the front and reads until the buffer is full or the file ends.
+void InputFile::fill() {
+  std::memmove(buffer_.get(), buffer_.get() + begin_, end_ - begin_);
+  end_ -= begin_;
+  begin_ = 0;
+  while (!utf16_ && !at_end_ && end_ < buffer_bytes_) {
+    end_ += read_into(buffer_.get() + end_, buffer_bytes_ - end_);
+    // A pipe may give a byte at a time: what it is shows in more of them.
+    if (begun_ || (!at_end_ && end_ < kPieceBytes)) continue;
+    begun_ = true;
+    if (const auto order = utf16_order({buffer_.get(), end_})) begin_decoding(*order);
+  }
+  std::array<char, kPieceBytes> piece;
+  while (utf16_ && !at_end_ && end_ + Utf16Decoder::max_output(kPieceBytes) < buffer_bytes_) {
+    const std::size_t got = read_into(piece.data(), kPieceBytes);
+    append_decoded({piece.data(), got});
   }
   if (size_ == 0 || !progress_) return;
   progress_("reading " + path_, static_cast<double>(read_bytes_) / static_cast<double>(size_));

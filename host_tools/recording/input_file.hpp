@@ -3,16 +3,20 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "recording/utf16.hpp"
 
 namespace fogcomp::recording {
 
 /// A file or pipe read once from start to end through one buffer, by lines or by blocks;
-/// one whose size is known tells how far it is. Errors are InputError with the file's name.
+/// one whose size is known tells how far it is. UTF-16 text comes out as UTF-8. Errors are
+/// InputError with the file's name.
 class InputFile {
  public:
-  /// Throws for a missing file, a directory, or one that may not be read.
+  /// "-" is standard input. Throws for a missing file, a directory, or one that may not be read.
   /// `progress` is told how much is read, 0..1; or empty.
   explicit InputFile(std::string path,
                      std::function<void(const std::string& stage, double done)> progress = {});
@@ -23,6 +27,9 @@ class InputFile {
   const std::string& path() const { return path_; }
   /// Size in bytes, 0 where it is not known beforehand (a pipe).
   std::size_t size() const { return size_; }
+  bool is_utf16() const { return utf16_.has_value(); }
+  /// Whether peek() shows all that is left.
+  bool at_end() const { return at_end_; }
 
   /// The unread bytes at hand, without taking them: 1 MiB, or all that is left of the file.
   std::string_view peek();
@@ -39,6 +46,9 @@ class InputFile {
 
  private:
   void fill();
+  std::size_t read_into(char* place, std::size_t bytes);
+  void begin_decoding(ByteOrder order);
+  void append_decoded(std::string_view bytes);
 
   std::string path_;
   int descriptor_ = -1;
@@ -50,6 +60,8 @@ class InputFile {
   bool at_end_ = false;
   std::size_t line_number_ = 0;
   std::size_t read_bytes_ = 0;
+  bool begun_ = false;
+  std::optional<Utf16Decoder> utf16_;
   std::function<void(const std::string&, double)> progress_;
 };
 

@@ -7,59 +7,15 @@
 #include "recording/csv_reader.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/line_numbers.hpp"
+#include "recording/output_stream_reader.hpp"
 #include "recording/refused_rows.hpp"
-#include "recording/row_range.hpp"
 #include "recording/stream_reader.hpp"
+#include "recording/stretches.hpp"
 #include "support/input_error.hpp"
-#include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::recording {
 namespace {
-
-// Of at most 65537 spacings spread over the recording: a typical value needs no more.
-double median_spacing_s(const std::vector<double>& time_s) {
-  constexpr std::size_t kMostSpacings = 65536;
-  const std::size_t step = time_s.size() / kMostSpacings + 1;
-  std::vector<double> spacings;
-  for (std::size_t i = 1; i < time_s.size(); i += step) {
-    spacings.push_back(time_s[i] - time_s[i - 1]);
-  }
-  return median(std::move(spacings));
-}
-
-// Times are printed in decimals, and so is what lies between them: without this, rounding of the
-// differences turns 0.005 into 0.00499999999738.
-double without_rounding_dust(double period_s) {
-  constexpr double kDigits = 9;
-  const double units_per_s = std::pow(10, kDigits - std::floor(std::log10(period_s)));
-  return std::round(period_s * units_per_s) / units_per_s;
-}
-
-void find_stretches(Recording& recording) {
-  recording.stretch_starts = {0};
-  recording.period_s = 0;
-  const std::vector<double>& time_s = recording.time_s;
-  if (time_s.size() < 2) return;
-  const double typical_s = median_spacing_s(time_s);
-  double spanned_s = 0;
-  std::size_t spacings = 0;
-  for (std::size_t i = 1; i < time_s.size(); ++i) {
-    const double spacing_s = time_s[i] - time_s[i - 1];
-    if (is_gap(spacing_s, typical_s)) {
-      recording.stretch_starts.push_back(i);
-    } else {
-      spanned_s += spacing_s;
-      ++spacings;
-    }
-  }
-  const double period_s = spanned_s / static_cast<double>(spacings);
-  if (period_s < rules::kMinPeriodS || period_s > rules::kMaxPeriodS) {
-    throw InputError(recording.file,
-                     format("rows are %g s apart; is time_s in seconds?", period_s));
-  }
-  recording.period_s = without_rounding_dust(period_s);
-}
 
 // What people give that is no text and no capture, by its first bytes.
 void refuse_other_formats(std::string_view head, const std::string& path) {
@@ -69,9 +25,7 @@ void refuse_other_formats(std::string_view head, const std::string& path) {
   };
   using namespace std::string_view_literals;
   constexpr Format kFormats[] = {
-      {"\xFF\xFE"sv, "is UTF-16 text; save it as UTF-8"},
-      {"\xFE\xFF"sv, "is UTF-16 text; save it as UTF-8"},
-      {"\x1F\x8B"sv, "is compressed by gzip; unpack it with gunzip"},
+      {"\x1F\x8B"sv, "is compressed by gzip; give it unpacked: zcat FILE | fogcomp ... -"},
       {"PK\x03\x04"sv, "is a ZIP archive or an Excel workbook; save the sheet as CSV"},
       {"MATLAB 5.0 MAT-file"sv, "is a MATLAB file; write it with writetable as CSV"},
       {"\x89HDF"sv, "is an HDF5 file; write its columns as CSV"},
@@ -82,6 +36,12 @@ void refuse_other_formats(std::string_view head, const std::string& path) {
       throw InputError(path, format.remedy);
     }
   }
+}
+
+// Real UTF-16 has been decoded before it comes here.
+void refuse_false_utf16(std::string_view head, const std::string& path) {
+  if (head.substr(0, 2) != "\xFF\xFE" && head.substr(0, 2) != "\xFE\xFF") return;
+  throw InputError(path, "begins with the mark of UTF-16 text, which it is not; save it as UTF-8");
 }
 
 }  // namespace
@@ -114,15 +74,23 @@ std::vector<double> bias_dph(const Recording& recording) {
 
 Recording read_recording(const std::string& path, const ReadOptions& options) {
   InputFile file(path, options.watch.progress);
+  return read_recording(file, options);
+}
+
+Recording read_recording(InputFile& file, const ReadOptions& options) {
+  const std::string& path = file.path();
   const std::string_view head = file.peek();
   if (head.empty()) throw InputError(path, "is empty; is it the right file?");
   refuse_other_formats(head, path);
 
   Recording recording;
   LineNumbers lines;
-  if (is_sensor_stream(head)) {
+  if (const auto frames = find_output_frames(head)) {
+    recording = read_output_stream(file, *frames, options);
+  } else if (is_sensor_stream(head)) {
     recording = read_sensor_stream(file, options);
   } else {
+    refuse_false_utf16(head, path);
     recording = read_csv(file, options, lines);
     if (options.stream_rate_hz) {
       options.watch.say(path, "a CSV has its own time; --rate changes nothing");
@@ -132,7 +100,7 @@ Recording read_recording(const std::string& path, const ReadOptions& options) {
     recording.input_rate_dph.assign(recording.rows(), options.default_input_rate_dph);
   }
   find_stretches(recording);
-  if (options.keep_refused_rows) return recording;
+  if (options.keep_refused_rows || recording.rows_per_row > 1) return recording;
   leave_out_refused_rows(recording, lines, options.limits.over(options.model_limits),
                          options.watch);
   if (recording.refused_rows > 0) find_stretches(recording);

@@ -13,7 +13,8 @@
 
 namespace fogcomp::recording {
 
-/// Longest recording that is read: 27 h at 200 Hz; 0.5 GB in memory with three columns.
+/// Longest recording of which every row is kept: 27 h at 200 Hz; 0.5 GB in memory with three
+/// columns. Of a longer one means of neighbours are (long_recording.hpp).
 constexpr std::size_t kMostRows = 20'000'000;
 
 /// What a captured sensor stream held besides the rows.
@@ -50,7 +51,11 @@ struct Recording {
     std::string text;
   };
   std::vector<Label> labels;
+  /// time_s begins with the first row, whose time was one of the calendar.
+  bool power_on_unknown = false;
+  std::size_t rows_per_row = 1;  ///< of the file: more than one where it is too long for memory
   std::size_t bad_rows = 0;      ///< left out by skip_bad_rows
+  std::size_t empty_rows = 0;    ///< left out for a value that the file does not have
   std::size_t refused_rows = 0;  ///< left out because the board would refuse them
   std::optional<CaptureCounts> capture;
 
@@ -87,9 +92,18 @@ struct ReadOptions {
   /// By which the board judges the rate, and those of the model in hand where none are given.
   GivenLimits limits{};
   GyroLimits model_limits{};
+  /// Which column of a CSV is which: "time=Time[ms],rate=Gyro_X[deg/s]" (column_map.hpp); "": by
+  /// their names.
+  std::string columns{};
+  /// The same as the model in hand remembers it: for files that have all of those names, where
+  /// nothing else is given.
+  std::string model_columns{};
   bool skip_bad_rows = false;
   /// Keeps the rows that the board would refuse: for its own code, which judges them itself.
   bool keep_refused_rows = false;
+  /// Refuses a recording of more than kMostRows rather than taking means: for what is written row
+  /// by row.
+  bool every_row = false;
   /// Constant input rate (Earth rate by latitude and axis) for a file without that column, which it
   /// then gets; left at 0 the column stays empty.
   double default_input_rate_dph = 0;
@@ -99,15 +113,20 @@ struct ReadOptions {
   ReadWatch watch{};
 };
 
+class InputFile;
+
 /// Measured rate less input rate (0 where the file has none): what drift and noise are looked for
 /// in.
 std::vector<double> bias_dph(const Recording& recording);
 
 constexpr double kDefaultStreamRateHz = 200;
 
-/// Reads a CSV, or a captured sensor stream (told apart by content, not by name). Rows that the
+/// Reads a CSV of any layout (csv_layout.hpp), or a captured sensor stream (told apart by content,
+/// not by name); "-" is standard input. Rows that the
 /// board would refuse (row_judge.hpp) are left out. What was ignored or left out
 /// is told to options.watch. Throws InputError `FILE:LINE: what is wrong; what to do`.
 Recording read_recording(const std::string& path, const ReadOptions& options);
+/// The same from a file that is open, of which nothing has been taken yet.
+Recording read_recording(InputFile& file, const ReadOptions& options);
 
 }  // namespace fogcomp::recording

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "recording/board_limits.hpp"
-#include "recording/columns.hpp"
 #include "recording/row_judge.hpp"
+#include "recording/row_removal.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -142,34 +142,6 @@ void name_refused_rows(const Recording& recording, const Words& words,
   }
 }
 
-// A label whose rows are all gone goes with them.
-std::vector<Recording::Label> labels_without(const Recording& recording,
-                                             const std::vector<RefusedRow>& refused) {
-  std::vector<Recording::Label> labels;
-  for (const Recording::Label& label : recording.labels) {
-    const auto after = std::lower_bound(refused.begin(), refused.end(), label.first_row,
-                                        [](RefusedRow r, std::size_t row) { return r.row < row; });
-    const std::size_t first_row =
-        label.first_row - static_cast<std::size_t>(after - refused.begin());
-    if (!labels.empty() && labels.back().first_row == first_row) labels.pop_back();
-    if (!labels.empty() && labels.back().text == label.text) continue;
-    labels.push_back({first_row, label.text});
-  }
-  const std::size_t rows_left = recording.rows() - refused.size();
-  if (!labels.empty() && labels.back().first_row == rows_left) labels.pop_back();
-  return labels;
-}
-
-void remove_rows(std::vector<double>& column, const std::vector<RefusedRow>& refused) {
-  if (column.empty()) return;
-  std::size_t kept = refused.front().row;
-  for (std::size_t i = 0; i < refused.size(); ++i) {
-    const std::size_t end = i + 1 < refused.size() ? refused[i + 1].row : column.size();
-    for (std::size_t row = refused[i].row + 1; row < end; ++row) column[kept++] = column[row];
-  }
-  column.resize(kept);
-}
-
 }  // namespace
 
 void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
@@ -180,8 +152,10 @@ void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
   if (!frozen.empty()) watch.say(recording.file, words.frozen(frozen));
   if (refused.empty()) return;
   name_refused_rows(recording, words, refused, watch);
-  recording.labels = labels_without(recording, refused);
-  for (const ColumnInfo& info : kColumns) remove_rows(recording[info.column], refused);
+  std::vector<std::size_t> rows(refused.size());
+  std::transform(refused.begin(), refused.end(), rows.begin(),
+                 [](const RefusedRow& each) { return each.row; });
+  remove_rows(recording, rows);
   recording.refused_rows = refused.size();
 }
 

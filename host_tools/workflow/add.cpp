@@ -1,17 +1,17 @@
 #include "workflow/add.hpp"
 
 #include "model/model_file.hpp"
+#include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {
 
 fit::Addition add(const AddRequest& request, const Observer& observer) {
-  const model::Model model = model::load_model(request.model);
+  model::Model model = model::load_model(request.model);
   const fit::EffectChange change = request.expression
                                        ? fit::change_expression(model.terms, *request.expression)
                                        : fit::change_effects(model.terms, request.effects);
-  recording::ReadOptions reading = observer.heard(request.reading);
-  reading.model_scale_factor = model.scale_factor;
-  reading.model_limits = model.limits;
+  const recording::ReadOptions reading = reading_for(model, request.reading, observer);
+  if (!reading.columns.empty()) model.columns = reading.columns;
   const fit::TrainingRuns training =
       fit::read_training_runs(request.runs, reading, model.average_s);
   const fit::Holdouts judges =

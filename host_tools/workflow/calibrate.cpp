@@ -7,6 +7,7 @@
 #include "model/catalogue.hpp"
 #include "support/units.hpp"
 #include "workflow/fit_presets.hpp"
+#include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {
 namespace {
@@ -90,9 +91,7 @@ void add_board_figures(Figures& figures, const ExportOutcome& board) {
 
 compare::ModelOnRuns on_hold_outs(const CalibrationRequest& request, const FitOutcome& fit,
                                   const Observer& observer) {
-  recording::ReadOptions reading = observer.heard(request.fit.reading);
-  reading.model_scale_factor = fit.model.scale_factor;
-  reading.model_limits = fit.model.limits;
+  const recording::ReadOptions reading = reading_for(fit.model, request.fit.reading, observer);
   compare::ModelOnRuns model{request.model_file, fit.model, {}};
   const fit::Holdouts hold_outs =
       fit::read_holdouts(request.hold_outs, reading, fit.model.average_s, fit.runs);

@@ -3,6 +3,7 @@
 #include "model/model_file.hpp"
 #include "recording/data_hash.hpp"
 #include "support/input_error.hpp"
+#include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {
 namespace {
@@ -26,9 +27,7 @@ std::vector<compare::ModelOnRuns> load_models(const CompareRequest& request) {
 std::vector<compare::ModelOnRuns> compare(const CompareRequest& request, const Observer& observer) {
   std::vector<compare::ModelOnRuns> models = load_models(request);
   const double row_s = request.average_s.value_or(models[0].model.average_s);
-  recording::ReadOptions reading = observer.heard(request.reading);
-  reading.model_scale_factor = models[0].model.scale_factor;
-  reading.model_limits = models[0].model.limits;
+  const recording::ReadOptions reading = reading_for(models[0].model, request.reading, observer);
   recording::KnownRows known;
   for (std::size_t i = 0; i < request.runs.size(); ++i) {
     const std::string& file = request.runs[i];

@@ -36,8 +36,9 @@ denoise::DenoiseReport denoise_bias(const recording::Recording& recording,
 }  // namespace
 
 DenoiseOutcome denoise(const DenoiseRequest& request, const Observer& observer) {
-  DenoiseOutcome outcome{
-      recording::read_recording(request.run, observer.heard(request.reading)), {}, {}};
+  recording::ReadOptions reading = observer.heard(request.reading);
+  reading.every_row = true;
+  DenoiseOutcome outcome{recording::read_recording(request.run, reading), {}, {}};
   recording::Recording& recording = outcome.recording;
   const std::vector<double> before = recording::bias_dph(recording);
   std::vector<double> after = before;

@@ -3,6 +3,7 @@
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "support/text.hpp"
+#include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {
 namespace {
@@ -31,10 +32,9 @@ void note_rows(const diagnosis::RowLength& rows, const model::Model& model,
 }  // namespace
 
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer) {
-  const model::Model model = model::load_model(request.model);
-  recording::ReadOptions reading = observer.heard(request.reading);
-  reading.model_scale_factor = model.scale_factor;
-  reading.model_limits = model.limits;
+  model::Model model = model::load_model(request.model);
+  const recording::ReadOptions reading = reading_for(model, request.reading, observer);
+  if (!reading.columns.empty()) model.columns = reading.columns;
   diagnosis::JudgingRuns judging{fit::read_training_runs(request.runs, reading, model.average_s),
                                  {}};
   fit::Holdouts holdouts =

@@ -60,6 +60,7 @@ Plan plan_of(const FitRequest& request) {
   // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
   plan.reading = request.reading;
   plan.model.limits = plan.reading.limits.over({});
+  plan.model.columns = plan.reading.columns;
   plan.model.scale_factor = plan.reading.scale_factor.value_or(recording::kDefaultScaleFactor);
   std::swap(plan.reading.scale_factor, plan.reading.model_scale_factor);
   return plan;
@@ -123,6 +124,7 @@ FitOutcome fit(const FitRequest& request, const Observer& observer) {
   fit::TrainingRuns training =
       fit::read_training_runs(request.runs, observer.heard(reading), model.average_s);
   observer.say(training.notes);
+  observer.say(training.doubts);
   model.noise_dph_rthz = training.noise_dph_rthz;
   series::SignalSeries series(model);
   for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);

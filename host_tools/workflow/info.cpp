@@ -1,5 +1,7 @@
 #include "workflow/info.hpp"
 
+#include "noise/white_noise.hpp"
+#include "recording/plausibility.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -19,6 +21,7 @@ InfoOutcome info(const InfoRequest& request, const Observer& observer) {
                      format("lasts %g s, too short for means of %g s; give a shorter --average",
                             length_s, *request.average_s));
   }
+  observer.say(recording::doubts(run, noise::white_noise_dph_rthz(run)));
   outcome.summary = compare::summarize(run, request.average_s.value_or(kUsualAverageSeconds));
   return outcome;
 }

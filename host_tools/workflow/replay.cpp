@@ -26,6 +26,7 @@ board::StreamSource source_of(const StreamRequest& request, const board::BoardSo
                               const Observer& observer) {
   recording::ReadOptions reading = observer.heard(request.reading);
   reading.model_scale_factor = board.scale_factor();
+  if (board.model() != nullptr) reading.model_columns = board.model()->columns;
   return board::StreamSource(request.run, reading, board.scale_factor(), board.needs());
 }
 
@@ -33,16 +34,15 @@ board::StreamSource source_of(const StreamRequest& request, const board::BoardSo
 
 std::optional<std::size_t> stream(const StreamRequest& request, const board::ByteSink& sink,
                                   const Observer& observer) {
-  const board::StreamSource source =
-      source_of(request, board::BoardSource(request.weights), observer);
+  board::StreamSource source = source_of(request, board::BoardSource(request.weights), observer);
   source.send([&](fog::Span<const std::uint8_t> bytes, fog::SampleTime) { sink(bytes); });
   return source.is_capture() ? std::nullopt : std::optional(source.rows());
 }
 
-board::ReplaySummary replay(const ReplayRequest& request, const board::ByteSink& sink,
-                            const Observer& observer) {
+board::ReplaySummary run_board(const ReplayRequest& request, const BoardFeed& feed,
+                               const Observer& observer) {
   board::BoardSource board(request.weights);
-  const board::StreamSource source = source_of(request, board, observer);
+  board::StreamSource source = source_of(request, board, observer);
   board::BoardSettings settings = request.board;
   if (request.rate_of_recording && !source.is_capture() && source.period_s() > 0) {
     settings.sample_rate_hz = 1 / source.period_s();
@@ -57,12 +57,21 @@ board::ReplaySummary replay(const ReplayRequest& request, const board::ByteSink&
 
   board::Replay board_code(parameters);
   source.send([&](fog::Span<const std::uint8_t> bytes, fog::SampleTime time) {
-    sink(board_code.feed(bytes, time));
+    feed(board_code, source, bytes, time);
   });
   if (board_code.summary().frames == 0) {
     throw InputError(request.run, "holds no good frame; is it a capture of the sensor stream?");
   }
   return board_code.summary();
+}
+
+board::ReplaySummary replay(const ReplayRequest& request, const board::ByteSink& sink,
+                            const Observer& observer) {
+  return run_board(
+      request,
+      [&](board::Replay& board, const board::StreamSource&, fog::Span<const std::uint8_t> bytes,
+          fog::SampleTime time) { sink(board.feed(bytes, time)); },
+      observer);
 }
 
 }  // namespace fogcomp::workflow

@@ -114,6 +114,19 @@ int main(int count, char** arguments) {
                 "0,20.5,0.71,soak,50\n10,20.6,0.72,soak,50\n20,-4e1,0.73,ramp,49\n");
   seeds.add("recording", "counts",
             "\3time_s;counts;temperature_degc\r\n0;12;20,5\r\n10;13;20,6\r\n");
+  seeds.add("recording", "laboratory",
+            std::string(1, '\0') +
+                "Device: FOG-7\nTime;Coil temp;Gyro_X\nms;K;deg/s\n0,5;293,15;0,001\n"
+                "10,5;;0,002\n20,5;293,25;NaN\n");
+  seeds.add(
+      "recording", "calendar",
+      std::string(1, '\0') +
+          "\"DateTime\" \"T [degF]\" \"w(rad/s)\"\n"
+          "\"2024-02-29T23:59:59.5Z\" 68.5 1e-6\n\"2024-03-01T00:00:00,5+00:00\" 68.6 2e-6\n");
+  seeds.add("recording", "unix",
+            std::string(1, '\0') +
+                "% made\ntimestamp\ttemp\trate_dph\n1709625600123\t20.1\t0.7\n"
+                "1709625600223\t20.2\t0.8\n");
   seeds.add("expression", "written", "stress = lag(dTdt^2, ?tau[60,3000])*sin(t/9)-min(T, 3)");
   seeds.add("programme", "programme",
             "start 20 degC\nsegment a\nrepeat 2\nramp to -40 degC at 0.5 degC/min\nsoak 2h\nend\n"

@@ -70,15 +70,15 @@ refuses '^missing\.csv: .*' "${fit[@]}" missing.csv
 refuses '^empty\.csv: .*' "${fit[@]}" empty.csv
 refuses '^header_only\.csv' "${fit[@]}" header_only.csv
 refuses '^folder: is a directory' "${fit[@]}" folder
-{ echo "time_s,temp_degc,rate_dph"; echo "0,20,1"; } >column.csv
+{ echo "time_s,temp_deg,rate_dph"; echo "0,20,1"; } >column.csv
 refuses "^column\.csv:1: .*temperature_degc" "${fit[@]}" column.csv
 bad_row "20,20"
 refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
-bad_row "20,,1"
+bad_row "20,?,1"
 refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
 bad_row "20,warm,1"
 refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
-bad_row "20,20,nan"
+bad_row "20,20,none of it"
 refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
 bad_row "20,inf,1"
 refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
@@ -229,6 +229,7 @@ refuses '^good\.csv: is sampled at 0\.1 Hz but the header is for 200 Hz' replay 
 # Recordings that say nothing, or nothing new.
 awk -F, -v OFS=, 'NR > 1 { $3 = 0.5 } 1' good.csv >still.csv
 awk -F, -v OFS=, 'NR > 1 { $3 = $3 "e0" } 1' good.csv >copy.csv
+awk -F, -v OFS=, 'NR > 1 { $1 += 900000000 } 1' good.csv >long_on.csv
 awk -F, -v OFS=, 'NR > 1 { $1 += 1709625600 } 1' good.csv >since_1970.csv
 "$fogcomp" simulate -o rest.csv --profile static --seed 13 >/dev/null
 "$fogcomp" fit good.csv copy.csv -o twice.model --effects bias,temperature_rate >/dev/null 2>twice
@@ -248,8 +249,15 @@ refuses '^copy\.csv: has the same rows as good\.csv, .*--static must be another'
   diagnose good.model good.csv --static copy.csv
 refuses '^glass_transition: these recordings do not determine tg' fit rest.csv -o kept --effects bias,glass_transition
 refuses '^aging: these recordings do not determine t0 .*is it since power-on' \
-  fit since_1970.csv -o kept --effects bias,bias_temperature,aging
-refuses '^aging: these recordings do not determine t0' add good.model aging since_1970.csv -o kept
+  fit long_on.csv -o kept --effects bias,bias_temperature,aging
+refuses '^aging: these recordings do not determine t0' add good.model aging long_on.csv -o kept
+# Times of the calendar count from the first row, and a fit says what that means.
+"$fogcomp" fit since_1970.csv -o since_1970.model --effects bias,temperature_rate >/dev/null 2>unix
+grep -q '^since_1970\.csv: read as UNIX times, counted from the first row: power-on is not known$' unix ||
+  fail "UNIX times are not named: $(cat unix)"
+grep -q '^note: since_1970\.csv: power-on is not known: effects .*warm_up, aging' unix || fail "what they cost: $(cat unix)"
+"$fogcomp" fit good.csv -o since_0.model --effects bias,temperature_rate >/dev/null 2>&1
+diff <(grep '^effect' since_0.model) <(grep '^effect' since_1970.model) || fail "UNIX times change a fit"
 refuses "bounds of 'w' must be 0 or from 1e-30 to 1e.30" fit good.csv -o kept --effects bias --effect-expr 'x = sin(T*?w[1e-300,1e300])'
 
 # An output is never one of the inputs, by whatever name, and never another output; every option that takes a
@@ -382,9 +390,9 @@ refuses '^good\.model: is a model, where diagnose expects MODEL RUN' diagnose in
 refuses '^good\.model:1: a model, where a recording should be' add good.model thermal_lag good.csv --holdout good.model -o kept
 
 # Files of other programs.
-other_format() { printf "$1" | cat - good.csv >foreign; refuses "^foreign: is .*$2" info foreign; }
+other_format() { printf "$1" | cat - good.csv >foreign; refuses "^foreign: .*$2" info foreign; }
 other_format '\xff\xfe' 'UTF-16'
-other_format '\x1f\x8b' 'gunzip'
+other_format '\x1f\x8b' 'gzip.*zcat FILE .*-'
 other_format 'PK\x03\x04' 'Excel'
 other_format 'MATLAB 5.0 MAT-file' 'MATLAB'
 rm foreign

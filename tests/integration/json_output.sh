@@ -27,6 +27,8 @@ has_keys info.json rows refused_rows period_s mean_dph std_dph noise_floor_dph "
   "segments 0 temperature_min_degc" "segments 0 temperature_max_degc" "allan tau_s" \
   "allan sigma_dph" "allan one_sigma_dph" angle_random_walk_dprh bias_instability_dph \
   rate_random_walk_dphrh rate_ramp_dphh quantization_deg
+"$fogcomp" info - --json <run.csv | sed 's/"file":"-"/"file":"run.csv"/' >info_of_pipe.json
+cmp info.json info_of_pipe.json
 "$fogcomp" denoise run.csv -o denoised.csv --json >denoise.json
 has_keys denoise.json output rows outliers "levels 4 noise_dph" "levels 4 threshold_dph" \
   "segments 0 raw_std_dph" "segments 0 denoised_std_dph"
@@ -51,6 +53,11 @@ has_keys history.json "steps 2 action" "steps 2 data_hash" "steps 2 rms_before_d
 has_keys export.json words quantization_error_dph network_error_dph network_points
 "$fogcomp" replay gyro.model run.csv -o out.bin --json >replay.json
 has_keys replay.json frames bytes
+"$fogcomp" apply gyro.model run.csv -o applied.csv --json >apply.json
+has_keys apply.json output rows without_rate temperature_clamped raw_std_dph compensated_std_dph
+"$fogcomp" convert run.csv -o plain.csv --json >convert.json
+has_keys convert.json output rows bad_rows empty_rows period_s
+cmp run.csv plain.csv
 mkdir -p gyros/G1
 cp run.csv gyros/G1
 "$fogcomp" batch gyros -o results --effects bias,temperature_rate --json >batch.json

@@ -29,7 +29,7 @@ for words in "effects" "effects --json" "effects --markdown" man "completion bas
   "compare gyro.model run.csv --details" "compare gyro.model run.csv --json" "diagnose gyro.model run.csv --json" \
   "add gyro.model bias_temperature run.csv -o a.model" "history gyro.model" "history gyro.model --json" \
   "denoise run.csv -o d.csv --json" "export gyro.model -o g.h --json" "replay gyro.model run.csv -o o.bin --json" \
-  "stream gyro.model run.csv -o i.bin" "batch lot -o results --effects bias --json"; do
+  "apply gyro.model run.csv -o c.csv" "convert run.csv -o p.csv --json" "stream gyro.model run.csv -o i.bin" "batch lot -o results --effects bias --json"; do
   # shellcheck disable=SC2086
   refused '^standard output: cannot be written' "$fogcomp" $words >/dev/full
 done
@@ -38,6 +38,7 @@ rm -r lot results
 # A limit on a file's size acts as a full disk: a message, the old files untouched, no half ones.
 echo kept >kept
 for words in "simulate -o kept" "simulate -o kept --hide truth.csv" "denoise run.csv -o kept" \
+  "apply gyro.model run.csv -o kept" "convert run.csv -o kept" \
   "fit run.csv -o kept --effects bias --report page.html" "info run.csv --report page.html" \
   "add gyro.model bias_temperature run.csv -o kept --report page.html"; do
   # shellcheck disable=SC2086

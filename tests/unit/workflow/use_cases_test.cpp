@@ -3,18 +3,24 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include "board/header.hpp"
+#include "core/frames/compact_frame.hpp"
 #include "model/model_file.hpp"
 #include "support/input_error.hpp"
+#include "support/text.hpp"
 #include "unit/recording/temporary_file.hpp"
 #include "workflow/add.hpp"
+#include "workflow/apply.hpp"
 #include "workflow/calibrate.hpp"
 #include "workflow/compare.hpp"
+#include "workflow/convert.hpp"
 #include "workflow/denoise.hpp"
 #include "workflow/diagnose.hpp"
 #include "workflow/info.hpp"
@@ -136,6 +142,146 @@ TEST_F(UseCases, ExportWhatReplayThenRuns) {
   const std::vector<std::uint8_t> from_model = bytes_of(file);
   EXPECT_FALSE(from_model.empty());
   EXPECT_EQ(from_model, bytes_of(path("fog_model.h")));
+}
+
+// Rows of a series as a user gets them.
+struct AppliedSeries {
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> rows;
+  std::vector<fog::Status> flags;
+
+  SeriesSink sink() {
+    return {[this](const std::vector<SeriesSink::Column>& all) {
+              for (const SeriesSink::Column& each : all) columns.push_back(each.name);
+            },
+            [this](const std::vector<double>& values, fog::Status status) {
+              rows.push_back(values);
+              flags.push_back(status);
+            }};
+  }
+  std::size_t place(const std::string& name) const {
+    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
+                                    columns.begin());
+  }
+};
+
+TEST_F(UseCases, ApplyGivesTheSeriesWhoseMeansCompareHas) {
+  ApplyRequest request;
+  request.weights = static_model();
+  request.run = path("run.csv");
+  AppliedSeries series;
+  const ApplyOutcome outcome = apply(request, series.sink());
+  EXPECT_EQ(outcome.rows, 5955U);
+  EXPECT_EQ(series.columns, (std::vector<std::string>{
+                                "time_s", "temperature_degc", "rate_dph", "drift_bias_dph",
+                                "drift_bias_temperature_dph", "drift_dph", "compensated_dph"}));
+  double square = 0;
+  double mean = 0;
+  for (const std::vector<double>& row : series.rows) {
+    EXPECT_DOUBLE_EQ(row[3] + row[4], row[5]);
+    EXPECT_DOUBLE_EQ(row[2] - row[5], row[6]);
+    mean += row[6] / 5955;
+    square += row[6] * row[6] / 5955;
+  }
+  CompareRequest judged;
+  judged.models = {static_model()};
+  judged.runs = {path("run.csv")};
+  judged.average_s = 10;  // a row of the recording
+  const compare::Comparison comparison = compare(judged)[0].runs[0].comparison;
+  EXPECT_NEAR(std::sqrt(square), comparison.whole.rms_dph, 0.03 * comparison.whole.rms_dph);
+  EXPECT_NEAR(outcome.compensated_std_dph, std::sqrt(square - mean * mean), 1e-4);
+}
+
+TEST_F(UseCases, ApplyOnTheBoardHasTheIntegersOfReplay) {
+  ApplyRequest request;
+  request.weights = static_model();
+  request.run = path("run.csv");
+  request.on_board = true;
+  AppliedSeries series;
+  apply(request, series.sink());
+  request.board.output = fog::OutputSelection::compact;
+  std::vector<std::uint8_t> bytes;
+  replay(request, [&](fog::Span<const std::uint8_t> piece) {
+    bytes.insert(bytes.end(), piece.data, piece.data + piece.size);
+  });
+  ASSERT_EQ(bytes.size(), series.rows.size() * fog::kCompactFrameBytes);
+  const auto integer = [&](std::size_t row, const char* column) {
+    return std::ldexp(series.rows[row][series.place(column)], fog::Rate::fractional_bits);
+  };
+  for (std::size_t row = 0; row < series.rows.size(); ++row) {
+    fog::OutputSample sample;
+    std::uint16_t delay = 0;
+    ASSERT_TRUE(fog::decode_compact_frame(&bytes[row * fog::kCompactFrameBytes], sample, delay));
+    EXPECT_EQ(integer(row, "compensated_dph"), sample.compensated.raw());
+    EXPECT_EQ(integer(row, "drift_dph"), sample.drift.raw());
+    EXPECT_EQ(integer(row, "denoised_dph"), sample.denoised.raw());
+    EXPECT_EQ(series.flags[row], sample.status);
+  }
+}
+
+// A flight's own record can be compared and diagnosed.
+TEST_F(UseCases, ReadWhatABoardHasSentAsARecording) {
+  ReplayRequest request;
+  request.weights = static_model();
+  request.run = path("run.csv");
+  const recording::Recording given = recording::read_recording(request.run, {});
+  for (const auto output :
+       {fog::OutputSelection::compact, fog::OutputSelection::both, fog::OutputSelection::kvh}) {
+    request.board.output = output;
+    std::string bytes = "lost";  // the record begins amid a frame
+    replay(request, [&](fog::Span<const std::uint8_t> piece) {
+      bytes.append(reinterpret_cast<const char*>(piece.data), piece.size);
+    });
+    recording::ReadOptions options;
+    options.stream_rate_hz = 0.1;
+    std::string said;
+    options.watch.remark = [&](const std::string& line) { said += line + "\n"; };
+    const recording::Recording read =
+        recording::read_recording(recording::temporary_file("flight.bin", bytes), options);
+    const bool kvh = output == fog::OutputSelection::kvh;
+    EXPECT_NE(said.find(kvh ? "compensated already" : "its drift put back"), std::string::npos)
+        << said;
+    ASSERT_GT(read.rows(), kvh ? 5400U : 5900U);            // until the denoiser is full
+    const std::size_t behind = given.rows() - read.rows();  // the first ones are not valid
+    EXPECT_NEAR(read.time_s.back(), given.time_s.back(), 1e-6);
+    for (std::size_t row = 0; row < read.rows(); ++row) {
+      EXPECT_NEAR(read.temperature_degc[row], given.temperature_degc[row + behind],
+                  kvh ? 0.5001 : 1e-4);
+      if (!kvh) {
+        EXPECT_NEAR(read.rate_dph[row], given.rate_dph[row + behind], 1.01 / 1024);
+      }
+    }
+  }
+}
+
+TEST_F(UseCases, ConvertGivesAllRowsOfAnyLayout) {
+  const std::string file = recording::temporary_file(
+      "lab.txt",
+      "Time [ms];T [K];Gyro [deg/s]\n0;293,15;0,001\n500;600;0,002\n1000;293,15;0,003\n");
+  const recording::Recording found = convert({file, {}});
+  EXPECT_EQ(found.time_s, (std::vector<double>{0, 0.5, 1}));
+  EXPECT_NEAR(found.temperature_degc[1], 326.85, 1e-9);  // whoever reads it judges it
+  EXPECT_NEAR(found.rate_dph[2], 10.8, 1e-9);
+}
+
+// What a laboratory's files need is said once, when the first model is fitted.
+TEST_F(UseCases, AModelRemembersWhichColumnIsWhich) {
+  const recording::Recording run = recording::read_recording(path("run.csv"), {});
+  std::string text = "Stamp;Temp;G1;G2\n";
+  for (std::size_t row = 0; row < run.rows(); ++row) {
+    text += format("%.0f;%.6f;%.10f;0\n", 1000 * run.time_s[row], run.temperature_degc[row],
+                   run.rate_dph[row] / 3600);
+  }
+  FitRequest request = static_fit();
+  request.runs = {recording::temporary_file("lab.txt", text)};
+  EXPECT_THROW(fit(request), InputError);
+  request.reading.columns = "time=Stamp[ms],rate=G1[deg/s]";
+  model::save_model(fit(request).model, path("lab.model"));
+  EXPECT_EQ(model::load_model(path("lab.model")).columns, request.reading.columns);
+  CompareRequest judged;
+  judged.models = {path("lab.model")};
+  judged.runs = {path("lab.txt"), path("second.csv")};
+  EXPECT_EQ(compare(judged)[0].runs.size(), 2U);
 }
 
 TEST_F(UseCases, DescribeAndDenoiseARecording) {

@@ -1,0 +1,129 @@
+// fogcomp apply: the compensated rate as a series.
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "board/status_names.hpp"
+#include "cli/board_options.hpp"
+#include "cli/command.hpp"
+#include "cli/recording_options.hpp"
+#include "cli/watch.hpp"
+#include "recording/fixed_decimal.hpp"
+#include "support/json.hpp"
+#include "support/output_file.hpp"
+#include "support/text.hpp"
+#include "workflow/apply.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+using workflow::ApplyOutcome;
+using workflow::SeriesSink;
+
+/// A CSV of the series; its last column has the names of what speaks against a row.
+class SeriesFile {
+ public:
+  explicit SeriesFile(const std::string& path) : file_(path) {}
+
+  SeriesSink sink() {
+    return {[this](const std::vector<SeriesSink::Column>& columns) { begin(columns); },
+            [this](const std::vector<double>& values, fog::Status flags) { row(values, flags); }};
+  }
+  void commit() { file_.commit(); }
+
+ private:
+  void begin(const std::vector<SeriesSink::Column>& columns) {
+    columns_ = columns;
+    for (const SeriesSink::Column& column : columns) file_.write(column.name + ",");
+    file_.write("flags\n");
+  }
+
+  void row(const std::vector<double>& values, fog::Status flags) {
+    std::array<char, recording::kLongestDecimal> number;
+    line_.clear();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!std::isnan(values[i])) {
+        line_.append(number.data(),
+                     recording::print_fixed(values[i], columns_[i].decimals, number.data()));
+      }
+      line_ += ',';
+    }
+    if (flags != fog::Status::none) line_ += join(board::flag_names(flags), " ");
+    file_.write(line_ + '\n');
+  }
+
+  OutputFile file_;
+  std::vector<SeriesSink::Column> columns_;
+  std::string line_;
+};
+
+struct ApplyCommand : Command {
+  Text output{this, {"o", "OUT", "CSV to write: measured, every effect's part, compensated"}};
+  Flag on_board{this, "board", "by the board's own code and integers; MODEL may be a header"};
+  Flag json{this, "json", "one JSON object on stdout"};
+  BoardOptions board{this};
+  RecordingOptions recording{this};
+  AllowErrorFlag allow_error{this, "with --board: even if the integers are too far off", kRare};
+
+  ApplyCommand()
+      : Command("apply", {"MODEL RUN", 2, 2},
+                "the compensated rate and every effect's part, row by row",
+                "fogcomp apply gyro.model run.csv -o compensated.csv") {
+    needs = {{&output}};
+    board.make_rare();
+  }
+  int run() const override;
+
+ private:
+  void print(const ApplyOutcome& found) const;
+};
+
+void ApplyCommand::print(const ApplyOutcome& found) const {
+  if (json.given()) {
+    Json result = Json::object();
+    result.set("output", output.value()).set("rows", found.rows);
+    result.set("without_rate", found.without_rate).set("temperature_clamped", found.clamped);
+    result.set("raw_std_dph", found.raw_std_dph);
+    result.set("compensated_std_dph", found.compensated_std_dph);
+    std::puts(result.text().c_str());
+    return;
+  }
+  std::printf("%s: %s, std %s deg/h measured, %s compensated\n", output.value().c_str(),
+              counted(found.rows, "row").c_str(), rounded(found.raw_std_dph).c_str(),
+              rounded(found.compensated_std_dph).c_str());
+  if (found.without_rate > 0) {
+    std::printf("  %s without a valid rate: see the flags\n",
+                counted(found.without_rate, "row").c_str());
+  }
+  if (found.clamped > 0) {
+    std::printf("  %s outside the trained temperatures: the drift is that of the limit\n",
+                counted(found.clamped, "row").c_str());
+  }
+}
+
+int ApplyCommand::run() const {
+  SeriesFile file(output.required());
+  workflow::ApplyRequest request;
+  request.weights = arguments[0];
+  request.run = arguments[1];
+  request.reading = recording.value();
+  request.board = board.value();
+  request.rate_of_recording = !board.sample_rate.given();
+  request.allow_error = allow_error.given();
+  request.on_board = on_board.given();
+  const ApplyOutcome found = workflow::apply(request, file.sink(), Watch().observer());
+  file.commit();
+  print(found);
+  return 0;
+}
+
+}  // namespace
+
+CommandPointer apply_command() {
+  return std::make_unique<ApplyCommand>();
+}
+
+}  // namespace fogcomp::cli

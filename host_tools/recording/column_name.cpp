@@ -1,0 +1,199 @@
+#include "recording/column_name.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "recording/columns.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+bool is_upper(char c) {
+  return std::isupper(static_cast<unsigned char>(c)) != 0;
+}
+
+bool is_lower(char c) {
+  return std::islower(static_cast<unsigned char>(c)) != 0;
+}
+
+// "TimeUS", "coilTemp": parted where a capital follows a small letter.
+std::string parted(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i > 0 && is_upper(text[i]) && is_lower(text[i - 1])) result += '_';
+    result += text[i];
+  }
+  return result;
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> words;
+  std::string word;
+  for (const char c : folded(text) + " ") {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      word += c;
+    } else if (!word.empty()) {
+      words.push_back(std::exchange(word, ""));
+    }
+  }
+  return words;
+}
+
+// "ms", "seconds", "deg/s"; but "T", "d" or "h" is a name.
+bool is_unit_alone(const std::string& key) {
+  return is_telling(key) || key == "s" || key == "ms" || key == "us" || key == "ns";
+}
+
+bool begins_with(const std::string& word, std::string_view beginning) {
+  return word.rfind(beginning, 0) == 0;
+}
+
+// The name of an optional column without its unit: "supply" of "supply_v".
+std::string_view base_of(const ColumnInfo& column) {
+  return column.name.substr(0, column.name.rfind('_'));
+}
+
+}  // namespace
+
+std::string without_quotes(std::string_view name) {
+  name = trim(name);
+  if (name.size() >= 2 && name.front() == '"' && name.back() == '"') {
+    name = name.substr(1, name.size() - 2);
+  }
+  return std::string(trim(name));
+}
+
+std::string key_of_name(std::string_view name) {
+  std::string key = folded(without_quotes(name));
+  key.erase(std::remove_if(key.begin(), key.end(), [](char c) { return c == ' ' || c == '\t'; }),
+            key.end());
+  return key;
+}
+
+Quantity quantity_of(std::size_t slot) {
+  if (slot == slot_of(Column::rate_dph) || slot == slot_of(Column::input_rate_dph)) {
+    return Quantity::rate;
+  }
+  if (slot >= kColumns.size()) return Quantity::other;
+  const std::string_view name = kColumns[slot].name;
+  return find_unit(name.substr(name.rfind('_') + 1)).value_or(Unit{Quantity::other}).quantity;
+}
+
+ColumnName::ColumnName(std::string_view name, std::string_view from_units_row)
+    : text(without_quotes(name)), key(key_of_name(name)) {
+  if (is_unit_alone(key) && (unit = find_unit(text))) {
+    unit_alone = true;
+    unit_text = text;
+  } else {
+    take_bracket();
+    // "coil_degC" before "TimeUS".
+    if (!unit && unknown_unit.empty()) take_tail(text);
+    if (!unit && unknown_unit.empty()) take_tail(parted(text));
+  }
+  if (stem_key.empty()) stem_key = key;
+  if (words.empty() && !unit_alone) words = words_of(parted(text));
+  std::string row(without_quotes(from_units_row));
+  if (row.size() > 2 && (row.front() == '[' || row.front() == '(')) {
+    row = row.substr(1, row.size() - 2);
+  }
+  const auto from_row = find_unit(row);
+  if (!from_row) return;
+  if (unit && unit->words != from_row->words) {
+    contradiction = "'" + displayable(text) + "' is in " + unit->words + " by its name and in " +
+                    from_row->words + " by the row of units";
+  }
+  unit = from_row;
+  unit_text = row;
+  unknown_unit.clear();
+}
+
+void ColumnName::take_bracket() {
+  if (text.size() < 2) return;
+  constexpr std::string_view kClosing = ")]}";
+  constexpr std::string_view kOpening = "([{";
+  const std::size_t kind = kClosing.find(text.back());
+  if (kind == std::string_view::npos) return;
+  const std::size_t open = text.rfind(kOpening[kind]);
+  if (open == std::string::npos) return;
+  const std::string inside = text.substr(open + 1, text.size() - open - 2);
+  const std::string stem = text.substr(0, open);
+  unit = find_unit(inside);
+  (unit ? unit_text : unknown_unit) = inside;
+  stem_key = key_of_name(stem);
+  words = words_of(parted(stem));
+}
+
+// The longest end of the name that is a unit: of "gyro_deg_s" the "deg_s".
+void ColumnName::take_tail(const std::string& name) {
+  constexpr std::string_view kSeparators = "_ ,:;.-/";
+  for (std::size_t at = name.find_first_of(kSeparators); at != std::string::npos;
+       at = name.find_first_of(kSeparators, at + 1)) {
+    const std::string tail(trim(name.substr(at + 1)));
+    const auto found = find_unit(tail);
+    if (!found) continue;
+    unit = found;
+    unit_text = tail;
+    words = words_of(name.substr(0, at));
+    stem_key = key_of_name(name.substr(0, at));
+    return;
+  }
+}
+
+bool ColumnName::has_word(const std::vector<std::string_view>& beginnings) const {
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    return std::any_of(beginnings.begin(), beginnings.end(),
+                       [&](std::string_view each) { return begins_with(word, each); });
+  });
+}
+
+bool ColumnName::is_time() const {
+  if (unit && unit->quantity != Quantity::time) return false;
+  if (unit_alone) return true;
+  if (words == std::vector<std::string>{"t"}) return unit || text[0] == 't';
+  return has_word({"time", "elapsed", "zeit", "date", "epoch", "unix", "utc"}) &&
+         !has_word({"temp", "sample", "const"});
+}
+
+bool ColumnName::is_temperature() const {
+  if (unit && unit->quantity != Quantity::temperature) return false;
+  if (unit_alone) return is_telling(unit_text);
+  if (has_word({"rate", "gyro", "grad", "deriv", "set", "dt"})) return false;
+  if (words == std::vector<std::string>{"t"}) return unit || text[0] == 'T';
+  return has_word({"temp"}) || (unit && is_telling(unit_text));
+}
+
+bool ColumnName::is_rate() const {
+  if (unit && unit->quantity != Quantity::rate && unit->quantity != Quantity::counts) return false;
+  if (has_word({"temp",  "sample", "data",  "frame", "input",   "ref",    "table", "turntable",
+                "true",  "truth",  "set",   "cmd",   "command", "demand", "earth", "bias",
+                "drift", "std",    "sigma", "noise", "err",     "resid",  "limit"})) {
+    return false;
+  }
+  if (unit && unit->quantity == Quantity::rate) return true;
+  return has_word({"rate", "gyr", "omega", "angvel", "drehrate", "angular"}) ||
+         (!words.empty() && (words[0] == "wx" || words[0] == "wy" || words[0] == "wz"));
+}
+
+// Those beside time, temperature and rate go by their own names alone, and want a unit.
+std::optional<std::size_t> ColumnName::optional_slot() const {
+  if (!unit || unit_alone) return std::nullopt;
+  if (unit->quantity == Quantity::rate && has_word({"input"}))
+    return slot_of(Column::input_rate_dph);
+  const std::string base = join(words, "_");
+  for (std::size_t slot = kFirstExtensionColumn; slot < kColumns.size(); ++slot) {
+    if (base == base_of(kColumns[slot]) && quantity_of(slot) == unit->quantity) return slot;
+  }
+  return std::nullopt;
+}
+
+std::optional<ColumnMeaning> ColumnName::meaning() const {
+  if (const auto slot = optional_slot()) return ColumnMeaning{*slot, unit};
+  if (is_time()) return ColumnMeaning{slot_of(Column::time_s), unit};
+  if (is_temperature()) return ColumnMeaning{slot_of(Column::temperature_degc), unit};
+  if (is_rate()) return ColumnMeaning{slot_of(Column::rate_dph), unit};
+  return std::nullopt;
+}
+
+}  // namespace fogcomp::recording

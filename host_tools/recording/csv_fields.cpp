@@ -1,0 +1,215 @@
+#include "recording/csv_fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "recording/scan_decimal.hpp"
+#include "support/text.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+constexpr std::size_t kLongestNumber = 60;
+// Of a time, so that the difference of two does not overflow: nanoseconds since 1970 until 2096.
+constexpr std::int64_t kMostWhole = 4'000'000'000'000'000'000;
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Where the field that begins at `at` ends: at the next separator that is not in quotes.
+std::size_t end_of_field(std::string_view line, std::size_t at, char separator) {
+  bool quoted = false;
+  for (; at < line.size(); ++at) {
+    if (line[at] == '"') quoted = !quoted;
+    const bool separates = separator == ' ' ? is_blank(line[at]) : line[at] == separator;
+    if (separates && !quoted) break;
+  }
+  return at;
+}
+
+std::string_view bare(std::string_view field) {
+  field = trim(field);
+  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
+    field = trim(field.substr(1, field.size() - 2));
+  }
+  return field;
+}
+
+bool stands_for_nothing(std::string_view field) {
+  constexpr std::array<std::string_view, 8> kWords{"",     "nan",  "na", "n/a",
+                                                   "null", "none", "-",  "--"};
+  std::string word;
+  for (const char c : field) word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+/// Reads what a date consists of, from left to right.
+class DateScanner {
+ public:
+  explicit DateScanner(std::string_view text) : rest_(text) {}
+
+  bool at_end() const { return rest_.empty(); }
+  /// A number of exactly so many digits, at most `most`.
+  bool digits(std::size_t count, int most, int& value) {
+    if (rest_.size() < count) return false;
+    value = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!is_digit(rest_[i])) return false;
+      value = 10 * value + (rest_[i] - '0');
+    }
+    rest_.remove_prefix(count);
+    return value <= most;
+  }
+  /// One of the characters.
+  bool one_of(std::string_view characters) {
+    if (rest_.empty() || characters.find(rest_.front()) == std::string_view::npos) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+  /// Digits behind the point.
+  double fraction() {
+    double value = 0;
+    std::string digits = "0.";
+    while (!rest_.empty() && is_digit(rest_.front())) {
+      digits += rest_.front();
+      rest_.remove_prefix(1);
+    }
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+// Days from 1970-01-01 (proleptic Gregorian calendar, years from March on).
+std::int64_t days_since_1970(int year, int month, int day) {
+  const std::int64_t y = month <= 2 ? year - 1 : year;
+  const std::int64_t era = y / 400;
+  const std::int64_t year_of_era = y - era * 400;
+  const std::int64_t day_of_year = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
+  const std::int64_t day_of_era =
+      year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year;
+  return era * 146097 + day_of_era - 719468;
+}
+
+bool scan_date(DateScanner& scan, std::int64_t& days) {
+  int year = 0;
+  int month = 0;
+  int day = 0;
+  const bool date = scan.digits(4, 9999, year) && scan.one_of("-/") && scan.digits(2, 12, month) &&
+                    scan.one_of("-/") && scan.digits(2, 31, day);
+  if (!date || month == 0 || day == 0) return false;
+  days = days_since_1970(year, month, day);
+  return true;
+}
+
+// "+01:00", "-0530", "Z" or nothing: seconds east of Greenwich.
+bool scan_zone(DateScanner& scan, std::int64_t& east_s) {
+  scan.one_of(" ");
+  if (scan.at_end() || (scan.one_of("Zz") && scan.at_end())) return true;
+  const bool west = scan.one_of("-");
+  int hours = 0;
+  int minutes = 0;
+  if (!west && !scan.one_of("+")) return false;
+  if (!scan.digits(2, 14, hours)) return false;
+  scan.one_of(":");
+  if (!scan.at_end() && !scan.digits(2, 59, minutes)) return false;
+  east_s = (west ? -1 : 1) * (hours * 3600 + minutes * 60);
+  return scan.at_end();
+}
+
+}  // namespace
+
+void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields) {
+  fields.clear();
+  if (separator == ' ') line = trim(line);
+  if (line.empty()) return;
+  std::size_t at = 0;
+  for (;;) {
+    const std::size_t end = end_of_field(line, at, separator);
+    fields.push_back(bare(line.substr(at, end - at)));
+    if (end >= line.size()) return;
+    at = end + 1;
+    while (separator == ' ' && at < line.size() && is_blank(line[at])) ++at;
+  }
+}
+
+FieldKind read_number(std::string_view field, bool decimal_comma, double& value) {
+  if (field.size() > kLongestNumber) return FieldKind::text;
+  // With the byte behind it that scan_decimal() wants.
+  std::array<char, kLongestNumber + 1> text{};
+  std::copy(field.begin(), field.end(), text.begin());
+  char* const end = text.data() + field.size();
+  if (decimal_comma) {
+    if (std::find(text.data(), end, '.') != end) return FieldKind::text;
+    std::replace(text.data(), end, ',', '.');
+  }
+  if (!field.empty() && scan_decimal(text.data(), end, value) == end) return FieldKind::number;
+  return stands_for_nothing(field) ? FieldKind::missing : FieldKind::text;
+}
+
+std::optional<TimeReading> read_long_number(std::string_view field, bool decimal_comma) {
+  TimeReading reading;
+  const auto [end, error] =
+      std::from_chars(field.data(), field.data() + field.size(), reading.whole);
+  const std::string_view rest = field.substr(static_cast<std::size_t>(end - field.data()));
+  if (reading.whole > kMostWhole || reading.whole < -kMostWhole) return std::nullopt;
+  const bool point = !rest.empty() && rest[0] == (decimal_comma ? ',' : '.');
+  const bool digits = rest.find_first_not_of("0123456789", 1) == std::string_view::npos;
+  if (error == std::errc() && rest.empty()) return reading;
+  if (error == std::errc() && point && digits && rest.size() < kLongestNumber) {
+    const std::string fraction = "0." + std::string(rest.substr(1)) + "0";
+    std::from_chars(fraction.data(), fraction.data() + fraction.size(), reading.fraction);
+    if (field[0] == '-') reading.fraction = -reading.fraction;
+    return reading;
+  }
+  // "1.7e9", "+3"
+  double value = 0;
+  if (read_number(field, decimal_comma, value) != FieldKind::number) return std::nullopt;
+  if (std::fabs(value) > static_cast<double>(kMostWhole)) return std::nullopt;
+  reading.whole = static_cast<std::int64_t>(value);
+  reading.fraction = value - static_cast<double>(reading.whole);
+  return reading;
+}
+
+std::optional<TimeReading> read_calendar_time(std::string_view field) {
+  DateScanner scan(field);
+  std::int64_t days = 0;
+  int hour = 0;
+  int minute = 0;
+  int second = 0;
+  std::int64_t east_s = 0;
+  TimeReading reading;
+  if (!scan_date(scan, days) || !scan.one_of("Tt ") || !scan.digits(2, 24, hour) ||
+      !scan.one_of(":") || !scan.digits(2, 59, minute)) {
+    return std::nullopt;
+  }
+  if (scan.one_of(":")) {
+    if (!scan.digits(2, 60, second)) return std::nullopt;
+    if (scan.one_of(".,")) reading.fraction = scan.fraction();
+  }
+  if (!scan_zone(scan, east_s)) return std::nullopt;
+  reading.whole = days * 86400 + hour * 3600 + minute * 60 + second - east_s;
+  return reading;
+}
+
+bool is_other_calendar(std::string_view field) {
+  const bool digits_and_marks =
+      field.find_first_not_of("0123456789:.,-/ TZAPMapm+") == std::string_view::npos;
+  const auto count = [&](char mark) { return std::count(field.begin(), field.end(), mark); };
+  const bool dated = count('.') >= 2 || count('/') == 2 || count('-') >= 2;
+  return digits_and_marks && !field.empty() && is_digit(field[0]) && (count(':') > 0 || dated);
+}
+
+}  // namespace fogcomp::recording

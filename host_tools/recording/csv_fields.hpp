@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace fogcomp::recording {
+
+/// How the fields of a CSV are written.
+struct CsvDialect {
+  char separator = ',';  ///< ' ': any number of blanks and tabs
+  bool decimal_comma = false;
+};
+
+/// The fields of a line, trimmed and without quotes; what separates within quotes does not.
+/// `fields` is overwritten.
+void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields);
+
+enum class FieldKind : std::uint8_t {
+  number,
+  missing,  ///< empty, "NaN", "n/a", "-"
+  text,
+};
+
+/// Reads a field as a finite number.
+FieldKind read_number(std::string_view field, bool decimal_comma, double& value);
+
+/// A time as it stands in a file, in two parts: seconds since 1970 need more digits than a double
+/// has.
+struct TimeReading {
+  std::int64_t whole = 0;
+  double fraction = 0;
+
+  /// This less `other`.
+  double since(const TimeReading& other) const {
+    return static_cast<double>(whole - other.whole) + (fraction - other.fraction);
+  }
+};
+
+/// A number of any unit; nothing where there is none.
+std::optional<TimeReading> read_long_number(std::string_view field, bool decimal_comma);
+
+/// ISO 8601, date and time of day: "2024-03-05T12:30:15.25+01:00", with a blank for the T, without
+/// seconds or zone. In seconds since 1970; a time without a zone counts as UTC. Nothing for
+/// anything else.
+std::optional<TimeReading> read_calendar_time(std::string_view field);
+
+/// Whether a field is a time of day without its date, or a date in another order: "12:30:15",
+/// "05.03.2024 12:30".
+bool is_other_calendar(std::string_view field);
+
+}  // namespace fogcomp::recording

@@ -1,0 +1,386 @@
+#include "recording/csv_layout.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "recording/columns.hpp"
+#include "recording/decision_rules.hpp"
+#include "support/input_error.hpp"
+#include "support/model_title.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+
+std::vector<std::string_view> lines_of(const FileHead& head) {
+  std::vector<std::string_view> lines;
+  std::string_view rest = head.text;
+  if (rest.substr(0, kUtf8Mark.size()) == kUtf8Mark) {
+    rest.remove_prefix(kUtf8Mark.size());
+  }
+  constexpr std::size_t kMost = rules::kMaxLinesBeforeHeader + rules::kMaxRowsLookedAt;
+  while (!rest.empty() && lines.size() < kMost) {
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos && !head.whole) break;  // the rest of it is not at hand
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+// A comment without its mark: numpy and others write the names so.
+std::string_view uncommented(std::string_view line) {
+  line = trim(line);
+  while (!line.empty() && (line.front() == '#' || line.front() == '%')) line.remove_prefix(1);
+  return trim(line);
+}
+
+std::vector<std::string> names_in(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  split_fields(line, separator, fields);
+  std::vector<std::string> names;
+  for (const std::string_view field : fields) {
+    // "time [s]" parted at its blank.
+    const bool unit = separator == ' ' && !field.empty() && (field[0] == '[' || field[0] == '(');
+    if (unit && !names.empty()) {
+      names.back() += " " + std::string(field);
+    } else {
+      names.emplace_back(field);
+    }
+  }
+  return names;
+}
+
+bool is_units_row(const std::vector<std::string>& fields) {
+  std::size_t units = 0;
+  for (const std::string& field : fields) {
+    if (field.empty() || field == "-") continue;
+    const std::size_t bracketed = field.front() == '[' || field.front() == '(' ? 1 : 0;
+    if (field.size() < 2 * bracketed + 1 ||
+        !find_unit(std::string_view(field).substr(bracketed, field.size() - 2 * bracketed))) {
+      return false;
+    }
+    ++units;
+  }
+  return units > 0;
+}
+
+bool is_all_numbers(const std::vector<std::string>& names) {
+  return !names.empty() && std::all_of(names.begin(), names.end(), [](const std::string& name) {
+    return parse_number(name).has_value();
+  });
+}
+
+/// A way to read a file, and how well its first rows go with it.
+struct Reading {
+  CsvLayout layout;
+  HeaderLines lines;
+  std::size_t rows = 0;
+  std::size_t good_rows = 0;
+  std::vector<double> values{};  ///< of the good rows, to see whether two readings differ
+  bool has_values() const { return rows > 0 && good_rows == rows; }
+};
+
+class LayoutFinder {
+ public:
+  LayoutFinder(const FileHead& head, const ReadOptions& options)
+      : head_(head), options_(options), lines_(lines_of(head)) {
+    silent_.watch = {};
+  }
+
+  CsvLayout find() {
+    refuse_other_texts();
+    for (const bool in_comments : {false, true}) {
+      for (const char separator : {',', ';', '\t', ' '}) {
+        look_for_header(separator, in_comments);
+        if (is_plain()) return finish(readings_.front());
+      }
+      if (std::any_of(readings_.begin(), readings_.end(), fits)) break;
+    }
+    return finish(best());
+  }
+
+ private:
+  static bool fits(const Reading& reading) { return reading.has_values(); }
+
+  [[noreturn]] void fail(std::size_t line, const std::string& what) const {
+    throw InputError(head_.path + ":" + std::to_string(line), what);
+  }
+
+  void refuse_other_texts() const {
+    if (lines_.empty()) return;
+    if (lines_[0].rfind(kModelTitle, 0) == 0) {
+      fail(1, "a model, where a recording should be; name a recording");
+    }
+    if (lines_[0].find('\r') != std::string_view::npos) {
+      fail(1, "lines end in CR alone; save the file with LF or CRLF");
+    }
+  }
+
+  // Readings of every line that may be the header, with this separator.
+  void look_for_header(char separator, bool in_comments) {
+    const std::size_t end = std::min(lines_.size(), rules::kMaxLinesBeforeHeader);
+    for (std::size_t i = 0; i < end; ++i) {
+      if (trim(lines_[i]).empty() || is_comment_or_blank(lines_[i]) != in_comments) continue;
+      const std::string_view text = in_comments ? uncommented(lines_[i]) : lines_[i];
+      if (text.find(separator) == std::string_view::npos) continue;
+      std::vector<std::string> names = names_in(text, separator);
+      const std::size_t found = is_all_numbers(names) ? 0 : required_columns_among(names, options_);
+      note_guess(i, names, found);
+      if (found < kRequired) continue;
+      i = consider(i, separator, std::move(names));
+      if (!readings_.empty() && readings_.back().has_values()) return;
+    }
+  }
+
+  // Of lines that lack a column the one that has most.
+  void note_guess(std::size_t line, const std::vector<std::string>& names, std::size_t found) {
+    if (found > guess_found_ || (found == guess_found_ && guess_.names.empty()) ||
+        (found == guess_found_ && found == 0 && guess_is_numbers_)) {
+      guess_found_ = found;
+      guess_is_numbers_ = is_all_numbers(names);
+      guess_ = {names, {}, head_.path, head_.path + ":" + std::to_string(line + 1)};
+    }
+  }
+
+  // Returns the last line that the header takes: a row of units is no header.
+  std::size_t consider(std::size_t line, char separator, std::vector<std::string> names) {
+    HeaderLines header{
+        std::move(names), {}, head_.path, head_.path + ":" + std::to_string(line + 1)};
+    std::size_t last = line;
+    const std::size_t below = next_line(line + 1);
+    if (below < lines_.size()) {
+      std::vector<std::string> fields = names_in(lines_[below], separator);
+      if (fields.size() == header.names.size() && is_units_row(fields)) {
+        header.units = std::move(fields);
+        last = below;
+      }
+    }
+    consider(header, separator, last + 1);
+    return last;
+  }
+
+  void consider(const HeaderLines& header, char separator, std::size_t lines_before_rows) {
+    CsvLayout layout;
+    layout.lines_before_rows = lines_before_rows;
+    layout.dialect.separator = separator;
+    try {
+      layout.header = understand_header(header, silent_);
+    } catch (const InputError& error) {
+      if (!refusal_) refusal_ = error;
+      return;
+    }
+    for (const bool decimal_comma : {false, true}) {
+      layout.dialect.decimal_comma = decimal_comma;
+      Reading reading{layout, header};
+      try_rows(reading);
+      // Whole numbers read the same either way.
+      if (decimal_comma && reading.has_values() && readings_.back().has_values()) continue;
+      readings_.push_back(std::move(reading));
+    }
+  }
+
+  std::size_t next_line(std::size_t line) const {
+    while (line < lines_.size() && is_comment_or_blank(lines_[line])) ++line;
+    return line;
+  }
+
+  void try_rows(Reading& reading) const {
+    std::vector<std::string_view> fields;
+    for (std::size_t i = next_line(reading.layout.lines_before_rows);
+         i < lines_.size() && reading.rows < rules::kMaxRowsLookedAt; i = next_line(i + 1)) {
+      split_fields(lines_[i], reading.layout.dialect.separator, fields);
+      ++reading.rows;
+      if (is_good(fields, reading)) ++reading.good_rows;
+    }
+  }
+
+  static bool is_good(const std::vector<std::string_view>& fields, Reading& reading) {
+    const CsvHeader& header = reading.layout.header;
+    if (fields.size() != header.slots.size()) return false;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (header.slots[i] >= kColumns.size()) continue;
+      double value = 0;
+      const FieldKind kind = read_number(fields[i], reading.layout.dialect.decimal_comma, value);
+      const bool calendar = header.slots[i] == kTimeSlot && read_calendar_time(fields[i]);
+      if (kind == FieldKind::text && !calendar) return false;
+      if (kind == FieldKind::number) reading.values.push_back(value);
+    }
+    return true;
+  }
+
+  // The plain format: nothing else has to be tried.
+  bool is_plain() const {
+    if (readings_.empty()) return false;
+    const Reading& reading = readings_.front();
+    return reading.layout.dialect.separator == ',' && reading.layout.header.understood.empty() &&
+           !reading.layout.dialect.decimal_comma &&
+           std::all_of(readings_.begin() + 1, readings_.end(),
+                       [&](const Reading& other) { return other.good_rows < reading.good_rows; });
+  }
+
+  const Reading& best() {
+    const auto fitting = std::find_if(readings_.begin(), readings_.end(), fits);
+    if (fitting != readings_.end()) {
+      const auto other = std::find_if(fitting + 1, readings_.end(), [&](const Reading& each) {
+        return fits(each) && each.values != fitting->values;
+      });
+      if (other != readings_.end()) refuse_two(*fitting, *other);
+      return *fitting;
+    }
+    if (readings_.empty()) read_without_header();
+    if (readings_.empty()) explain();
+    // Bad rows are named when they are read.
+    return *std::max_element(readings_.begin(), readings_.end(), [](const auto& a, const auto& b) {
+      return a.good_rows < b.good_rows;
+    });
+  }
+
+  [[noreturn]] void refuse_two(const Reading& one, const Reading& other) const {
+    throw InputError(head_.path, "can be read in two ways: " + words(one.layout.dialect) + ", or " +
+                                     words(other.layout.dialect) +
+                                     "; save it with ';' between columns and '.' in numbers");
+  }
+
+  static std::string words(const CsvDialect& dialect) {
+    std::string text = "columns separated by ";
+    text += dialect.separator == '\t'  ? "tabs"
+            : dialect.separator == ' ' ? "blanks"
+                                       : std::string("'") + dialect.separator + "'";
+    return text + (dialect.decimal_comma ? ", decimal comma" : "");
+  }
+
+  // A file that begins with its rows, whose columns --columns gives by their numbers.
+  void read_without_header() {
+    const std::size_t first = next_line(0);
+    if (options_.columns.empty() || first == lines_.size()) return;
+    for (const char separator : {',', ';', '\t', ' '}) {
+      const std::vector<std::string> fields = names_in(lines_[first], separator);
+      if (fields.size() < 2) continue;
+      const std::vector<std::string> nameless(fields.size());
+      if (required_columns_among(nameless, options_) < kRequired) continue;
+      consider({nameless, {}, head_.path, head_.path}, separator, first);
+    }
+    readings_.erase(std::remove_if(readings_.begin(), readings_.end(),
+                                   [](const Reading& each) { return !each.has_values(); }),
+                    readings_.end());
+  }
+
+  // Why no line can be the header.
+  [[noreturn]] void explain() const {
+    if (refusal_) throw InputError(*refusal_);
+    const std::size_t first = next_line(0);
+    if (first == lines_.size()) {
+      throw InputError(head_.path, "has no header line and no rows; is it the right file?");
+    }
+    if (guess_.names.empty()) {
+      const std::string name(trim(lines_[first]));
+      understand_header({{name}, {}, head_.path, head_.path + ":" + std::to_string(first + 1)},
+                        silent_);
+    }
+    if (guess_found_ == 0 && guess_is_numbers_) {
+      fail(first + 1,
+           "numbers where the column names should be; put a line such as "
+           "time_s,temperature_degc,rate_dph before them, or give "
+           "--columns 'time=1[s],temperature=2[degC],rate=3[deg/h]'");
+    }
+    understand_header(guess_, silent_);
+    throw InputError(guess_.where, "is no header of a recording");
+  }
+
+  CsvLayout finish(const Reading& chosen) {
+    CsvLayout layout = chosen.layout;
+    understand_header(chosen.lines, options_);  // for what it says
+    find_time_format(layout);
+    std::vector<std::string> understood = layout.header.understood;
+    if (layout.dialect.separator != ',' || layout.dialect.decimal_comma) {
+      understood.push_back(words(layout.dialect));
+    }
+    if (!chosen.lines.units.empty()) understood.emplace_back("a row of units");
+    if (head_.utf16) understood.emplace_back("UTF-16");
+    if (layout.time != TimeFormat::number) {
+      understood.push_back(
+          std::string(layout.time == TimeFormat::since_1970 ? "UNIX" : "ISO 8601") +
+          " times, counted from the first row: power-on is not known");
+    }
+    if (!understood.empty()) options_.watch.say(head_.path, "read as " + join(understood, "; "));
+    return layout;
+  }
+
+  // By the first row that has a time.
+  void find_time_format(CsvLayout& layout) {
+    std::vector<std::string_view> fields;
+    const std::size_t time_field = layout.header.field_of(kTimeSlot);
+    for (std::size_t i = next_line(layout.lines_before_rows); i < lines_.size();
+         i = next_line(i + 1)) {
+      split_fields(lines_[i], layout.dialect.separator, fields);
+      if (time_field >= fields.size()) continue;
+      const std::string_view text = fields[time_field];
+      if (const auto number = read_long_number(text, layout.dialect.decimal_comma)) {
+        return judge_number(layout, static_cast<double>(number->whole));
+      }
+      if (read_calendar_time(text)) {
+        layout.time = TimeFormat::calendar;
+        return;
+      }
+      if (is_other_calendar(text)) {
+        fail(i + 1, "time '" + printable(text) +
+                        "' is no ISO 8601 date and time; write 2024-03-05T12:30:15.25 or seconds");
+      }
+    }
+  }
+
+  // A time without a unit, far beyond what seconds can be, is one of the calendar in finer units.
+  void judge_number(CsvLayout& layout, double first) const {
+    CsvHeader& header = layout.header;
+    auto unit = std::find_if(header.conversions.begin(), header.conversions.end(),
+                             [](const auto& each) { return each.slot == kTimeSlot; });
+    if (unit == header.conversions.end() && !header.time_has_unit) {
+      constexpr std::pair<double, const char*> kFiner[] = {{1e9, "ns"}, {1e6, "us"}, {1e3, "ms"}};
+      for (const auto& [divisor, words] : kFiner) {
+        if (first < rules::kMinUnixTimeS * divisor) continue;
+        header.conversions.push_back({kTimeSlot, {Quantity::time, words, 1, divisor, 0}});
+        for (std::string& each : header.understood) {
+          if (each.rfind("time: ", 0) == 0) each = each.substr(0, each.rfind(' ') + 1) + words;
+        }
+        unit = header.conversions.end() - 1;
+        break;
+      }
+    }
+    const double first_s = unit == header.conversions.end() ? first : unit->unit.convert(first);
+    if (first_s >= rules::kMinUnixTimeS) layout.time = TimeFormat::since_1970;
+  }
+
+  static constexpr std::size_t kRequired = 3;
+
+  const FileHead& head_;
+  const ReadOptions& options_;
+  ReadOptions silent_ = options_;
+  std::vector<std::string_view> lines_;
+  std::vector<Reading> readings_;
+  std::optional<InputError> refusal_;  // of the first header that has all columns
+  HeaderLines guess_;
+  std::size_t guess_found_ = 0;
+  bool guess_is_numbers_ = false;
+};
+
+}  // namespace
+
+bool is_comment_or_blank(std::string_view line) {
+  while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+  return line.empty() || line.front() == '#' || line.front() == '%';
+}
+
+CsvLayout find_csv_layout(const FileHead& head, const ReadOptions& options) {
+  return LayoutFinder(head, options).find();
+}
+
+}  // namespace fogcomp::recording

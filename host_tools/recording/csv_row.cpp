@@ -1,0 +1,112 @@
+#include "recording/csv_row.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "recording/scan_decimal.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+CsvRowReader::CsvRowReader(const CsvLayout& layout)
+    : layout_(layout),
+      conversions_(layout.header.conversions),
+      plain_(layout.dialect.separator != ' ' && !layout.dialect.decimal_comma &&
+             layout.time == TimeFormat::number) {}
+
+// Most rows are this: one pass over the line.
+bool CsvRowReader::read_plain(std::string_view line, CsvRow& row) const {
+  const char* p = line.data();
+  const char* const end = p + line.size();
+  const char separator = layout_.dialect.separator;
+  const auto is_space = [&](char c) { return c == ' ' || (c == '\t' && separator != '\t'); };
+  const std::vector<std::size_t>& slots = layout_.header.slots;
+  for (std::size_t field = 0; field < slots.size(); ++field) {
+    const std::size_t slot = slots[field];
+    if (slot < row.values.size()) {
+      while (p < end && is_space(*p)) ++p;
+      p = scan_decimal(p, end, row.values[slot]);
+      if (p == nullptr) return false;
+      while (p < end && is_space(*p)) ++p;
+    } else {
+      const char* const start = p;
+      p = std::find(p, end, separator);
+      const std::string_view text{start, static_cast<std::size_t>(p - start)};
+      if (text.find('"') != std::string_view::npos) return false;
+      if (slot == CsvHeader::kSegmentLabel) row.label = trim(text);
+    }
+    const bool last = field + 1 == slots.size();
+    if (last != (p == end)) return false;
+    if (!last && *p++ != separator) return false;
+  }
+  return true;
+}
+
+bool CsvRowReader::read_any(std::string_view line, CsvRow& row) {
+  split_fields(line, layout_.dialect.separator, fields_);
+  const std::vector<std::size_t>& slots = layout_.header.slots;
+  if (fields_.size() != slots.size()) return false;
+  row.lacks_values = false;
+  for (std::size_t field = 0; field < slots.size(); ++field) {
+    const std::size_t slot = slots[field];
+    if (slot == CsvHeader::kSegmentLabel) row.label = fields_[field];
+    if (slot >= row.values.size()) continue;
+    double& value = row.values[slot];
+    const FieldKind kind = slot == kTimeSlot && layout_.time != TimeFormat::number
+                               ? read_time(fields_[field], value)
+                               : read_number(fields_[field], layout_.dialect.decimal_comma, value);
+    if (kind == FieldKind::text) return false;
+    if (kind == FieldKind::number) continue;
+    value = kNoValue;
+    row.lacks_values = true;
+  }
+  return true;
+}
+
+// Counted from the first row's, before it is rounded to a double.
+FieldKind CsvRowReader::read_time(std::string_view field, double& value) {
+  const auto reading = layout_.time == TimeFormat::calendar
+                           ? read_calendar_time(field)
+                           : read_long_number(field, layout_.dialect.decimal_comma);
+  if (!reading) {
+    double none = 0;
+    const FieldKind kind = read_number(field, false, none);
+    return kind == FieldKind::missing ? kind : FieldKind::text;
+  }
+  if (!first_time_) first_time_ = reading;
+  value = reading->since(*first_time_);
+  return FieldKind::number;
+}
+
+std::string CsvRowReader::fault_of(std::string_view line) {
+  const CsvHeader& header = layout_.header;
+  split_fields(line, layout_.dialect.separator, fields_);
+  if (fields_.size() != header.slots.size()) {
+    const bool two_uses =
+        layout_.dialect.separator == ',' && fields_.size() > header.slots.size() + 1;
+    return counted(fields_.size(), "field") + " where the header has " +
+           std::to_string(header.slots.size()) +
+           (two_uses ? " (a ',' within numbers? separate columns by ';')" : "");
+  }
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    if (header.slots[i] >= kColumns.size()) continue;
+    double value = 0;
+    const bool calendar = header.slots[i] == kTimeSlot && layout_.time == TimeFormat::calendar;
+    if (calendar && !read_calendar_time(fields_[i])) {
+      return "time is '" + printable(fields_[i]) + "', no ISO 8601 date and time";
+    }
+    if (calendar ||
+        read_number(fields_[i], layout_.dialect.decimal_comma, value) != FieldKind::text) {
+      continue;
+    }
+    return header.names[i] + " is '" + printable(fields_[i]) + "', not a finite number";
+  }
+  return "not a row of numbers";
+}
+
+}  // namespace fogcomp::recording

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "recording/columns.hpp"
+#include "recording/csv_layout.hpp"
+
+namespace fogcomp::recording {
+
+/// The fields of one line, by their columns, in a recording's units.
+struct CsvRow {
+  std::array<double, kColumns.size()> values{};  ///< NaN where the file has none
+  std::string_view label{};
+  bool lacks_values = false;  ///< some of them are NaN
+};
+
+/// Reads the rows of a CSV one after another.
+class CsvRowReader {
+ public:
+  /// `layout` must outlive this.
+  explicit CsvRowReader(const CsvLayout& layout);
+
+  /// False where a field is missing, surplus, or no number; fault_of() then says why.
+  bool read(std::string_view line, CsvRow& row) {
+    if (!plain_ || !read_plain(line, row)) {
+      if (!read_any(line, row)) return false;
+    }
+    for (const CsvHeader::Conversion& each : conversions_) {
+      row.values[each.slot] = each.unit.convert(row.values[each.slot]);
+    }
+    return true;
+  }
+
+  std::string fault_of(std::string_view line);
+
+ private:
+  bool read_plain(std::string_view line, CsvRow& row) const;
+  bool read_any(std::string_view line, CsvRow& row);
+  FieldKind read_time(std::string_view field, double& value);
+
+  const CsvLayout& layout_;
+  const std::vector<CsvHeader::Conversion>& conversions_;
+  bool plain_;  ///< may be read without taking the line apart first
+  std::vector<std::string_view> fields_;
+  std::optional<TimeReading> first_time_;
+};
+
+}  // namespace fogcomp::recording

@@ -1,0 +1,121 @@
+#include "recording/sparse_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "recording/columns.hpp"
+#include "recording/decision_rules.hpp"
+#include "recording/row_removal.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+std::size_t readings_in(const std::vector<double>& column) {
+  return static_cast<std::size_t>(
+      std::count_if(column.begin(), column.end(), [](double value) { return !std::isnan(value); }));
+}
+
+void join_readings(const std::vector<double>& time_s, std::vector<double>& column,
+                   std::size_t before, std::size_t after) {
+  const double length_s = time_s[after] - time_s[before];
+  if (length_s > rules::kMaxBridgeS) return;
+  for (std::size_t row = before + 1; row < after; ++row) {
+    const double part = (time_s[row] - time_s[before]) / length_s;
+    column[row] = column[before] + part * (column[after] - column[before]);
+  }
+}
+
+void complete(const std::vector<double>& time_s, std::vector<double>& column) {
+  const std::size_t rows = column.size();
+  std::size_t last = rows;  // the reading before; none yet
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (std::isnan(column[row])) continue;
+    if (last < rows) join_readings(time_s, column, last, row);
+    last = row;
+  }
+  for (std::size_t row = last + 1; row < rows; ++row) {
+    if (time_s[row] - time_s[last] <= rules::kMaxBridgeS) column[row] = column[last];
+  }
+}
+
+// A row cannot do without these.
+bool is_needed(Column column) {
+  return column == Column::temperature_degc || column == Column::input_rate_dph;
+}
+
+LineNumbers lines_without(const LineNumbers& lines, std::size_t rows,
+                          const std::vector<std::size_t>& removed) {
+  LineNumbers left;
+  std::size_t kept = 0;
+  auto next = removed.begin();
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (next != removed.end() && *next == row) {
+      ++next;
+    } else {
+      left.add(kept++, lines.line_of(row));
+    }
+  }
+  return left;
+}
+
+void say_how_sparse(const Recording& recording, const ColumnInfo& info, std::size_t readings,
+                    const ReadWatch& watch) {
+  const double one_in = static_cast<double>(recording.rows()) / static_cast<double>(readings);
+  watch.say(recording.file,
+            format("%s: a reading in %zu of %zu rows (1 in %.3g), between them "
+                   "on a straight line",
+                   std::string(info.name).c_str(), readings, recording.rows(), one_in));
+}
+
+std::vector<std::size_t> incomplete_rows(const Recording& recording) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    for (const ColumnInfo& info : kColumns) {
+      const std::vector<double>& column = recording[info.column];
+      if (column.empty() || !is_needed(info.column) || !std::isnan(column[row])) continue;
+      rows.push_back(row);
+      break;
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+void complete_sparse_columns(Recording& recording, LineNumbers& lines, const ReadWatch& watch) {
+  for (const ColumnInfo& info : kColumns) {
+    std::vector<double>& column = recording[info.column];
+    const std::size_t readings = readings_in(column);
+    if (readings == column.size()) continue;
+    if (readings == 0 && info.column == Column::temperature_degc) {
+      throw InputError(recording.file, std::string(info.name) + " has no value in any row");
+    }
+    if (readings > 0) complete(recording.time_s, column);
+    const bool complete_now = readings_in(column) == column.size();
+    if (readings > 0 && (complete_now || is_needed(info.column))) {
+      say_how_sparse(recording, info, readings, watch);
+    } else {
+      watch.say(recording.file, std::string(info.name) + format(" has a value in %zu of %zu rows: "
+                                                                "the column is ignored",
+                                                                readings, column.size()));
+      column.clear();
+    }
+  }
+  const std::vector<std::size_t> removed = incomplete_rows(recording);
+  if (removed.empty()) return;
+  watch.say(recording.file,
+            counted(removed.size(), "row") +
+                format(" left out: no temperature or input rate within %g s, the first at line %zu",
+                       rules::kMaxBridgeS, lines.line_of(removed.front())));
+  recording.empty_rows += removed.size();
+  lines = lines_without(lines, recording.rows(), removed);
+  remove_rows(recording, removed);
+  if (recording.rows() == 0)
+    throw InputError(recording.file, "no row is left; see the lines above");
+}
+
+}  // namespace fogcomp::recording

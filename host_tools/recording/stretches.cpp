@@ -1,0 +1,64 @@
+#include "recording/stretches.hpp"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "recording/decision_rules.hpp"
+#include "recording/row_range.hpp"
+#include "support/input_error.hpp"
+#include "support/median.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+// Of at most 65537 spacings spread over the recording: a typical value needs no more.
+double median_spacing_s(const std::vector<double>& time_s) {
+  constexpr std::size_t kMostSpacings = 65536;
+  const std::size_t step = time_s.size() / kMostSpacings + 1;
+  std::vector<double> spacings;
+  for (std::size_t i = 1; i < time_s.size(); i += step) {
+    spacings.push_back(time_s[i] - time_s[i - 1]);
+  }
+  return median(std::move(spacings));
+}
+
+// Times are printed in decimals, and so is what lies between them: without this, rounding of the
+// differences turns 0.005 into 0.00499999999738.
+double without_rounding_dust(double period_s) {
+  constexpr double kDigits = 9;
+  const double units_per_s = std::pow(10, kDigits - std::floor(std::log10(period_s)));
+  return std::round(period_s * units_per_s) / units_per_s;
+}
+
+}  // namespace
+
+void find_stretches(Recording& recording) {
+  recording.stretch_starts = {0};
+  recording.period_s = 0;
+  const std::vector<double>& time_s = recording.time_s;
+  if (time_s.size() < 2) return;
+  const double typical_s = median_spacing_s(time_s);
+  double spanned_s = 0;
+  std::size_t spacings = 0;
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    const double spacing_s = time_s[i] - time_s[i - 1];
+    if (is_gap(spacing_s, typical_s)) {
+      recording.stretch_starts.push_back(i);
+    } else {
+      spanned_s += spacing_s;
+      ++spacings;
+    }
+  }
+  const double period_s = spanned_s / static_cast<double>(spacings);
+  if (period_s < rules::kMinPeriodS || period_s > rules::kMaxPeriodS) {
+    throw InputError(
+        recording.file,
+        format("rows are %g s apart; is the time in s? if not, give --columns time=NAME[us]",
+               period_s));
+  }
+  recording.period_s = without_rounding_dust(period_s);
+}
+
+}  // namespace fogcomp::recording

@@ -1,0 +1,527 @@
+// Files as laboratories have them: read right, value by value, or refused with a line that helps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "heard_in.hpp"
+#include "recording/columns.hpp"
+#include "recording/recording.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+#include "temporary_file.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+constexpr int kRows = 40;
+
+double true_time_s(int row) {
+  return 0.25 + 0.5 * row;
+}
+double true_temperature_degc(int row) {
+  return 21.5 + 0.125 * row;
+}
+double true_rate_dph(int row) {
+  return 7.25 + 0.5 * ((row * 7) % 11);
+}
+
+std::string digits(double value) {
+  return format("%.17g", value);
+}
+
+// How a file is written; the default is the plain format.
+struct FileWriter {
+  using Print = std::function<std::string(int row)>;
+  struct FileColumn {
+    std::string name;
+    Print print;
+    std::string unit{};  // for a row of units
+  };
+  std::string separator = ",";
+  bool decimal_comma = false;
+  std::string line_end = "\n";
+  std::string preamble{};
+  bool units_row = false;
+  bool quotes = false;
+  bool comment_header = false;
+  bool trailing_separator = false;
+  bool time_from_first_row = false;
+  FileColumn time{"time_s", [](int row) { return digits(true_time_s(row)); }, "s"};
+  FileColumn temperature{"temperature_degc",
+                         [](int row) { return digits(true_temperature_degc(row)); }, "degC"};
+  FileColumn rate{"rate_dph", [](int row) { return digits(true_rate_dph(row)); }, "deg/h"};
+  std::vector<FileColumn> others{};
+  std::function<std::string(std::string)> encode = [](std::string text) { return text; };
+  ReadOptions options{};
+
+  std::string field(std::string text, bool number) const {
+    if (decimal_comma && number) {
+      for (char& c : text) c = c == '.' ? ',' : c;
+    }
+    return quotes ? "\"" + text + "\"" : text;
+  }
+  std::string line(const std::function<std::string(const FileColumn&)>& of, bool numbers) const {
+    std::string text = field(of(time), numbers);
+    for (const FileColumn* each : {&temperature, &rate})
+      text += separator + field(of(*each), numbers);
+    for (const FileColumn& each : others) text += separator + field(of(each), numbers);
+    return text + (trailing_separator ? separator : "") + line_end;
+  }
+  std::string content() const {
+    std::string text = preamble + (comment_header ? "# " : "");
+    text += line([](const FileColumn& each) { return each.name; }, false);
+    if (units_row) text += line([](const FileColumn& each) { return each.unit; }, false);
+    for (int row = 0; row < kRows; ++row) {
+      text += line([row](const FileColumn& each) { return each.print(row); }, true);
+    }
+    return encode(text);
+  }
+};
+
+std::string utf16(const std::string& text, bool little) {
+  std::string units;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned code = static_cast<unsigned char>(text[i]);
+    if (code >= 0xC0U) {
+      code = ((code & 0x1FU) << 6U) | (static_cast<unsigned char>(text[++i]) & 0x3FU);
+    }
+    const char low = static_cast<char>(code & 0xFFU);
+    const char high = static_cast<char>(code >> 8U);
+    units += little ? std::string{low, high} : std::string{high, low};
+  }
+  return units;
+}
+
+std::string latin1(const std::string& text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (static_cast<unsigned char>(text[i]) == 0xC2U) ++i;
+    bytes += text[i];
+  }
+  return bytes;
+}
+
+// One thing in which a file differs from the plain format. Of a kind, a file has one at most.
+struct Property {
+  const char* kind;
+  const char* name;
+  std::function<void(FileWriter&)> apply;
+};
+
+Property named_unit(const char* kind, const char* name, FileWriter::FileColumn FileWriter::*column,
+                    FileWriter::Print print) {
+  return {kind, name, [=](FileWriter& file) {
+            (file.*column).name = name;
+            (file.*column).unit = "";
+            (file.*column).print = print;
+          }};
+}
+
+Property time_in(const char* name, double per_second) {
+  return named_unit("time", name, &FileWriter::time,
+                    [=](int row) { return digits(true_time_s(row) * per_second); });
+}
+Property kelvin(const char* name) {
+  return named_unit("temperature", name, &FileWriter::temperature,
+                    [](int row) { return digits(true_temperature_degc(row) + 273.15); });
+}
+Property fahrenheit(const char* name) {
+  return named_unit("temperature", name, &FileWriter::temperature,
+                    [](int row) { return digits(true_temperature_degc(row) * 1.8 + 32); });
+}
+Property celsius(const char* name) {
+  return named_unit("temperature", name, &FileWriter::temperature,
+                    [](int row) { return digits(true_temperature_degc(row)); });
+}
+Property rate_in(const char* name, double per_dph) {
+  return named_unit("rate", name, &FileWriter::rate,
+                    [=](int row) { return digits(true_rate_dph(row) * per_dph); });
+}
+Property unix_time(const char* name, double per_second, int decimals) {
+  return {"time", name, [=](FileWriter& file) {
+            file.time_from_first_row = true;
+            file.time.name = name;
+            file.time.unit = "";
+            file.time.print = [=](int row) {
+              // Digits of their own: a double has too few.
+              const long long whole = 1'709'625'600LL * static_cast<long long>(per_second) +
+                                      std::llround(0.5 * row * per_second);
+              if (decimals == 0) return std::to_string(whole);
+              return format("%lld.%02d", 1'709'625'600LL + row / 2, 50 * (row % 2));
+            };
+          }};
+}
+Property calendar(const char* label, const char* name, const char* pattern) {
+  return {"time", label, [=](FileWriter& file) {
+            file.time_from_first_row = true;
+            file.time.name = name;
+            file.time.unit = "";
+            file.time.print = [=](int row) {
+              return format(pattern, 30 + (row / 2) / 60, (row / 2) % 60, 5 * (row % 2));
+            };
+          }};
+}
+
+constexpr double kDpsPerDph = 1.0 / 3600;
+constexpr double kRadpsPerDph = 3.14159265358979323846 / 180 / 3600;
+
+std::vector<Property> properties() {
+  std::vector<Property> all{
+      {"separator", "semicolon", [](FileWriter& file) { file.separator = ";"; }},
+      {"separator", "tab", [](FileWriter& file) { file.separator = "\t"; }},
+      {"separator", "blank", [](FileWriter& file) { file.separator = " "; }},
+      {"separator", "blanks", [](FileWriter& file) { file.separator = "   "; }},
+      {"separator", "comma and blank", [](FileWriter& file) { file.separator = ", "; }},
+      {"decimals", "decimal comma", [](FileWriter& file) { file.decimal_comma = true; }},
+      {"lines", "CRLF", [](FileWriter& file) { file.line_end = "\r\n"; }},
+      {"lines", "blank lines", [](FileWriter& file) { file.line_end = "\n\n"; }},
+      {"preamble", "# comments",
+       [](FileWriter& file) { file.preamble = "# chamber 3, run 12\n#\n"; }},
+      {"preamble", "% comments",
+       [](FileWriter& file) { file.preamble = "% time, temperature, rate of run 12\n"; }},
+      {"preamble", "free lines",
+       [](FileWriter& file) {
+         file.preamble = "Device: FOG-7\nSerial;12\nExport of time, temperature, rate\n\n";
+       }},
+      {"preamble",
+       "sep=", [](FileWriter& file) { file.preamble = "sep=" + file.separator + "\n"; }},
+      {"preamble", "names in a comment", [](FileWriter& file) { file.comment_header = true; }},
+      {"units", "row of units", [](FileWriter& file) { file.units_row = true; }},
+      {"quotes", "quotes", [](FileWriter& file) { file.quotes = true; }},
+      {"encoding", "BOM",
+       [](FileWriter& file) {
+         file.encode = [](const std::string& text) { return "\xEF\xBB\xBF" + text; };
+       }},
+      {"encoding", "UTF-16 LE",
+       [](FileWriter& file) {
+         file.encode = [](const std::string& text) { return "\xFF\xFE" + utf16(text, true); };
+       }},
+      {"encoding", "UTF-16 BE",
+       [](FileWriter& file) {
+         file.encode = [](const std::string& text) { return "\xFE\xFF" + utf16(text, false); };
+       }},
+      {"encoding", "UTF-16 without mark",
+       [](FileWriter& file) {
+         file.encode = [](const std::string& text) { return utf16(text, true); };
+       }},
+      {"encoding", "Latin-1", [](FileWriter& file) { file.encode = latin1; }},
+      {"others", "index and accelerations",
+       [](FileWriter& file) {
+         file.others = {{"acc_x [m/s2]", [](int) { return "9.81"; }, "m/s2"},
+                        {"count", [](int row) { return std::to_string(row); }, "-"}};
+       }},
+      {"others", "trailing separator",
+       [](FileWriter& file) {
+         file.trailing_separator = file.separator.find_first_not_of(' ') != std::string::npos;
+       }},
+      time_in("Time_s", 1),
+      time_in("TIME [s]", 1),
+      time_in("time_ms", 1e3),
+      time_in("t_us", 1e6),
+      time_in("Elapsed(ms)", 1e3),
+      time_in("TimeUS", 1e6),
+      time_in("time [\xC2\xB5s]", 1e6),
+      time_in("Zeit_in_s", 1),
+      time_in("timestamp_ns", 1e9),
+      time_in("time/min", 1.0 / 60),
+      time_in("time_h", 1.0 / 3600),
+      unix_time("Timestamp [s]", 1, 2),
+      unix_time("time_s", 1, 2),
+      unix_time("unix_ms", 1e3, 0),
+      unix_time("Epoch(ns)", 1e9, 0),
+      unix_time("timestamp", 1e6, 0),
+      calendar("ISO 8601", "time", "2024-02-29T23:%02d:%02d.%d00"),
+      calendar("ISO 8601 with zone", "DateTime", "2024-02-29T23:%02d:%02d.%d+01:00"),
+      calendar("ISO 8601 over midnight", "utc", "2024-02-29T23:%02d:%02d.%dZ"),
+      celsius("Temp"),
+      celsius("T"),
+      celsius("T [\xC2\xB0"
+              "C]"),
+      celsius("coil_temp(degC)"),
+      celsius("Temperatur/\xC2\xB0"
+              "C"),
+      kelvin("T [K]"),
+      kelvin("temperature_k"),
+      fahrenheit("Temp (degF)"),
+      fahrenheit("temperature [\xC2\xB0"
+                 "F]"),
+      rate_in("rate_dps", kDpsPerDph),
+      rate_in("Gyro_X[deg/s]", kDpsPerDph),
+      rate_in("GyroZ[\xC2\xB0/s]", kDpsPerDph),
+      rate_in("omega_deg_per_s", kDpsPerDph),
+      rate_in("mdps", 1e3 * kDpsPerDph),
+      rate_in("rate_dpm", 1.0 / 60),
+      rate_in("w(rad/s)", kRadpsPerDph),
+      rate_in("imu.gyro.x[rad*s^-1]", kRadpsPerDph),
+      rate_in("GYRO_RADPS", kRadpsPerDph),
+      rate_in("rate[\xC2\xB0/h]", 1),
+      rate_in("RATE_DPH", 1),
+  };
+  return all;
+}
+
+void expect_true(const FileWriter& file, const std::string& name) {
+  Recording recording;
+  try {
+    recording = read_recording(temporary_file("foreign.csv", file.content()), file.options);
+  } catch (const InputError& error) {
+    ADD_FAILURE() << name << ": " << error.what() << "\n" << file.content().substr(0, 300);
+    return;
+  }
+  ASSERT_EQ(recording.rows(), static_cast<std::size_t>(kRows)) << name;
+  EXPECT_EQ(recording.power_on_unknown, file.time_from_first_row) << name;
+  for (int row = 0; row < kRows; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    const double begin_s = file.time_from_first_row ? true_time_s(0) : 0;
+    EXPECT_NEAR(recording.time_s[i], true_time_s(row) - begin_s, 1e-9) << name;
+    EXPECT_NEAR(recording.temperature_degc[i], true_temperature_degc(row), 1e-9) << name;
+    EXPECT_NEAR(recording.rate_dph[i], true_rate_dph(row), 1e-9) << name;
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+// A comma for two things at once can only be refused.
+bool is_impossible(const FileWriter& file) {
+  const bool comma = file.separator[0] == ',';
+  return comma && file.decimal_comma && !file.quotes;
+}
+
+void expect_refused(const FileWriter& file, const std::string& name) {
+  EXPECT_THROW(read_recording(temporary_file("foreign.csv", file.content()), file.options),
+               InputError)
+      << name;
+}
+
+void expect_right_or_refused(const FileWriter& file, const std::string& name) {
+  if (is_impossible(file)) return expect_refused(file, name);
+  expect_true(file, name);
+}
+
+TEST(ForeignFiles, AreReadValueByValueWithOneProperty) {
+  const std::vector<Property> all = properties();
+  EXPECT_GE(all.size(), 50U);
+  for (const Property& property : all) {
+    FileWriter file;
+    property.apply(file);
+    expect_right_or_refused(file, property.name);
+  }
+}
+
+TEST(ForeignFiles, AreReadValueByValueWithEveryPairOfProperties) {
+  const std::vector<Property> all = properties();
+  std::size_t pairs = 0;
+  for (const Property& one : all) {
+    for (const Property& other : all) {
+      if (&one >= &other || std::string(one.kind) == other.kind) continue;
+      FileWriter file;
+      one.apply(file);
+      other.apply(file);
+      // A name with a blank in it has to be quoted where blanks separate.
+      if (file.separator[0] == ' ') file.quotes = true;
+      ++pairs;
+      expect_right_or_refused(file, std::string(one.name) + " and " + other.name);
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GE(pairs, 500U);
+}
+
+struct RefusedFile {
+  const char* name;
+  const char* content;
+  const char* said;
+};
+
+std::string said_of(const std::string& content, const ReadOptions& options = {}) {
+  try {
+    read_recording(temporary_file("foreign.csv", content), options);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    const std::size_t file = message.find("foreign.csv");
+    return file == std::string::npos ? message : message.substr(file + 11);
+  }
+  return "no error";
+}
+
+TEST(ForeignFiles, AreRefusedWithTheLineThatHelpsWhereTheyMeanTwoThings) {
+  const RefusedFile refusals[] = {
+      {"two rates", "time_s,temperature_degc,gx [deg/s],gy [deg/s]\n0,20,1,2\n",
+       ":1: rate could be column 3 'gx [deg/s]' or column 4 'gy [deg/s]'; say which: --columns "
+       "'rate=gx [deg/s]', or --rate-column 'gx [deg/s]'"},
+      {"rate without a unit", "time_s,temperature_degc,Gyro_X\n0,20,1\n",
+       ":1: column 3 'Gyro_X' has no unit; say it: --columns 'rate=Gyro_X[deg/s]' (or deg/h, "
+       "rad/s, ...)"},
+      {"turns or radians", "time_s,temperature_degc,gyro_rps\n0,20,1\n", "has no unit; say it"},
+      {"two temperatures", "time_s,coil_degC,board_degC,rate_dph\n0,20,21,1\n",
+       ":1: temperature could be column 2 'coil_degC' or column 3 'board_degC'; say which: "
+       "--columns 'temperature=coil_degC'"},
+      {"two times", "date,time,temperature_degc,rate_dph\n0,1,20,1\n", "time could be column 1"},
+      {"unit against unit", "time_s,temperature_degc,rate_dph\ns,degC,deg/s\n0,20,1\n1,20,2\n",
+       "'rate_dph' is in deg/h by its name and in deg/s by the row of units"},
+      {"unknown unit", "time_s,T [Ra],rate_dph\n0,20,1\n",
+       "column 2 'T [Ra]': unit 'Ra' is not known; say it: --columns 'temperature=2[degC]'"},
+      {"time of day", "time,temperature_degc,rate_dph\n12:30:15,20,1\n12:30:16,20,1\n",
+       ":2: time '12:30:15' is no ISO 8601 date and time; write 2024-03-05T12:30:15.25 or seconds"},
+      {"day first", "time,temperature_degc,rate_dph\n05.03.2024 12:30,20,1\n",
+       "is no ISO 8601 date and time"},
+      {"comma twice", "time_s,temperature_degc,rate_dph\n0,5,20,1,1,5\n1,5,20,1,1,5\n",
+       ":2: 6 fields where the header has 3 (a ',' within numbers? separate columns by ';')"},
+      {"too few digits", "unix_s,temperature_degc,rate_dph\n1.7097e9,20,1\n1.7097e9,20,2\n",
+       ":3: time repeats, 0 s from the first row; has it enough digits?"},
+      {"no header", "0\t20\t1\n1\t20\t1\n",
+       "put a line such as time_s,temperature_degc,rate_dph before them, or give --columns "
+       "'time=1[s],temperature=2[degC],rate=3[deg/h]'"},
+      {"no rate", "Time [s];Temp [degC]\n0;20\n1;20\n", "no column 'rate_dph'"},
+      {"counts", "time_s;temperature_degc;gyro_counts\n0;20;1\n", "without a scale factor"},
+      {"no temperature", "time_s,temperature_degc,rate_dph\n0,,1\n1,NaN,2\n",
+       "temperature_degc has no value in any row"},
+      {"gzip", "\x1F\x8B\x08", "zcat FILE | fogcomp ... -"},
+      {"workbook", "PK\x03\x04", "save the sheet as CSV"},
+      {"MATLAB", "MATLAB 5.0 MAT-file, Platform: GLNXA64", "writetable"},
+      {"bag", "#ROSBAG V2.0\n", "write its topic as CSV"},
+  };
+  for (const RefusedFile& each : refusals) {
+    EXPECT_NE(said_of(each.content).find(each.said), std::string::npos)
+        << each.name << ": " << said_of(each.content);
+  }
+}
+
+TEST(ForeignFiles, AreSettledByTheMapOfColumns) {
+  const std::string content =
+      "Stamp\tTemp\tGyro_X\tGyro_Y [deg/s]\n1000\t293.15\t1e-3\t2\n1500\t294.15\t2e-3\t3\n";
+  ReadOptions options;
+  options.columns = "time=stamp[ms],temperature=Temp[K],rate=gyro_x[rad/s]";
+  const Recording recording = read_recording(temporary_file("map.csv", content), options);
+  EXPECT_EQ(recording.time_s, (std::vector<double>{1, 1.5}));
+  EXPECT_EQ(recording.temperature_degc, (std::vector<double>{20, 21}));
+  EXPECT_NEAR(recording.rate_dph[0], 1e-3 / kRadpsPerDph, 1e-9);
+
+  options.columns = "time=1[ms],temperature=2[K],rate=Gyro_Y";
+  EXPECT_EQ(read_recording(temporary_file("map.csv", content), options).rate_dph,
+            (std::vector<double>{7200, 10800}));
+  options.columns = "time=1[s],temperature=2[degC],rate=3[deg/h]";
+  EXPECT_EQ(read_recording(temporary_file("map.csv", "0 20 1\n1 21 2\n"), options).rate_dph,
+            (std::vector<double>{1, 2}));
+
+  ReadOptions remembered;
+  remembered.model_columns = "time=stamp[ms],temperature=Temp[K],rate=gyro_x[rad/s]";
+  EXPECT_EQ(read_recording(temporary_file("map.csv", content), remembered).time_s,
+            (std::vector<double>{1, 1.5}));
+  const std::string plain = "time_s,temperature_degc,rate_dph\n0,20,1\n";
+  EXPECT_EQ(read_recording(temporary_file("map.csv", plain), remembered).rate_dph,
+            std::vector<double>{1});
+}
+
+TEST(ForeignFiles, AreRefusedWhereTheMapOfColumnsIsWrong) {
+  const std::string content = "time_s,temperature_degc,Gyro [rad/s],x [V]\n0,20,1,2\n";
+  const auto said = [&](const char* columns) {
+    ReadOptions options;
+    options.columns = columns;
+    return said_of(content, options);
+  };
+  EXPECT_NE(said("rate=Gyr[deg/s]").find("no column 'Gyr[deg/s]', which --columns names"),
+            std::string::npos);
+  EXPECT_NE(said("rate=Gyro[deg/s]").find("is in rad/s, --columns says deg/s"), std::string::npos);
+  EXPECT_NE(said("rate=x[V]").find("is in V, which is no unit of rate"), std::string::npos);
+  EXPECT_NE(said("speed=Gyro").find("a recording has no 'speed'"), std::string::npos);
+  EXPECT_NE(said("rate").find("is no COLUMN=NAME[UNIT]"), std::string::npos);
+  EXPECT_NE(said("rate=3,rate=4").find("two columns are given for rate"), std::string::npos);
+}
+
+TEST(ForeignFiles, SayInOneLineWhatWasUnderstood) {
+  std::string said;
+  read_recording(
+      temporary_file("said.csv", "Time [ms];Temp;Gyro_X [deg/s]\n0;20,5;1\n500;20,5;2\n"),
+      heard_in(said));
+  EXPECT_NE(said.find("said.csv: read as time: column 1 'Time [ms]' / 1000; temperature: column 2 "
+                      "'Temp' as degC; rate: column 3 'Gyro_X [deg/s]' x 3600; columns separated "
+                      "by ';', decimal comma\n"),
+            std::string::npos)
+      << said;
+  said.clear();
+  read_recording(temporary_file("said.csv", "time_s,temperature_degc,rate_dph\n0,20,1\n"),
+                 heard_in(said));
+  EXPECT_EQ(said, "");
+}
+
+TEST(ForeignFiles, HaveATemperatureBetweenItsReadings) {
+  std::string content = "time_s,temperature_degc,rate_dph\n";
+  for (int row = 0; row < 100; ++row) {
+    content += format("%d,%s,%d\n", row, row % 10 == 0 ? digits(20 + 0.01 * row).c_str() : "", row);
+  }
+  std::string said;
+  const Recording recording = read_recording(temporary_file("sparse.csv", content), heard_in(said));
+  ASSERT_EQ(recording.rows(), 100U);
+  EXPECT_NEAR(recording.temperature_degc[37], 20.37, 1e-9);
+  EXPECT_NEAR(recording.temperature_degc[99], 20.9, 1e-9);  // held behind the last reading
+  EXPECT_NE(said.find("temperature_degc: a reading in 10 of 100 rows (1 in 10)"), std::string::npos)
+      << said;
+}
+
+TEST(ForeignFiles, LeaveOutRowsWhoseValuesNobodyKnows) {
+  std::string said;
+  const Recording recording =
+      read_recording(temporary_file("holes.csv",
+                                    "time_s,temperature_degc,rate_dph,supply_v\n"
+                                    "0,,1,5\n1,20,NaN,5\n2,20,3,\n3,20,4,\n,20,5,\n200,,6,\n"
+                                    "400,21,7,\n401,21,8,\n"),
+                     heard_in(said));
+  EXPECT_EQ(recording.time_s, (std::vector<double>{2, 3, 400, 401}));
+  EXPECT_EQ(recording.rate_dph, (std::vector<double>{3, 4, 7, 8}));
+  EXPECT_EQ(recording.empty_rows, 4U);
+  EXPECT_TRUE(recording[fog::Input::supply].empty());
+  EXPECT_NE(said.find("2 rows left out: no time or rate, the first at line 3"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("2 rows left out: no temperature or input rate within 60 s, the first at "
+                      "line 2"),
+            std::string::npos)
+      << said;
+}
+
+// Whatever is wrong with a file, it is read or refused, and every column of what is read is whole.
+TEST(ForeignFiles, DamagedAreReadWholeOrRefused) {
+  const std::vector<Property> all = properties();
+  std::mt19937 random(1);
+  const std::string alphabet = "0123456789.,;-+eE\n\r\t #%[]()\"naifTZ:/\xC2\xB0\xB5";
+  std::size_t read = 0;
+  for (int round = 0; round < 3000; ++round) {
+    FileWriter file;
+    for (int i = 0; i < 3; ++i) all[random() % all.size()].apply(file);
+    std::string content = file.content();
+    for (unsigned change = random() % 4; change > 0 && !content.empty(); --change) {
+      const std::size_t at = random() % content.size();
+      if (random() % 2 == 0) {
+        content[at] = alphabet[random() % alphabet.size()];
+      } else {
+        content.erase(at, 1 + random() % 20);
+      }
+    }
+    ReadOptions options;
+    options.skip_bad_rows = random() % 2 == 0;
+    try {
+      const Recording recording = read_recording(temporary_file("damaged.csv", content), options);
+      ++read;
+      for (const ColumnInfo& info : kColumns) {
+        const std::vector<double>& column = recording[info.column];
+        EXPECT_TRUE(column.empty() || column.size() == recording.rows());
+        for (const double value : column) EXPECT_TRUE(std::isfinite(value));
+      }
+    } catch (const InputError&) {
+    }
+  }
+  EXPECT_GT(read, 1000U);
+}
+
+TEST(ForeignFiles, AreToldFromAStreamByTheirText) {
+  // The first bytes of a capture may look like a byte order mark.
+  EXPECT_NE(said_of(std::string("\xFF\xFE\xA5\x5A\x01\x02\x80\x90", 8) + std::string(600, '\x07'))
+                .find("neither text nor a sensor stream"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace fogcomp::recording

@@ -1,0 +1,118 @@
+#include "recording/long_recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "heard_in.hpp"
+#include "recording/decision_rules.hpp"
+#include "support/input_error.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+constexpr double kPeriodS = 0.005;
+
+// Rows from `first` on: a slow temperature, a rate that says which row it is.
+Recording rows_from(std::size_t first, std::size_t count) {
+  Recording part;
+  for (std::size_t row = first; row < first + count; ++row) {
+    const auto number = static_cast<double>(row);
+    part.time_s.push_back(kPeriodS * number);
+    part.temperature_degc.push_back(20 + 1e-6 * number);
+    part.rate_dph.push_back(1e-3 * number);
+  }
+  return part;
+}
+
+Recording means_of_parts(std::size_t parts, std::size_t part_rows, std::string& said) {
+  const ReadOptions options = heard_in(said);
+  LongRecording recording(options, kMostRows + 1);
+  LineNumbers lines;
+  for (std::size_t i = 0; i < parts; ++i) {
+    Recording part = rows_from(i * part_rows, part_rows);
+    recording.take(part, lines, "long.csv:1");
+    EXPECT_EQ(part.rows(), 0U);
+  }
+  return recording.finish("long.csv");
+}
+
+TEST(LongRecording, KeepsMeansOfNeighboursOfAllRowsInBoundedMemory) {
+  std::string said;
+  const std::size_t parts = 5;  // of which a fifth has no room as rows
+  const Recording means = means_of_parts(parts, rules::kPartRows, said);
+  const std::size_t rows = parts * rules::kPartRows;
+  ASSERT_EQ(means.rows_per_row, 2U);
+  ASSERT_EQ(means.rows(), rows / 2);
+  EXPECT_LE(means.rows(), rules::kMaxMeanRows);
+  for (std::size_t i = 0; i < means.rows(); i += 999) {
+    const double middle = 2 * static_cast<double>(i) + 0.5;
+    EXPECT_NEAR(means.time_s[i], kPeriodS * middle, 1e-6);
+    EXPECT_NEAR(means.rate_dph[i], 1e-3 * middle, 1e-6);
+    EXPECT_NEAR(means.temperature_degc[i], 20 + 1e-6 * middle, 1e-6);
+  }
+  EXPECT_NE(said.find("long.csv: 5242880 rows: read in means of 2 (0.01 s), 2621440 of them"),
+            std::string::npos)
+      << said;
+}
+
+TEST(LongRecording, TakesNoMeanAcrossAGapOrTheEndOfASegment) {
+  const ReadOptions options;
+  LongRecording recording(options, kMostRows + 1);
+  LineNumbers lines;
+  Recording part = rows_from(0, rules::kMaxMeanRows + 2);
+  for (std::size_t row = 1001; row < part.rows(); ++row) part.time_s[row] += 500;
+  part.labels = {{0, "warm"}, {3001, "cold"}};
+  recording.take(part, lines, "long.csv:1");
+  const Recording means = recording.finish("long.csv");
+  EXPECT_EQ(means.rows_per_row, 2U);
+  EXPECT_NEAR(means.time_s[500], kPeriodS * 1000, 1e-9);  // alone before the gap
+  EXPECT_NEAR(means.time_s[501], kPeriodS * 1001.5 + 500, 1e-9);
+  ASSERT_EQ(means.labels.size(), 2U);
+  EXPECT_EQ(means.labels[1].first_row, 1501U);
+  EXPECT_NEAR(means.time_s[1501], kPeriodS * 3001.5 + 500, 1e-9);
+}
+
+// A spike would be as many times smaller in a mean, and no board takes it.
+TEST(LongRecording, LeavesOutWhatTheBoardWouldRefuseBeforeItTakesMeans) {
+  std::string said;
+  const ReadOptions options = heard_in(said);
+  LongRecording recording(options, kMostRows + 1);
+  LineNumbers lines;
+  Recording part = rows_from(0, rules::kPartRows);
+  part.temperature_degc[5000] = 85;
+  part.rate_dph[7000] = 1e8;
+  recording.take(part, lines, "long.csv:1");
+  const Recording means = recording.finish("long.csv");
+  EXPECT_EQ(means.refused_rows, 11U);  // the rate for 50 ms, as the board does
+  EXPECT_LT(*std::max_element(means.temperature_degc.begin(), means.temperature_degc.end()), 25);
+  EXPECT_NE(said.find("11 rows left out by the board's rules, the first: "), std::string::npos)
+      << said;
+}
+
+TEST(LongRecording, BeginsWithMeansOnlyWhereTheFileIsSurelyTooLong) {
+  const ReadOptions options;
+  EXPECT_FALSE(LongRecording(options, kMostRows).begun());
+  EXPECT_TRUE(LongRecording(options, kMostRows + 1).begun());
+  // Found to be too long on the way: the rows so far become means.
+  LongRecording recording(options, 0);
+  Recording part = rows_from(0, rules::kMaxMeanRows + 2);
+  LineNumbers lines;
+  recording.take(part, lines, "long.csv:1");
+  EXPECT_EQ(recording.finish("long.csv").rows_per_row, 2U);
+}
+
+TEST(LongRecording, IsRefusedWhereEveryRowIsNeeded) {
+  ReadOptions options;
+  options.every_row = true;
+  LongRecording recording(options, 10 * kMostRows);
+  EXPECT_EQ(recording.part_rows(), kMostRows);
+  Recording part = rows_from(0, 10);
+  LineNumbers lines;
+  EXPECT_THROW(recording.take(part, lines, "long.csv:11"), InputError);
+}
+
+}  // namespace
+}  // namespace fogcomp::recording

@@ -1,0 +1,61 @@
+#include "recording/plausibility.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "support/text.hpp"
+#include "temporary_file.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+// Two soaks and a ramp of 1 degC/min between them, a row every 10 s; times in `per_second`.
+Recording chamber_run(double per_second) {
+  std::string text = "time_s,temperature_degc,rate_dph\n";
+  for (int row = 0; row < 720; ++row) {
+    const double minutes = row / 6.0;
+    const double degc = 20 + std::clamp(minutes - 40, 0.0, 40.0);
+    text += format("%.4f,%.4f,%.3f\n", 10 * row * per_second, degc, 0.1 * (row % 3));
+  }
+  return read_recording(temporary_file("chamber.csv", text), {});
+}
+
+std::string doubts_of(const Recording& recording, double noise_dph_rthz = 0.06) {
+  return join(doubts(recording, noise_dph_rthz), "\n");
+}
+
+TEST(Plausibility, OfAGyroInAChamberIsNotDoubted) {
+  EXPECT_EQ(doubts_of(chamber_run(1)), "");
+  // From the best fibre gyros to cheap MEMS ones; none at all is no unit's.
+  for (const double noise_dph_rthz : {0.0, 0.004, 0.06, 6.0, 60.0, 600.0}) {
+    EXPECT_EQ(doubts_of(chamber_run(1), noise_dph_rthz), "") << noise_dph_rthz;
+  }
+}
+
+TEST(Plausibility, OfARateInAnotherUnitIsDoubted) {
+  EXPECT_NE(
+      doubts_of(chamber_run(1), 0.06 / 3600).find("noise of 2.8e-07 deg/sqrt(h) is less than"),
+      std::string::npos);
+  EXPECT_NE(doubts_of(chamber_run(1), 0.06 / 206265).find("or in deg/s or rad/s?"),
+            std::string::npos);
+  EXPECT_NE(doubts_of(chamber_run(1), 1e5).find("is more than any gyro has"), std::string::npos);
+}
+
+TEST(Plausibility, OfATimeInAnotherUnitIsDoubted) {
+  const std::string ms = doubts_of(chamber_run(1000));
+  EXPECT_NE(ms.find("is the time in s, or in ms?"), std::string::npos) << ms;
+  EXPECT_NE(ms.find("the temperature goes through 40 degC at 0.06 degC/h at most"),
+            std::string::npos)
+      << ms;
+  const std::string min = doubts_of(chamber_run(1.0 / 60));
+  EXPECT_NE(min.find("as no chamber can move a coil: is the time in s, or in min?"),
+            std::string::npos)
+      << min;
+  EXPECT_NE(doubts_of(chamber_run(5000)).find("a run of 9986 h"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fogcomp::recording
