@@ -19,7 +19,7 @@ namespace fog {
 enum class OutputSelection : std::int32_t { kvh = 0, compact = 1, both = 2 };
 
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
-constexpr std::int32_t kModelLayout = 5;          ///< of the table; SPEC.md, "Model table"
+constexpr std::int32_t kModelLayout = 6;          ///< of the table; SPEC.md, "Model table"
 constexpr std::size_t kMostModelWords = 4096;
 
 /// What an image has room for: fixed by the header that it is built with.

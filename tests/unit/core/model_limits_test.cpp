@@ -62,7 +62,7 @@ void put_input(Table& table, const std::string& name, std::int32_t signal, std::
 // What stands before the effects.
 Table table_begun() {
   Table table;
-  table.put("magic", 0x464F474D).put("layout", 5).put("words", 0).put("model", 0x11223344);
+  table.put("magic", 0x464F474D).put("layout", 6).put("words", 0).put("model", 0x11223344);
   table.put("period", 5000).put("block", 200).put("multiplier", kHalf + 1).put("shift", 30);
   table.put("range", 1 << 20).put("step", 77).put("stuck", 100);
   table.put("decay", 1001).put("gain", 2002);
