@@ -18,7 +18,8 @@ static_assert(FOG_MODEL_LAYOUT == kModelLayout,
 /// The pipeline with room for what the generated header needs, and no more.
 using Pipeline =
     Compensator<FOG_MODEL_EFFECTS, FOG_MODEL_EXPRESSIONS, FOG_MODEL_NETWORK_INPUTS, FOG_MODEL_TAPS,
-                FOG_MODEL_LEVELS, static_cast<OutputSelection>(FOG_MODEL_OUTPUT)>;
+                FOG_MODEL_LEVELS, static_cast<OutputSelection>(FOG_MODEL_OUTPUT),
+                FOG_MODEL_OUTPUT_OPTIONS>;
 
 /// The image's weights, checked once, and sealed: they are in RAM, and must not change any more.
 struct Model {

@@ -13,6 +13,7 @@
 #define FOG_MODEL_TAPS 16
 #define FOG_MODEL_LEVELS 5
 #define FOG_MODEL_OUTPUT 0 /* frames: 0 KVH, 1 compact, 2 both */
+#define FOG_MODEL_OUTPUT_OPTIONS 0x0u /* 4: delta angle, 8: KVH commands */
 #define FOG_MODEL_WORDS 151
 
 static const int32_t fog_model[FOG_MODEL_WORDS] = {

@@ -266,8 +266,13 @@ std::int32_t as_signed(std::uint32_t word) {
 }
 
 void write_output(TableWriter& out, const BoardSettings& settings) {
-  out.note("output: 0 KVH format A, 1 compact, 2 both");
-  out.integer(static_cast<std::int32_t>(settings.output), "output");
+  if (settings.output == fog::OutputSelection::compact && settings.output_options != 0) {
+    throw InputError("--output compact",
+                     "has no KVH frames, of which --rotation and --kvh-commands are; give kvh or "
+                     "both, or leave them out");
+  }
+  out.note("output: 0 KVH format A, 1 compact, 2 both; + 4 delta angle, + 8 KVH commands");
+  out.integer(static_cast<std::uint32_t>(settings.output) | settings.output_options, "output");
   const bool none = settings.invalidating == fog::Status::none;
   out.note("flags that make a rate not valid; beside the usual ones " +
            (none ? "none" : join(flag_names(settings.invalidating), ", ")));

@@ -18,6 +18,7 @@ struct BoardSettings {
   recording::GivenLimits limits{};  ///< in place of the model's
   /// Beside fog::kRateInvalid: with any of these flags no rate is valid.
   fog::Status invalidating = kDefaultInvalidating;
+  fog::OutputOptions output_options = 0;  ///< of KVH's frames
 };
 
 /// A model in the integers of the firmware (firmware/SPEC.md, "Model table").

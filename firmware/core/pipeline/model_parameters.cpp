@@ -167,7 +167,10 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   read_expressions(table, room.expressions_fit, parameters.expressions);
   read_network(table, parameters.network);
   read_denoise(table, parameters.denoise);
-  parameters.output = static_cast<OutputSelection>(table.next(0, 2));
+  const std::int32_t output = table.next(0, 2 | kAllOutputOptions);
+  parameters.output = static_cast<OutputSelection>(output & ~kAllOutputOptions);
+  parameters.output_options = static_cast<OutputOptions>(output & kAllOutputOptions);
+  table.require(parameters.output <= OutputSelection::both);
   parameters.invalidating = static_cast<Status>(table.next());
   table.require((parameters.invalidating & ~kMayInvalidate) == kRateInvalid);
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
@@ -175,7 +178,8 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   if ((enabled & ~room.effects) != 0U || (parameters.network.used() & ~room.network_inputs) != 0U ||
       parameters.denoise.levels() > room.levels ||
       (room.taps != kAnyTaps && parameters.denoise.taps() != room.taps) ||
-      (room.output != OutputSelection::both && parameters.output != room.output)) {
+      (room.output != OutputSelection::both && parameters.output != room.output) ||
+      (parameters.output_options & ~room.output_options) != 0U) {
     return ModelError::not_in_image;
   }
   return ModelError::none;

@@ -16,7 +16,13 @@
 namespace fog {
 
 /// Frames that are sent for each sample.
-enum class OutputSelection : std::int32_t { kvh = 0, compact = 1, both = 2 };
+enum class OutputSelection : std::uint8_t { kvh = 0, compact = 1, both = 2 };
+
+/// What the header has chosen of KVH's frames beside, bits of the same word of the table.
+using OutputOptions = std::uint8_t;
+constexpr OutputOptions kRotationIsAngle = 4;  ///< Z rotation is the angle of a sample, not a rate
+constexpr OutputOptions kAnswersKvhCommands = 8;
+constexpr OutputOptions kAllOutputOptions = kRotationIsAngle | kAnswersKvhCommands;
 
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
 constexpr std::int32_t kModelLayout = 6;          ///< of the table; SPEC.md, "Model table"
@@ -32,6 +38,7 @@ struct ModelShape {
   EffectCheck effect_fits = fog::effect_fits<kAllEffects>;
   ExpressionCheck expressions_fit = fog::expressions_fit;
   OutputSelection output = OutputSelection::both;  ///< these frames; both: whatever
+  OutputOptions output_options = kAllOutputOptions;
 };
 
 /// Room for any model.
@@ -53,6 +60,7 @@ struct ModelParameters {
   NetworkParameters network;
   DenoiseParameters denoise;
   OutputSelection output = OutputSelection::kvh;
+  OutputOptions output_options = 0;
   Status invalidating = kRateInvalid;  ///< any of these makes a rate not valid
 
   /// What the model needs beside the coil's temperature.
