@@ -88,6 +88,7 @@ struct Model {
   RealNetwork network;
   DenoiseSettings denoise;
 
+  std::string serial;              ///< of the gyro; empty: not known
   double scale_factor = 0;         ///< counts per deg/s of the board's sensor stream
   recording::GyroLimits limits{};  ///< by which the board judges the rate
   double derivative_tau_s = 0;     ///< of each of the two lags behind dT/dt

@@ -156,10 +156,12 @@ void read_denoise(TableReader& table, DenoiseParameters& denoise) {
 
 ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
                      ModelParameters& parameters) {
-  constexpr std::size_t kHeaderWords = 4;
   parameters.fault = Status::none;
   parameters.provenance = static_cast<std::uint32_t>(words[3]);
+  constexpr std::size_t kHeaderWords = kProcessorAt + kProcessorWords;
+  if (words.size <= kHeaderWords) return ModelError::out_of_range;
   TableReader table({words.data + kHeaderWords, words.size - kHeaderWords - 1});
+  table.require(static_cast<std::uint32_t>(words[kProcessorAt - 1]) < 1U << 24U);  // it ends
   read_calibration(table, parameters);
   read_thermal(table, parameters);
   read_input_limits(table, parameters.acquisition);
@@ -186,6 +188,8 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
 }
 
 }  // namespace
+
+ModelParameters::ModelParameters() = default;
 
 std::uint32_t model_table_crc(Span<const std::int32_t> table) {
   std::uint32_t crc = kCrc32Initial;
@@ -218,16 +222,17 @@ const char* describe(ModelError error) {
     case ModelError::none:
       return "good";
     case ModelError::not_a_model:
-      return "no model table";
+      return "missing";
     case ModelError::other_layout:
-      return "model table of another layout version";
+      return "of another layout version";
     case ModelError::damaged:
-      return "model table damaged (CRC)";
+      return "damaged (CRC)";
     case ModelError::out_of_range:
-      return "model table holds a value out of range";
+      return "out of range";
     case ModelError::not_in_image:
-      return "model uses an effect, operation, network input, filter or frame that this image was "
-             "not built with";
+      return "not for this image";
+    case ModelError::other_board:
+      return "of another board";
   }
   return "unknown";
 }
