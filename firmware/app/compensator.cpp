@@ -22,13 +22,13 @@ namespace fog::app {
 namespace {
 
 // Each line in a function of its own: their texts are never on the stack together.
-[[gnu::noinline]] void announce_identity() {
+[[gnu::noinline]] void announce_identity(const Model& used) {
   platform::TextLine line;
   line.text("firmware " FOG_BUILD_VERSION " ").hex(FOG_BUILD_SOURCES).text(", processor");
   for (const std::uint32_t word : hal::processor_number()) line.text(" ").hex(word);
-  line.text("\r\nmodel ").hex(model().parameters.provenance);
-  if (model().error == ModelError::none) line.text(" of ").text(Model::serial());
-  hal::write_console(line.text(": ").text(describe(model().error)).text("\r\n").c_str());
+  line.text("\r\nmodel ").hex(used.parameters.provenance);
+  if (used.error == ModelError::none) line.text(" of ").text(Model::serial());
+  hal::write_console(line.text(": ").text(describe(used.error)).text("\r\n").c_str());
 }
 
 [[gnu::noinline]] void announce_board(const platform::BoardDescription& board,
@@ -49,7 +49,7 @@ namespace {
   if (board.clock_is_fallback) hal::write_console("FALLBACK CLOCK\r\n");
   if (!board.restarts_when_power_dips) hal::write_console("NO BROWN-OUT RESET\r\n");
   announce_crash(reset.last_crash);
-  announce_identity();
+  announce_identity(model());
   const bool intact = self_test().start_crc() == kIntactImage;
   hal::write_console(intact ? "image: good\r\n" : "image: DAMAGED, no rate is valid\r\n");
   if (!self_test().memory_good()) hal::write_console("memory: FAILS\r\n");
