@@ -136,6 +136,7 @@ TermInfo info_of(const EffectTerm& term) {
   info.coefficients = entry.coefficients;
   info.needs = entry.description.needs;
   info.host_only = entry.description.host_only;
+  info.outlives_power = entry.description.outlives_power;
   return info;
 }
 

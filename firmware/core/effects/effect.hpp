@@ -58,6 +58,9 @@ struct EffectDescription {
   /// A step of the bias at its only parameter, a time: it belongs to one recording, not to the
   /// gyro. A fit finds steps by change points.
   bool event = false;
+  /// Its time goes on while the power is off: a board, which knows the time since power-on alone,
+  /// would set it back each time. `export` refuses it.
+  bool outlives_power = false;
 };
 
 /// Whether an effect is a function of the input rate now, beside the coil's temperature: it is
