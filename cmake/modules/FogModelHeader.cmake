@@ -12,3 +12,11 @@ if(NOT EXISTS "${FOG_MODEL_HEADER}")
                       "as -DFOG_MODEL_HEADER=...")
 endif()
 configure_file("${FOG_MODEL_HEADER}" "${PROJECT_BINARY_DIR}/model/fog_model.h" COPYONLY)
+
+# KVH's commands come several in a row while a frame is sent, at the same bit rate: 64 bytes hold what comes meanwhile. A
+# request for the health record has 6.
+file(STRINGS "${FOG_MODEL_HEADER}" output_options REGEX "^#define FOG_MODEL_OUTPUT_OPTIONS 0x[8c]")
+set(FOG_REQUEST_BYTES 16)
+if(output_options)
+  set(FOG_REQUEST_BYTES 64)
+endif()

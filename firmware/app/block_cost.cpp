@@ -8,8 +8,9 @@
 #include "platform/text_line.hpp"
 
 // What the drift model costs: ticks of the timer (in QEMU: instructions) for one block, over a
-// ramp through the trained range while every input changes; then, of that, what the network alone
-// costs from its scaled inputs to its drift. Ends by semihosting.
+// ramp through the trained range while every input changes, and for one sample at any rate; then,
+// of the block, what the network alone costs from its scaled inputs to its drift. Ends by
+// semihosting.
 namespace fog::app {
 namespace {
 
@@ -65,6 +66,11 @@ ScaledInputs inputs_at(std::uint32_t index) {
   return inputs;
 }
 
+// Out of line, so that it begins and ends where its caller would be.
+[[gnu::noinline]] void see(Drift& drift, Rate rate) {
+  drift.see(rate);
+}
+
 }  // namespace
 
 void run() {
@@ -82,6 +88,14 @@ void run() {
     block.add(ticks_of([&] { drift.step(means); }) - overhead);
   }
   block.print("block");
+  Ticks sample;
+  for (std::uint32_t i = 1; i <= kBlocks; ++i) {
+    // Below and above any dead band and full scale, in both senses.
+    const std::int32_t size = INT32_MAX >> (i % 31);
+    const Rate rate = Rate::from_raw(i % 2 == 0 ? size : -size);
+    sample.add(ticks_of([&] { see(drift, rate); }) - overhead);
+  }
+  sample.print("sample");
   if constexpr (FOG_MODEL_NETWORK_INPUTS != 0) {
     Ticks network;
     for (std::uint32_t i = 1; i <= kBlocks; ++i) {

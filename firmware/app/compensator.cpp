@@ -6,8 +6,10 @@
 #include "app/health.hpp"
 #include "app/own_temperature.hpp"
 #include "app/pipeline.hpp"
+#include "build_identity.h"
 #include "core/pipeline/silence_clock.hpp"
 #include "hal/clock.hpp"
+#include "hal/processor.hpp"
 #include "hal/rate_sink.hpp"
 #include "hal/reset_report.hpp"
 #include "hal/sample_source.hpp"
@@ -20,10 +22,13 @@ namespace fog::app {
 namespace {
 
 // Each line in a function of its own: their texts are never on the stack together.
-[[gnu::noinline]] void announce_model() {
+[[gnu::noinline]] void announce_identity(const Model& used) {
   platform::TextLine line;
-  line.text("model ").hex(model().parameters.provenance).text(": ");
-  hal::write_console(line.text(describe(model().error)).text("\r\n").c_str());
+  line.text("firmware " FOG_BUILD_VERSION " ").hex(FOG_BUILD_SOURCES).text(", processor");
+  for (const std::uint32_t word : hal::processor_number()) line.text(" ").hex(word);
+  line.text("\r\nmodel ").hex(used.parameters.provenance);
+  if (used.error == ModelError::none) line.text(" of ").text(Model::serial());
+  hal::write_console(line.text(": ").text(describe(used.error)).text("\r\n").c_str());
 }
 
 [[gnu::noinline]] void announce_board(const platform::BoardDescription& board,
@@ -44,10 +49,10 @@ namespace {
   if (board.clock_is_fallback) hal::write_console("FALLBACK CLOCK\r\n");
   if (!board.restarts_when_power_dips) hal::write_console("NO BROWN-OUT RESET\r\n");
   announce_crash(reset.last_crash);
-  announce_model();
+  announce_identity(model());
   const bool intact = self_test().start_crc() == kIntactImage;
   hal::write_console(intact ? "image: good\r\n" : "image: DAMAGED, no rate is valid\r\n");
-  if (!self_test().memory_good()) hal::write_console("memory: FAILS, no rate is valid\r\n");
+  if (!self_test().memory_good()) hal::write_console("memory: FAILS\r\n");
 }
 
 // A board that is sent nothing, or no longer understands what it is sent, tests itself all the
@@ -67,7 +72,7 @@ SampleTime sample_time() {
 using Frames = std::array<std::uint8_t, kMostOutputBytes>;
 
 void send(const Frames& frames, std::size_t size) {
-  hal::write_output_stream(frames.data(), size);
+  if (sends_frames()) hal::write_output_stream(frames.data(), size);
   count_health(pipeline().last());
   test_on();
 }
@@ -112,7 +117,7 @@ constexpr std::uint32_t kGoodRunMs = 60'000;
 // A board that fails again and again, however it is restarted, does no more than say that nothing
 // is valid; until somebody resets it.
 [[gnu::noinline]] void answer_without_samples() {
-  hal::write_console("SAFE MODE, no rate is valid\r\n");
+  hal::write_console("SAFE MODE\r\n");
   for (SilenceClock silence = silence_from_now();;) {
     hal::wait_for_event();
     break_silence(silence);

@@ -3,7 +3,11 @@
 #include <array>
 
 #include "app/pipeline.hpp"
+#include "build_identity.h"
 #include "core/frames/health_request.hpp"
+#include "core/frames/kvh_command.hpp"
+#include "hal/memory_map.hpp"
+#include "hal/processor.hpp"
 #include "hal/rate_sink.hpp"
 #include "hal/request_source.hpp"
 #include "hal/reset_report.hpp"
@@ -12,21 +16,37 @@
 namespace fog::app {
 namespace {
 
-HealthRecord counted;
+SampleCounts counted;
 
-// What is not counted is looked up when somebody asks.
+// The last word of the image, as a little-endian number.
+std::uint32_t seal_of_image() {
+  std::uint32_t seal = 0;
+  __builtin_memcpy(&seal, hal::memory_map().image_end - sizeof seal, sizeof seal);
+  return seal;
+}
+
+// What is not counted is looked up when somebody asks; in the order of the words.
 HealthRecord health_now() {
-  HealthRecord record = counted;
-  record.image_intact = self_test().start_crc() == kIntactImage;
-  record.memory_good = self_test().memory_good();
-  record.model_good = model().error == ModelError::none;
-  record.model = model().parameters.provenance;
-  record.image_crc = self_test().start_crc();
-  record.discarded_bytes = pipeline().discarded_bytes();
-  record.image_passes = self_test().image_passes();
-  record.memory_passes = self_test().memory_passes();
-  record.stack_bytes = static_cast<std::uint16_t>(platform::stack_bytes_reserved());
-  record.stack_unused_bytes = static_cast<std::uint16_t>(platform::stack_bytes_unused());
+  const hal::ProcessorNumber processor = hal::processor_number();
+  const SelfTest& test = self_test();
+  const Model& used = model();
+  static_assert(processor.size() == 3);
+  static_assert(HealthWord::serial == static_cast<HealthWord>(16));
+  HealthRecord record{
+      test.start_crc() == kIntactImage,
+      test.memory_good(),
+      static_cast<std::uint8_t>(used.error),
+      {used.parameters.provenance, seal_of_image(), counted.samples, counted.invalid_rates,
+       counted.sequence_gaps, static_cast<std::uint32_t>(counted.status_last),
+       static_cast<std::uint32_t>(counted.status_seen), pipeline().discarded_bytes(),
+       test.image_passes(), test.memory_passes(),
+       static_cast<std::uint32_t>(platform::stack_bytes_reserved() | platform::stack_bytes_unused()
+                                                                         << 16U),
+       FOG_BUILD_VERSION_NUMBER, FOG_BUILD_SOURCES, processor[0], processor[1], processor[2]},
+      {}};
+  if (used.error == ModelError::none) {
+    __builtin_memcpy(&record[HealthWord::serial], Model::serial(), 4 * kSerialWords);
+  }
   const char* cause = describe(hal::reset_report().cause);
   for (std::size_t i = 0; i + 1 < record.reset_cause.size() && cause[i] != '\0'; ++i) {
     record.reset_cause[i] = cause[i];
@@ -34,7 +54,35 @@ HealthRecord health_now() {
   return record;
 }
 
+constexpr bool kKvhCommands = (FOG_MODEL_OUTPUT_OPTIONS & kAnswersKvhCommands) != 0;
+
+KvhSettings kvh_settings() {
+  const ModelParameters& parameters = model().parameters;
+  constexpr std::uint32_t kUsPerS = 1'000'000;
+  const std::uint32_t period_us = parameters.acquisition.sample_period_us;
+  return {(kUsPerS + period_us / 2) / period_us,
+          (parameters.output_options & kRotationIsAngle) != 0U};
+}
+
+KvhCommands& kvh_commands() {
+  static KvhCommands instance(kvh_settings());
+  return instance;
+}
+
+void answer_kvh_command(std::uint8_t byte) {
+  if constexpr (kKvhCommands) {
+    std::array<std::uint8_t, KvhCommands::kMostAnswer> answer;
+    const std::size_t size = kvh_commands().feed(byte, answer.data());
+    if (size > 0) hal::write_output_stream(answer.data(), size);
+  }
+}
+
 }  // namespace
+
+bool sends_frames() {
+  if constexpr (kKvhCommands) return !kvh_commands().configuring();
+  return true;
+}
 
 void count_health(const OutputSample& sample) {
   counted.count(sample);
@@ -45,6 +93,7 @@ void answer_requests() {
   std::array<std::uint8_t, 2 * kHealthRequestBytes> bytes;
   const std::size_t size = hal::read_requests(bytes.data(), bytes.size());
   for (std::size_t i = 0; i < size; ++i) {
+    answer_kvh_command(bytes[i]);
     if (!parser.feed(bytes[i])) continue;
     const HealthResponse response = encode_health_response(health_now());
     hal::write_output_stream(response.data(), response.size());

@@ -71,14 +71,14 @@ void SelfTest::run_all() {
 //
 // What is damaged at the start stays so, and is not worth another restart.
 void SelfTest::step() {
-  if (!memory_step() && memory_good_) restart_because("self-test: memory fails, restarting\r\n");
+  if (!memory_step() && memory_good_) restart_because("memory fails, restarting\r\n");
   ++memory_blocks_;
   volatile std::uint32_t crc = kImageCrcStart;
   if (!sealed_.step(bytes_a_step_, crc)) return;
   ++image_passes_;
   if (memory_good_) proof_.give(crc, crc);
   if (crc != kIntactImage && start_crc_ == kIntactImage) {
-    restart_because("self-test: image damaged, restarting\r\n");
+    restart_because("image damaged, restarting\r\n");
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace fog::platform {
 
-/// One line of console text, put together without a library: what does not fit is cut off.
+/// A line of console text, or two, put together without a library: what does not fit is cut off.
 class TextLine {
  public:
   TextLine& text(const char* characters) {
@@ -40,7 +40,7 @@ class TextLine {
     if (length_ + 1 < characters_.size()) characters_[length_++] = character;
   }
 
-  std::array<char, 120> characters_{};  // zeroed, so always terminated
+  std::array<char, 152> characters_{};  // zeroed, so always terminated
   std::size_t length_ = 0;
 };
 

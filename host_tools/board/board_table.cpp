@@ -40,6 +40,18 @@ Timing timing_of(const BoardSettings& settings) {
   return timing;
 }
 
+std::int32_t as_signed(std::uint32_t word) {
+  return static_cast<std::int32_t>(word);
+}
+
+void write_identity(TableWriter& out, const std::string& serial, const ProcessorNumber& processor) {
+  out.note("serial number of the gyro: " + (serial.empty() ? "none" : serial));
+  for (const std::uint32_t word : serial_words(serial)) out.integer(as_signed(word), "serial");
+  const bool any = processor == ProcessorNumber{};
+  out.note("number of the processor that it is for: " + (any ? "any" : processor_text(processor)));
+  for (const std::uint32_t word : processor) out.integer(as_signed(word), "processor");
+}
+
 void write_calibration(TableWriter& out, const model::Model& model,
                        const recording::GyroLimits& limits, const Timing& timing) {
   out.note(format("sample period, us (%.6g Hz)", 1e6 / static_cast<double>(timing.period_us)));
@@ -261,13 +273,14 @@ void check_expressions(const BoardTable& table, std::size_t first) {
                                     fog::kMostExpressionStack, fog::kMostExpressionWords));
 }
 
-std::int32_t as_signed(std::uint32_t word) {
-  return static_cast<std::int32_t>(word);
-}
-
 void write_output(TableWriter& out, const BoardSettings& settings) {
-  out.note("output: 0 KVH format A, 1 compact, 2 both");
-  out.integer(static_cast<std::int32_t>(settings.output), "output");
+  if (settings.output == fog::OutputSelection::compact && settings.output_options != 0) {
+    throw InputError("--output compact",
+                     "has no KVH frames, of which --rotation and --kvh-commands are; give kvh or "
+                     "both, or leave them out");
+  }
+  out.note("output: 0 KVH format A, 1 compact, 2 both; + 4 delta angle, + 8 KVH commands");
+  out.integer(static_cast<std::uint32_t>(settings.output) | settings.output_options, "output");
   const bool none = settings.invalidating == fog::Status::none;
   out.note("flags that make a rate not valid; beside the usual ones " +
            (none ? "none" : join(flag_names(settings.invalidating), ", ")));
@@ -305,6 +318,7 @@ BoardTable make_board_table(const model::Model& whole, const BoardSettings& sett
   out.integer(
       as_signed(fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size())),
       "provenance");
+  write_identity(out, settings.serial.empty() ? model.serial : settings.serial, settings.processor);
   write_calibration(out, model, settings.limits.over(model.limits), timing);
   write_thermal(out, model, timing);
   write_input_limits(out, model);
@@ -330,7 +344,8 @@ fog::ModelParameters read_board_table(const BoardTable& table, const std::string
   fog::ModelParameters parameters;
   const fog::ModelError error = fog::read_model(table.span(), fog::kAnyModel, parameters);
   if (error != fog::ModelError::none) {
-    throw InputError(file, std::string(fog::describe(error)) + "; export the header again");
+    throw InputError(
+        file, std::string("model table ") + fog::describe(error) + "; export the header again");
   }
   return parameters;
 }

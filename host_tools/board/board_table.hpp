@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "board/identity.hpp"
 #include "board/status_names.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "model/model.hpp"
@@ -18,6 +19,9 @@ struct BoardSettings {
   recording::GivenLimits limits{};  ///< in place of the model's
   /// Beside fog::kRateInvalid: with any of these flags no rate is valid.
   fog::Status invalidating = kDefaultInvalidating;
+  fog::OutputOptions output_options = 0;  ///< of KVH's frames
+  std::string serial{};                   ///< of the gyro; empty: the model's
+  ProcessorNumber processor{};            ///< the only one that takes the table; 0: any does
 };
 
 /// A model in the integers of the firmware (firmware/SPEC.md, "Model table").

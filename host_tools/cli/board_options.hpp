@@ -12,6 +12,8 @@ struct BoardOptions : OptionGroup {
   using OptionGroup::OptionGroup;
   board::BoardSettings value() const {
     board::BoardSettings settings{sample_rate.value(), output.value(), extension.given()};
+    settings.output_options =
+        rotation.value() | (kvh_commands.given() ? fog::kAnswersKvhCommands : 0U);
     settings.invalidating = board::parse_flags(invalid.value(), fog::kMayInvalidate, "--invalid");
     return settings;
   }
@@ -23,6 +25,13 @@ struct BoardOptions : OptionGroup {
                                       {{"kvh", fog::OutputSelection::kvh},
                                        {"compact", fog::OutputSelection::compact},
                                        {"both", fog::OutputSelection::both}}};
+  Choice<fog::OutputOptions> rotation{
+      this,
+      {"rotation", "KIND", "of KVH frames: rate, rad/s, or delta, the angle of a sample, rad",
+       "rate", kRare},
+      {{"rate", 0}, {"delta", fog::kRotationIsAngle}}};
+  Flag kvh_commands{this, "kvh-commands", "the board answers what KVH's drivers send at start-up",
+                    true};
   Text invalid{
       this,
       {"invalid", "FLAGS", "with any of these no rate is valid (firmware/SPEC.md); or none",

@@ -41,6 +41,11 @@ std::string entry_text(const model::CatalogueEntry& entry) {
   const std::vector<std::string> needs = needed_columns(entry);
   if (!needs.empty()) text += "  needs      " + join(needs, ", ") + "\n";
   if (effect.host_only != nullptr) text += format("  host only  %s\n", effect.host_only);
+  if (effect.outlives_power) {
+    text +=
+        "  export     refuses it, but with --allow-error: a board that is switched off loses its "
+        "time\n";
+  }
   for (const auto& parameter : entry.parameters) {
     text += format("  parameter  %s: %s\n", parameter.name, range(entry, parameter).c_str());
   }
@@ -69,8 +74,12 @@ std::string entry_markdown(const model::CatalogueEntry& entry) {
   }
   const std::vector<std::string> needs = needed_columns(entry);
   if (!needs.empty()) row("needs", "`" + join(needs, ", ") + "`");
-  row("on the board", effect.host_only == nullptr ? format("yes, id %d", effect.id)
-                                                  : std::string("no: ") + effect.host_only);
+  row("on the board",
+      effect.outlives_power
+          ? format("only of one that is never switched off (`export --allow-error`), id %d",
+                   effect.id)
+      : effect.host_only == nullptr ? format("yes, id %d", effect.id)
+                                    : std::string("no: ") + effect.host_only);
   row("source", effect.source);
   return text + "\n";
 }

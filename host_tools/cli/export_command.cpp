@@ -58,6 +58,10 @@ struct ExportCommand : Command {
   Flag json{this, "json", "one JSON object on stdout"};
   BoardOptions board{this};
   GyroLimitOptions limits{this};
+  Text serial{this, {"serial", "NUMBER", "of the gyro (default: the model's)", "", kRare}};
+  Text uid{this,
+           {"uid", "DIGITS", "only this processor takes it (fogcomp health prints its number)", "",
+            kRare}};
 
   ExportCommand()
       : Command("export", {"MODEL", 1, 1}, "the C header of weights for the firmware",
@@ -68,6 +72,8 @@ struct ExportCommand : Command {
     output.required();
     workflow::ExportRequest request{arguments[0], board.value(), allow_error.given()};
     request.board.limits = limits.value();
+    request.board.serial = serial.value();
+    if (uid.given()) request.board.processor = board::parse_processor_number(uid.value());
     const ExportOutcome exported = workflow::export_header(request);
     write_file(output.value(), exported.header);
     if (json.given()) {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "board/identity.hpp"
 #include "cli/command.hpp"
 #include "cli/fit_options.hpp"
 #include "cli/recording_options.hpp"
@@ -27,6 +28,8 @@ struct FitCommand : Command {
   ReportOption report{this};
   Flag json{this, "json", "one JSON object on stdout"};
   RecordingOptions recording{this};
+  Text serial{this,
+              {"serial", "NUMBER", "of the gyro: goes into the model and its board", "", kRare}};
 
   FitCommand()
       : Command("fit", {"RUN...", 1, kAnyNumber},
@@ -42,8 +45,11 @@ struct FitCommand : Command {
 int FitCommand::run() const {
   OutputFile model_file(output.required());
   ReportFile page(report);
-  const workflow::FitOutcome found = workflow::fit(fit.request(arguments, recording.value()),
-                                                   Watch(OnInterrupt::keep_best).observer());
+  workflow::FitRequest request = fit.request(arguments, recording.value());
+  request.serial = serial.value();
+  board::serial_words(request.serial);  // throws where no board holds it
+  const workflow::FitOutcome found =
+      workflow::fit(request, Watch(OnInterrupt::keep_best).observer());
   if (found.result.training && found.result.training->interrupted) {
     const auto epochs = static_cast<std::size_t>(found.result.training->epochs);
     std::fprintf(stderr, "interrupted: the best network of %s is kept\n",

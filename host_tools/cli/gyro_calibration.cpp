@@ -6,6 +6,7 @@
 #include "cli/watch.hpp"
 #include "findings/compare_findings.hpp"
 #include "model/model_file.hpp"
+#include "model/serial_number.hpp"
 #include "report/page.hpp"
 #include "support/output_file.hpp"
 
@@ -39,6 +40,7 @@ batch::GyroResult calibrate(const batch::GyroFolder& gyro, workflow::Calibration
   batch::GyroResult result{gyro.name, "", "", {}};
   const std::string model_name = gyro.name + ".model";
   request.fit.runs = gyro.recordings;
+  if (model::is_serial_number(gyro.name)) request.fit.serial = gyro.name;
   request.hold_outs = gyro.holdouts;
   request.model_file = folder + "/" + model_name;
   workflow::CalibrationEvents events;

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "board/health_query.hpp"
+#include "board/identity.hpp"
 #include "board/status_names.hpp"
 #include "cli/command.hpp"
+#include "core/pipeline/model_parameters.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
 
@@ -17,47 +19,98 @@ std::string in_words(const std::vector<std::string>& names) {
   return names.empty() ? "none" : join(names, ", ");
 }
 
+using Word = fog::HealthWord;
+
+fog::ModelError model_error(const fog::HealthRecord& record) {
+  return static_cast<fog::ModelError>(record.model_error);
+}
+
 bool is_healthy(const fog::HealthRecord& record) {
-  return record.image_intact && record.memory_good && record.model_good &&
-         !any(record.status_last, fog::Status::self_test_failed);
+  return record.image_intact && record.memory_good &&
+         model_error(record) == fog::ModelError::none &&
+         !any(record.status_last(), fog::Status::self_test_failed);
+}
+
+std::string version_of(const fog::HealthRecord& r) {
+  const std::uint32_t version = r[Word::version];
+  return format("%u.%u.%u", version >> 16U, (version >> 8U) & 0xFFU, version & 0xFFU);
+}
+
+std::string sources_of(const fog::HealthRecord& r) {
+  return format("%08x", r[Word::sources]);
+}
+
+std::string serial_of(const fog::HealthRecord& r) {
+  return board::serial_text(&r.words[static_cast<std::size_t>(Word::serial)]);
+}
+
+// Empty where the board cannot say.
+std::string processor_of(const fog::HealthRecord& r) {
+  const auto* const words = &r.words[static_cast<std::size_t>(Word::processor)];
+  const board::ProcessorNumber number{words[0], words[1], words[2]};
+  return number == board::ProcessorNumber{} ? "" : board::processor_text(number);
+}
+
+std::string model_in_words(const fog::HealthRecord& r) {
+  const fog::ModelError error = model_error(r);
+  if (error != fog::ModelError::none) {
+    return std::string("REFUSED, ") + fog::describe(error) + ": no rate is valid; export it again";
+  }
+  const std::string serial = serial_of(r);
+  return format("good, CRC-32 %08x", r[Word::model]) +
+         (serial.empty() ? "" : ", of gyro " + displayable(serial));
 }
 
 void print_words(const fog::HealthRecord& r) {
-  std::printf("image         %s\n",
-              r.image_intact ? "intact" : "DAMAGED: no rate is valid; flash it again");
+  const std::string processor = processor_of(r);
+  std::printf("firmware      %s, sources %s\n", version_of(r).c_str(), sources_of(r).c_str());
+  std::printf("processor     %s\n", processor.empty() ? "says no number" : processor.c_str());
+  std::printf("image         %s, seal %08x\n",
+              r.image_intact ? "intact" : "DAMAGED: no rate is valid; flash it again",
+              r[Word::image]);
   std::printf("memory        %s\n",
               r.memory_good ? "good" : "FAILS: no rate is valid; replace the processor");
-  std::printf("model         %s, CRC-32 %08x\n",
-              r.model_good ? "good" : "REFUSED: no rate is valid; export it again", r.model);
+  std::printf("model         %s\n", model_in_words(r).c_str());
   std::printf("checked       image %s, memory %s since the start\n",
-              counted(r.image_passes, "time").c_str(), counted(r.memory_passes, "time").c_str());
+              counted(r[Word::image_passes], "time").c_str(),
+              counted(r[Word::memory_passes], "time").c_str());
   std::printf("last start    %s\n", r.reset_cause.data());
-  std::printf("samples       %u, %u without a valid rate, %u after a gap or late\n", r.samples,
-              r.invalid_rates, r.sequence_gaps);
-  std::printf("sensor line   %s that were no frame\n", counted(r.discarded_bytes, "byte").c_str());
-  std::printf("flags now     %s\n", in_words(board::flag_names(r.status_last)).c_str());
-  std::printf("flags so far  %s\n", in_words(board::flag_names(r.status_seen)).c_str());
-  std::printf("stack         %d of %d bytes never used\n", r.stack_unused_bytes, r.stack_bytes);
+  std::printf("samples       %u, %u without a valid rate, %u after a gap or late\n",
+              r[Word::samples], r[Word::invalid_rates], r[Word::sequence_gaps]);
+  std::printf("sensor line   %s that were no frame\n",
+              counted(r[Word::discarded_bytes], "byte").c_str());
+  std::printf("flags now     %s\n", in_words(board::flag_names(r.status_last())).c_str());
+  std::printf("flags so far  %s\n", in_words(board::flag_names(r.status_seen())).c_str());
+  std::printf("stack         %u of %u bytes never used\n", r[Word::stack] >> 16U,
+              r[Word::stack] & 0xFFFFU);
 }
 
 Json as_json(const fog::HealthRecord& r) {
+  const auto count = [&](Word word) { return static_cast<std::int64_t>(r[word]); };
+  const fog::ModelError error = model_error(r);
   Json object = Json::object();
   object.set("healthy", is_healthy(r))
+      .set("firmware_version", version_of(r))
+      .set("firmware_sources", sources_of(r))
+      .set("processor", processor_of(r))
       .set("image_intact", r.image_intact)
+      .set("image_seal", format("%08x", r[Word::image]))
       .set("memory_good", r.memory_good)
-      .set("model_good", r.model_good)
-      .set("model_crc32", format("%08x", r.model))
-      .set("image_checks", static_cast<std::int64_t>(r.image_passes))
-      .set("memory_tests", static_cast<std::int64_t>(r.memory_passes))
+      .set("model_good", error == fog::ModelError::none)
+      .set("model_finding", fog::describe(error))
+      .set("model_crc32", format("%08x", r[Word::model]))
+      .set("gyro_serial", serial_of(r))
+      .set("image_checks", count(Word::image_passes))
+      .set("memory_tests", count(Word::memory_passes))
       .set("reset_cause", r.reset_cause.data())
-      .set("samples", static_cast<std::int64_t>(r.samples))
-      .set("invalid_rates", static_cast<std::int64_t>(r.invalid_rates))
-      .set("sequence_gaps", static_cast<std::int64_t>(r.sequence_gaps))
-      .set("discarded_bytes", static_cast<std::int64_t>(r.discarded_bytes))
-      .set("flags_now", board::flag_names(r.status_last))
-      .set("flags_seen", board::flag_names(r.status_seen))
-      .set("stack_bytes", static_cast<std::int64_t>(r.stack_bytes))
-      .set("stack_unused_bytes", static_cast<std::int64_t>(r.stack_unused_bytes));
+      .set("samples", count(Word::samples))
+      .set("invalid_rates", count(Word::invalid_rates))
+      .set("sequence_gaps", count(Word::sequence_gaps))
+      .set("discarded_bytes", count(Word::discarded_bytes))
+      .set("flags_now", board::flag_names(r.status_last()))
+      .set("flags_seen", board::flag_names(r.status_seen()))
+      .set("stack_bytes", static_cast<std::int64_t>(r[Word::stack] & 0xFFFFU))
+      .set("stack_unused_bytes", static_cast<std::int64_t>(r[Word::stack] >> 16U));
   return object;
 }
 

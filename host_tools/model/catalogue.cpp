@@ -1,7 +1,10 @@
 #include "model/catalogue.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "core/effects/registry.hpp"
 #include "support/input_error.hpp"
@@ -10,17 +13,35 @@
 namespace fogcomp::model {
 namespace {
 
+template <class Effect, class = void>
+struct FollowsRate : std::false_type {};
+template <class Effect>
+struct FollowsRate<Effect, std::void_t<decltype(std::declval<const Effect&>().at(0.0))>>
+    : std::true_type {};
+
 template <template <class> class Effect>
 class RealInstance : public RealEffect {
  public:
   explicit RealInstance(const std::vector<double>& constants) : effect_(constants.data()) {}
   std::size_t regressor_count() const override { return effect_.regressor_count(); }
-  void reset(const fog::Signals<RealNumbers>& signals) override { effect_.reset(signals); }
+  void reset(const fog::Signals<RealNumbers>& signals) override {
+    if constexpr (!kFollowsRate) effect_.reset(signals);
+  }
   void step(const fog::Signals<RealNumbers>& signals, double* regressors) override {
-    effect_.step(signals, regressors);
+    if constexpr (kFollowsRate) {
+      for (std::size_t i = 0; i < regressor_count(); ++i) {
+        std::array<double, Effect<RealNumbers>::coefficients.size()> one{};
+        one[i] = 1;
+        effect_.set(signals, one.data());
+        regressors[i] = effect_.at(signals.block.input_rate);
+      }
+    } else {
+      effect_.step(signals, regressors);
+    }
   }
 
  private:
+  static constexpr bool kFollowsRate = FollowsRate<Effect<RealNumbers>>::value;
   Effect<RealNumbers> effect_;
 };
 
@@ -115,6 +136,7 @@ TermInfo info_of(const EffectTerm& term) {
   info.coefficients = entry.coefficients;
   info.needs = entry.description.needs;
   info.host_only = entry.description.host_only;
+  info.outlives_power = entry.description.outlives_power;
   return info;
 }
 

@@ -44,6 +44,7 @@ struct TermInfo {
   std::vector<fog::CoefficientDescription> coefficients;  ///< as many as it can have
   fog::InputMask needs = 0;
   const char* host_only = nullptr;  ///< why the board cannot have it; nullptr where it can
+  bool outlives_power = false;      ///< a board that is switched off loses its time
 };
 TermInfo info_of(const EffectTerm& term);
 

@@ -58,10 +58,18 @@ const std::vector<double>& RegressorBank::run(const fog::Signals<RealNumbers>& s
                                               Wanted wanted) {
   double* values = values_.data();
   for (const Part& part : parts_) {
-    if (wanted(part)) part.effect->step(signals, values);
-    values += part.effect->regressor_count();
+    const std::size_t count = part.effect->regressor_count();
+    if (wanted(part)) {
+      part.effect->step(signals, values);
+      // The board has no regressors of what follows the rate.
+      if (!part.follows_rate || part.host_only) {
+        for (std::size_t i = 0; i < count; ++i) {
+          values[i] = std::clamp(values[i], -kMostRegressor, kMostRegressor);
+        }
+      }
+    }
+    values += count;
   }
-  for (double& value : values_) value = std::clamp(value, -kMostRegressor, kMostRegressor);
   return values_;
 }
 

@@ -88,6 +88,7 @@ struct Model {
   RealNetwork network;
   DenoiseSettings denoise;
 
+  std::string serial;              ///< of the gyro; empty: not known
   double scale_factor = 0;         ///< counts per deg/s of the board's sensor stream
   recording::GyroLimits limits{};  ///< by which the board judges the rate
   /// Which column of a file is which (recording::ReadOptions::columns), where its recordings needed

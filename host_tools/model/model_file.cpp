@@ -10,6 +10,7 @@
 #include "core/denoise/denoise_parameters.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_lines.hpp"
+#include "model/serial_number.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
 #include "support/output_file.hpp"
@@ -286,6 +287,11 @@ void read_network_input(ModelReader& in, Model& model) {
   model.network.inputs.push_back(read_input(in));
 }
 
+void read_serial(ModelReader& in, Model& model) {
+  model.serial = in.word();
+  if (!is_serial_number(model.serial)) in.fail("no board holds this serial number");
+}
+
 double read_dph(ModelReader& in) {
   return in.number(0, kMaxModelDph);
 }
@@ -297,6 +303,7 @@ double read_signed_dph(ModelReader& in) {
 // What a line holds, by its first word; but for the history.
 using LineReader = void (*)(ModelReader&, Model&);
 const std::map<std::string, LineReader> kLines{
+    {"serial", read_serial},
     // As the options of these names take them.
     {"scale_factor", [](ModelReader& in, Model& m) { m.scale_factor = in.number(1e-6, 1e15); }},
     {"range_dps", [](ModelReader& in,
@@ -358,6 +365,7 @@ std::string with_unix_line_ends(const std::string& text) {
 std::string model_text(const Model& model) {
   ModelWriter out;
   out.word(kTitleLine).end_line();
+  if (!model.serial.empty()) out.word("serial").word(model.serial).end_line();
   out.word("scale_factor").number(model.scale_factor).end_line();
   out.word("range_dps").number(model.limits.range_dps).end_line();
   out.word("max_acceleration_dps2").number(model.limits.max_acceleration_dps2).end_line();

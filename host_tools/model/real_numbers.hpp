@@ -17,6 +17,18 @@ struct RealNumbers {
   using Number = double;
   template <int kFractionalBits>
   using Wide = double;
+  using Coefficient = double;
+  using ScaleFactorError = double;
+  using RateDrift = double;
+  class ShareOf {
+   public:
+    explicit ShareOf(double whole) : whole_(whole) {}
+    double operator()(double part) const { return part / whole_; }
+
+   private:
+    double whole_;
+  };
+  static double saturating_difference(double a, double b) { return a - b; }
   using Constant = double;
   template <int kFractionalBits>
   static double number(double constant) {

@@ -4,6 +4,7 @@
 
 #include "board/header.hpp"
 #include "model/catalogue.hpp"
+#include "model/drift_model.hpp"
 #include "model/model_file.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -41,10 +42,34 @@ std::vector<std::string> left_out(const model::Model& model,
   return notes;
 }
 
+// A board has no clock that runs without power.
+void require_time_since_power_on(const model::Model& model, const std::string& file) {
+  constexpr double kDayS = 86400;
+  for (const model::EffectTerm& term : model.terms) {
+    if (!model::info_of(term).outlives_power) continue;
+    model::Model alone = model;
+    alone.terms = {term};
+    alone.network = {};
+    model::RealDriftModel drift(alone, 1);
+    model::RealBlock block;
+    drift.start(block);
+    const double begun_dph = drift.drift_dph();
+    block.elapsed = kDayS;
+    drift.step(block);
+    throw InputError(
+        file, format("effect '%s' goes on while the power is off, and a board knows the time since "
+                     "power-on alone: each power cycle would set it back, by %.2g deg/h after a "
+                     "day; fit without it, or give --allow-error for a board that is never "
+                     "switched off",
+                     term.name.c_str(), std::abs(drift.drift_dph() - begun_dph)));
+  }
+}
+
 }  // namespace
 
 BoardErrors verify_board(const model::Model& model, const fog::ModelParameters& parameters,
                          const std::string& file, bool allow_error) {
+  if (!allow_error) require_time_since_power_on(model, file);
   if (model.uncertain && !allow_error) {
     throw InputError(
         file, format("these recordings did not determine it: somewhere in its trained range the "

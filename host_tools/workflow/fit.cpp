@@ -51,6 +51,7 @@ Plan plan_of(const FitRequest& request) {
   settings.network = plan.wanted.network;
   settings.force_network = plan.wanted.network_is_the_model || request.force_network;
   settings.network_inputs = fit::parse_network_inputs(request.network_inputs);
+  plan.model.serial = request.serial;
   plan.model.terms = wanted_terms(request);
   plan.model.average_s = request.average_s;
   plan.model.derivative_tau_s = request.derivative_tau_s;

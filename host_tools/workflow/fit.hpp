@@ -15,6 +15,7 @@ namespace fogcomp::workflow {
 /// Everything that decides what a fit finds.
 struct FitRequest {
   std::vector<std::string> runs;  ///< recordings
+  std::string serial{};           ///< of the gyro, for the model
   /// scale_factor is the board's as well: it counts for recordings in deg/h, too.
   recording::ReadOptions reading;
 

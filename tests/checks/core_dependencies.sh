@@ -26,7 +26,7 @@ standard='<(array|cstddef|cstdint|initializer_list|limits|new|tuple|type_traits|
 forbid core "\"core/|$standard"
 forbid hal "$standard"
 forbid platform "\"(core/bytes/crc.hpp|core/frames/output_bytes.hpp|core/thermometer/|hal/|platform/|wiring.hpp\")|$standard"
-forbid app "\"(app|core|hal|platform)/|\"fog_model.h\"|$standard"
+forbid app "\"(app|core|hal|platform)/|\"(fog_model|build_identity)\.h\"|$standard"
 
 # The folders of the core, each of which may know those before it and no other: so there is no circle.
 order=(fixed_point bytes signal thermal frames health acquisition thermometer network expression effects compensation

@@ -42,7 +42,7 @@ grep -q '<a href="./A2/">A2</a>' out/index.html || fail "index.html does not lea
 [[ -f out/A1/fog_model.h && ! -e out/B1/fog_model.h ]] || fail "headers"
 
 # The gyro's own result is that of fit, compare and export one by one.
-"$fogcomp" fit gyros/A1/run.csv -o A1.model --effects bias,bias_temperature,temperature_rate >said.txt
+"$fogcomp" fit gyros/A1/run.csv -o A1.model --serial A1 --effects bias,bias_temperature,temperature_rate >said.txt
 "$fogcomp" compare A1.model gyros/A1/holdout.csv --json >compare.json
 "$fogcomp" export A1.model -o A1.h >said.txt
 cmp A1.model out/A1/A1.model

@@ -50,6 +50,7 @@ class Stm32F405Model : public RegisterModel {
   bool oscillator = false;        ///< it drives OSC_IN: a crystal's amplifier sees nothing
   double internal_error = 0;      ///< of the internal oscillator, untrimmed: up to 0.08
   double supply_v = 3.3;
+  std::array<std::uint32_t, 3> unique_number{};
   std::function<std::uint32_t()> analog;  ///< code of the next conversion
   /// What the half-duplex line shows for a byte at a bit rate.
   std::function<std::uint8_t(std::uint32_t baud, std::uint8_t sent)> one_wire;

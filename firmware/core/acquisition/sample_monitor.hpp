@@ -18,7 +18,7 @@ constexpr std::uint32_t kConfirmUs = 500'000;
 
 /// Limits of what a live gyro and its temperature sensor can send.
 struct AcquisitionParameters {
-  std::uint32_t sample_period_us = 1;
+  std::uint32_t sample_period_us = 5000;  ///< without a model, too, silence is answered
   RateLimits rate;
   std::uint32_t stuck_samples = 0;        ///< counts in a row within an LSB: a stuck gyro; 0: never
   Span<const std::int32_t> input_limits;  ///< of the extension inputs that the model needs

@@ -30,9 +30,10 @@ constexpr std::uint32_t kUnsureHolds = 3;
 template <bool kFollowsRate>
 struct DriftNow {
   Rate drift{};
-  DriftSum of_block{};  ///< of all that stands for the block
-  Signals<BoardNumbers> signals{};
-  Rate of_sample{};  ///< the drift of the last sample
+  BoardNumbers::RateDrift of_block{};  ///< of all that stands for the block, and half an LSB
+  Signals<BoardNumbers> signals{};     ///< of the block
+  bool is_new = false;                 ///< the effects that follow the rate have not seen them yet
+  Rate of_sample{};                    ///< the drift of the last sample
 };
 template <>
 struct DriftNow<false> {
@@ -71,6 +72,7 @@ class DriftModel {
     settling_blocks_ = policy_.settle_blocks;
     held_blocks_ = since_good_ = 0;
     evaluate(signals);
+    see_effects(block.input_rate);
   }
 
   /// What the model was told was wrong: there is no drift until it is started anew.
@@ -97,10 +99,11 @@ class DriftModel {
     }
   }
 
-  /// take(), and all steps that are due.
+  /// take(), all steps that are due, and the drift at the block's mean rate.
   void step(const BlockMeans<BoardNumbers>& block) {
     take(block);
     while (bridge_.left() > 0) catch_up();  // it has been started
+    see_effects(block.input_rate);
   }
 
   /// So many blocks without a trustworthy temperature or input: the drift stays.
@@ -114,11 +117,8 @@ class DriftModel {
   /// 5 ms between two samples make 0.02 deg/h.
   void see(Rate measured) {
     if constexpr (Effects::follows_rate) {
-      using Wide = Fixed<std::int64_t, Rate::fractional_bits>;
-      now_.signals.block.input_rate =
-          saturate_to<Rate>(Wide::from_raw(measured.raw()) - Wide::from_raw(now_.of_sample.raw()));
-      now_.of_sample = now_.drift =
-          saturate_to<Rate>(now_.of_block + effects_.at_rate(now_.signals));
+      see_effects(BoardNumbers::saturating_difference(measured, now_.of_sample));
+      now_.of_sample = now_.drift;
     }
   }
 
@@ -136,6 +136,8 @@ class DriftModel {
 
  private:
   using Effects = EffectBank<kEffects>;
+  using RateDrift = BoardNumbers::RateDrift;
+  static constexpr int kRateBits = RateDrift::fractional_bits - Rate::fractional_bits;
 
   // Up to one more than may be held.
   std::uint32_t held_after(std::uint32_t held, std::uint32_t blocks) const {
@@ -152,17 +154,38 @@ class DriftModel {
 
   void evaluate(const Signals<BoardNumbers>& signals) {
     const Temperature temperature = signals.block.temperature;
-    DriftSum drift = effects_.step(signals) + expressions_.step(signals) + network_.step(signals);
+    const DriftSum drift =
+        effects_.step(signals) + expressions_.step(signals) + network_.step(signals);
     if constexpr (Effects::follows_rate) {
+      const auto held =
+          clamp(drift, round_to<DriftSum>(Rate::lowest()), round_to<DriftSum>(Rate::highest()));
+      now_.of_block =
+          round_to<RateDrift>(held) + RateDrift::from_raw(rounding_half<RateDrift::Raw>(kRateBits));
       now_.signals = signals;
-      now_.of_block = drift;
-      drift += effects_.at_rate(signals);
+      now_.is_new = true;
+    } else {
+      now_.drift = saturate_to<Rate>(drift);
     }
-    now_.drift = saturate_to<Rate>(drift);
     flags_ = status_if(temperature < limits_.least || temperature > limits_.most,
                        Status::temperature_clamped) |
              status_if(!effects_.history_known() || !expressions_.history_known(),
                        Status::history_unknown);
+  }
+
+  // The sum fits: held_within().
+  void see_effects(Rate rate) {
+    if constexpr (Effects::follows_rate) {
+      if (now_.is_new) set_effects();
+      const RateDrift sum = effects_.at(rate, now_.of_block);
+      now_.drift = Rate::from_raw(saturating_shift<kRateBits>(sum.raw()));
+    }
+  }
+
+  // What they make of the block is worked out with the sample after it, which has less to do than
+  // the one that ends a block.
+  [[gnu::noinline]] void set_effects() {
+    effects_.set(now_.signals);
+    now_.is_new = false;
   }
 
   ThermalState<BoardNumbers> thermal_;

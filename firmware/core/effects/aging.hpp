@@ -28,7 +28,10 @@ class Aging {
       "difference between two soaks at one temperature, on the same branch; no power cycle undoes "
       "it",
       "Moisture induced mechanical strain in gyroscope optical fiber coil",
-      bit_of(Input::elapsed)};
+      bit_of(Input::elapsed),
+      nullptr,
+      false,
+      true};
   static constexpr std::array<ParameterDescription, 1> parameters{
       {{"t0", "s", 60000, 2000000000, 3600000, Scale::logarithmic, nullptr, "a line in time"}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{{{"a", "deg/h", 2}}};

@@ -20,11 +20,16 @@
      explicit Effect(const typename N::Constant* constants);
      std::size_t regressor_count() const;                           at most R
      void reset(const Signals<N>&);                                 state at power-on
-     void step(const Signals<N>&, typename N::Regressor*);          once per block; of effects
-                                       that follow the input rate, which have no state, per sample
+     void step(const Signals<N>&, typename N::Regressor*);          once per block
 
-   (an effect without shape parameters inherits the middle four from NoParameters), and, where a
-   state does not forget what was before power-on by itself,
+   (an effect without shape parameters inherits the middle four from NoParameters). An effect that
+   follows the input rate (below) has no state; instead of reset() and step(),
+
+     void set(const Signals<N>&, const typename N::Coefficient*);   once per block
+     typename N::RateDrift at(typename N::Rate) const;              its drift, once per sample
+
+   in which each coefficient counts as itself: the regressors are at() of one that is 1. And, where
+   a state does not forget what was before power-on by itself,
 
      bool history_known() const;                                    since then it has been put right
 
@@ -53,11 +58,14 @@ struct EffectDescription {
   /// A step of the bias at its only parameter, a time: it belongs to one recording, not to the
   /// gyro. A fit finds steps by change points.
   bool event = false;
+  /// Its time goes on while the power is off: a board, which knows the time since power-on alone,
+  /// would set it back each time. `export` refuses it.
+  bool outlives_power = false;
 };
 
-/// Whether an effect's regressors are functions of the input rate now, beside the coil's
-/// temperature: they are computed anew for every sample, so that they are not late where the rate
-/// moves. All others stand for a block.
+/// Whether an effect is a function of the input rate now, beside the coil's temperature: it is
+/// computed anew for every sample, so that it is not late where the rate moves. All others stand
+/// for a block.
 constexpr bool follows_input_rate(InputMask needs) {
   return needs == bit_of(Input::input_rate);
 }
@@ -117,6 +125,23 @@ struct CoefficientDescription {
 
 /// Scale of regressors in proportion to the input rate: W / 2^18 deg/h is within +-8 for any rate.
 constexpr int kScaleFactorLog2 = 18;
+
+/// `error` within +-2^-kBits: the share of the rate that an effect may be. 1/2 for the constant
+/// one, 1/4 with temperature, 1/8 for the asymmetry and 5 * 3/256 for the nonlinearity are less
+/// than 1, so that their sum and the drift of the block stay within RateDrift.
+template <class N, int kBits>
+typename N::ScaleFactorError held_within(typename N::ScaleFactorError error) {
+  const auto one = from_integer<typename N::template Number<0>>(1);
+  const auto most = round_to<typename N::ScaleFactorError>(divide_by_power_of_two<kBits>(one));
+  return clamp(error, -most, most);
+}
+
+/// The same of what a coefficient is of the rate, where its regressor is W / 2^18 deg/h.
+template <class N, int kBits>
+typename N::ScaleFactorError scale_factor_error(typename N::Coefficient coefficient) {
+  return held_within<N, kBits>(saturate_to<typename N::ScaleFactorError>(
+      divide_by_power_of_two<kScaleFactorLog2>(coefficient)));
+}
 
 /// Base of an effect whose shape has no parameters.
 struct NoParameters {

@@ -60,12 +60,15 @@ template <EffectMask kCompiled>
 class EffectBank {
  public:
   using BoardSignals = Signals<BoardNumbers>;
+  using RateDrift = BoardNumbers::RateDrift;
 
   explicit EffectBank(const EffectsParameters& parameters) : EffectBank(parameters, Registry{}) {}
 
   /// Starts all states from these signals.
   void reset(const BoardSignals& signals) {
-    for_each([&](auto& slot) { slot.effect.reset(signals); });
+    for_each([&](auto& slot) {
+      if constexpr (!follows<decltype(slot.effect)>) slot.effect.reset(signals);
+    });
   }
 
   /// Whether an effect of the image follows the input rate.
@@ -73,9 +76,38 @@ class EffectBank {
 
   /// Advances all states by one block and returns the drift of the effects that stand for a block:
   /// with the others 32 sums, each below 2^48.
-  DriftSum step(const BoardSignals& signals) { return sum<false>(signals); }
-  /// The drift of those that follow the input rate, which is that of the signals.
-  DriftSum at_rate(const BoardSignals& signals) { return sum<true>(signals); }
+  DriftSum step(const BoardSignals& signals) {
+    DriftSum drift{};
+    for_each([&](auto& slot) {
+      if constexpr (!follows<decltype(slot.effect)>) {
+        std::array<Regressor, std::decay_t<decltype(slot.effect)>::coefficients.size()> regressors;
+        slot.effect.step(signals, regressors.data());
+        drift += weighted_sum(slot.coefficients, regressors.data(), coefficient_fraction_);
+      }
+    });
+    return drift;
+  }
+
+  /// Makes the effects that follow the input rate those of this block.
+  void set(const BoardSignals& signals) {
+    for_each([&](auto& slot) {
+      if constexpr (follows<decltype(slot.effect)>) {
+        using Coefficient = BoardNumbers::Coefficient;
+        std::array<Coefficient, std::decay_t<decltype(slot.effect)>::coefficients.size()> exact{};
+        for (std::size_t i = 0; i < slot.coefficients.size; ++i) {
+          const std::int64_t raw = slot.coefficients.data[i];
+          exact[i] = Coefficient::from_raw(
+              shift_left(raw, Coefficient::fractional_bits - coefficient_fraction_));
+        }
+        slot.effect.set(signals, exact.data());
+      }
+    });
+  }
+  /// Their drift at this rate, added to `drift`; that of one that is off is 0.
+  RateDrift at(Rate rate, RateDrift drift) const {
+    std::apply([&](const auto&... slots) { (add_at(slots, rate, drift), ...); }, slots_);
+    return drift;
+  }
 
   /// Whether no state depends on what was before the start any more.
   bool history_known() {
@@ -90,25 +122,15 @@ class EffectBank {
 
  private:
   template <class Effect>
+  static constexpr bool follows = follows_input_rate(Effect::description.needs);
+
+  template <class Effect>
   struct Slot {
     explicit Slot(const EffectParameters& parameters)
         : effect(parameters.constants), coefficients(parameters.coefficients) {}
     Effect effect;
     Span<const std::int32_t> coefficients;
   };
-  template <bool kFollowRate>
-  DriftSum sum(const BoardSignals& signals) {
-    DriftSum drift{};
-    for_each([&](auto& slot) {
-      using Effect = std::decay_t<decltype(slot.effect)>;
-      if constexpr (follows_input_rate(Effect::description.needs) == kFollowRate) {
-        std::array<Regressor, Effect::coefficients.size()> regressors;
-        slot.effect.step(signals, regressors.data());
-        drift += weighted_sum(slot.coefficients, regressors.data(), coefficient_fraction_);
-      }
-    });
-    return drift;
-  }
   // An effect that this image leaves out: no state, no code.
   template <class Effect>
   struct NoSlot {
@@ -141,6 +163,14 @@ class EffectBank {
   }
   template <class Effect, class Function>
   static void visit(NoSlot<Effect>& /*slot*/, Function& /*function*/) {}
+
+  // Inlined, as are effects that take long: once per sample a call is a tenth of all of it.
+  template <class Effect>
+  [[gnu::always_inline]] static void add_at(const Slot<Effect>& slot, Rate rate, RateDrift& drift) {
+    if constexpr (follows<Effect>) drift += slot.effect.at(rate);
+  }
+  template <class Effect>
+  static void add_at(const NoSlot<Effect>& /*slot*/, Rate /*rate*/, RateDrift& /*drift*/) {}
 
   int coefficient_fraction_;
   typename SlotsOf<Registry>::Type slots_;

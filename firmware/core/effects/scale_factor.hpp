@@ -6,8 +6,7 @@
 
 namespace fog::effects {
 
-/// Constant scale factor error. The regressor is W / 2^18 deg/h, exactly the bits of W: full scale
-/// of the rate's format, 582 deg/s, is 8.
+/// Constant scale factor error, up to half of the rate. The regressor is W / 2^18 deg/h.
 template <class N>
 class ScaleFactor : public NoParameters {
  public:
@@ -29,11 +28,13 @@ class ScaleFactor : public NoParameters {
   explicit ScaleFactor(const typename N::Constant* /*constants*/) {}
 
   std::size_t regressor_count() const { return 1; }
-  void reset(const Signals<N>& /*signals*/) {}
-  void step(const Signals<N>& signals, typename N::Regressor* regressors) {
-    regressors[0] = saturate_to<typename N::Regressor>(
-        divide_by_power_of_two<kScaleFactorLog2>(signals.block.input_rate));
+  void set(const Signals<N>& /*signals*/, const typename N::Coefficient* given) {
+    error_ = scale_factor_error<N, 1>(given[0]);
   }
+  typename N::RateDrift at(typename N::Rate rate) const { return rate * error_; }
+
+ private:
+  typename N::ScaleFactorError error_{};
 };
 
 }  // namespace fog::effects

@@ -6,7 +6,8 @@
 
 namespace fog::effects {
 
-/// Scale factor that is another one for each sense of rotation: a drift in proportion to |W|. The
+/// Scale factor that is another one for each sense of rotation: a drift in proportion to |W|, up to
+/// an eighth of it. The
 /// corner at rest is rounded over the dead band d, with a continuous slope: W^2 / 2d within it, |W|
 /// - d / 2 beyond. The regressor is that by 2^18 deg/h.
 ///
@@ -16,6 +17,8 @@ class ScaleFactorAsymmetry {
   static constexpr int kBandFraction = 10;  // as a rate has
   static constexpr int kInverseFraction = 33;
   static constexpr std::int32_t kDphPerDps = 3600;
+
+  using Rate = typename N::Rate;
 
  public:
   static constexpr EffectDescription description{
@@ -48,29 +51,34 @@ class ScaleFactorAsymmetry {
 
   explicit ScaleFactorAsymmetry(const typename N::Constant* constants)
       : dead_band_(N::template number<kBandFraction>(constants[0])),
+        half_dead_band_(round_to<Rate>(divide_by_power_of_two<1>(dead_band_))),
         inverse_(N::template number<kInverseFraction>(constants[1])) {}
 
   std::size_t regressor_count() const { return 1; }
-  void reset(const Signals<N>& /*signals*/) {}
-  void step(const Signals<N>& signals, typename N::Regressor* regressors) {
-    using Rate = typename N::Rate;
-    const Rate rate = signals.block.input_rate;
-    const bool back = rate < Rate{};
-    // The lowest rate has no opposite in its format.
-    const auto sign = from_integer<typename N::template Number<0>>(back ? -1 : 1);
-    const Rate magnitude = saturate_to<Rate>(rate * sign);
-    const Rate rounded = magnitude < dead_band_
-                             ? round_to<Rate>(magnitude * round_to<Share>(magnitude * inverse_))
-                             : magnitude - round_to<Rate>(divide_by_power_of_two<1>(dead_band_));
-    regressors[0] =
-        saturate_to<typename N::Regressor>(divide_by_power_of_two<kScaleFactorLog2>(rounded));
+  void set(const Signals<N>& /*signals*/, const typename N::Coefficient* given) {
+    error_ = scale_factor_error<N, 3>(given[0]);
   }
+  typename N::RateDrift at(Rate rate) const { return magnitude_of(rate) * error_; }
 
  private:
   using Share = typename N::template Number<31>;
 
-  typename N::Rate dead_band_;
+  // The lowest rate has no opposite in its format.
+  static Rate absolute(Rate rate) {
+    return rate < Rate{} ? N::saturating_difference({}, rate) : rate;
+  }
+  Rate magnitude_of(Rate rate) const {
+    const Rate magnitude = absolute(rate);
+    if (magnitude < dead_band_) {
+      return round_to<Rate>(magnitude * round_to<Share>(magnitude * inverse_));
+    }
+    return magnitude - half_dead_band_;
+  }
+
+  Rate dead_band_;
+  Rate half_dead_band_;
   typename N::template Number<kInverseFraction> inverse_;
+  typename N::ScaleFactorError error_{};
 };
 
 }  // namespace fog::effects

@@ -7,14 +7,16 @@
 namespace fog::effects {
 
 /// Scale factor that follows the source's wavelength and the coil's size: an error in proportion to
-/// the rate. With x = T - reference the first regressor is W x / 2^25 deg/h degC: 570 deg/s at
-/// 110 degC distance make 6.7. One LSB of it, 0.125 deg/h degC, is 4e-5 deg/h at 300 ppm/degC. Each
-/// further one is the one before times x / 64 degC, rounded once.
+/// the rate, up to a quarter of it. With x = T - reference the first regressor is W x / 2^25 deg/h
+/// degC, each further one the one before times x / 64 degC. In steps of 64 degC every coefficient
+/// is a scale factor error / 2^19, and their polynomial is summed by Horner's rule, once per block,
+/// to 2^-36.
 ///
 /// About the reference of its rows the first order has nothing of a constant scale factor error.
 template <class N>
 class ScaleFactorTemperature {
   static constexpr std::int32_t kLsbsPerDegc = 1 << 16;
+  static constexpr std::int32_t kMostReference = 256;  // degC: 386 of any temperature
 
  public:
   static constexpr EffectDescription description{
@@ -50,7 +52,9 @@ class ScaleFactorTemperature {
         kLsbsPerDegc;
   }
   static bool constants_valid(const typename N::Constant* constants) {
-    return constants[0] >= 1 && constants[0] <= 3;
+    const auto most = from_integer<typename N::Temperature>(kMostReference);
+    const auto reference = N::template number<16>(constants[1]);
+    return constants[0] >= 1 && constants[0] <= 3 && -most <= reference && reference <= most;
   }
 
   explicit ScaleFactorTemperature(const typename N::Constant* constants)
@@ -58,21 +62,27 @@ class ScaleFactorTemperature {
         reference_(N::template number<16>(constants[1])) {}
 
   std::size_t regressor_count() const { return order_; }
-  void reset(const Signals<N>& /*signals*/) {}
-  void step(const Signals<N>& signals, typename N::Regressor* regressors) {
-    using Regressor = typename N::Regressor;
-    const auto above = signals.temperature - reference_;
-    auto power =
-        saturate_to<Regressor>(divide_by_power_of_two<25>(above * signals.block.input_rate));
-    for (std::size_t i = 0; i < order_; ++i) {
-      regressors[i] = power;
-      power = saturate_to<Regressor>(divide_by_power_of_two<6>(power * above));
+  void set(const Signals<N>& signals, const typename N::Coefficient* given) {
+    const auto x = divide_by_power_of_two<6>(signals.temperature - reference_);
+    Partial sum{};
+    for (std::size_t i = order_; i-- > 0;) {
+      const auto own = round_to<Partial>(divide_by_power_of_two<19>(given[i]));
+      sum = held_within_one(own + round_to<Partial>(sum * x));
     }
+    error_ = held_within<N, 2>(saturate_to<typename N::ScaleFactorError>(sum * x));
   }
+  typename N::RateDrift at(typename N::Rate rate) const { return rate * error_; }
 
  private:
+  // Held within 1; times x, below 386 / 64, that is 2^61.
+  using Partial = typename N::template Wide<36>;
+  static Partial held_within_one(Partial sum) {
+    return clamp(sum, -from_integer<Partial>(1), from_integer<Partial>(1));
+  }
+
   std::size_t order_;
   typename N::Temperature reference_;
+  typename N::ScaleFactorError error_{};
 };
 
 }  // namespace fog::effects

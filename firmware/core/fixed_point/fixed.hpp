@@ -67,6 +67,15 @@ constexpr Fixed<std::int64_t, kA + kB> operator*(Fixed<std::int32_t, kA> a,
   return Fixed<std::int64_t, kA + kB>::from_raw(std::int64_t{a.raw()} * b.raw());
 }
 
+/// The product must fit 64 bits (checked builds report where not).
+template <int kA, int kB>
+constexpr Fixed<std::int64_t, kA + kB> operator*(Fixed<std::int64_t, kA> a,
+                                                 Fixed<std::int32_t, kB> b) {
+  std::int64_t product{};
+  check_range(!__builtin_mul_overflow(a.raw(), std::int64_t{b.raw()}, &product));
+  return Fixed<std::int64_t, kA + kB>::from_raw(product);
+}
+
 /// The upper half of the product, rounded down: one instruction (SMULL). Fits for any pair.
 template <int kA, int kB>
 constexpr Fixed<std::int32_t, kA + kB - 32> high_product(Fixed<std::int32_t, kA> a,
@@ -106,6 +115,12 @@ constexpr auto change_fraction(From value) {
 
 // The functions below also take plain numbers (the host instantiates the effects with its own real
 // type); there a change of format is the number itself.
+
+/// The product.
+template <class Number, std::enable_if_t<!IsFixed<Number>::value, int> = 0>
+constexpr Number high_product(Number a, Number b) {
+  return a * b;
+}
 
 /// `value` in the format To, rounded by round_shift. It must fit.
 template <class To, class From>

@@ -8,24 +8,33 @@
 
 namespace fog {
 
-/// What a board knows about itself (SPEC.md, "Health record").
-struct HealthRecord {
-  bool image_intact = false;  ///< at the start; what is found later ends in a restart
-  bool memory_good = false;   ///< likewise
-  bool model_good = false;
-  std::uint32_t model = 0;            ///< CRC-32 of the model file that the weights come from
-  std::uint32_t image_crc = 0;        ///< at the start; kIntactImage
-  std::uint32_t samples = 0;          ///< answered since the start, modulo 2^32, as all counts
-  std::uint32_t invalid_rates = 0;    ///< of these, without a valid undelayed rate
-  std::uint32_t sequence_gaps = 0;    ///< of these, after lost samples, late, or repeated
-  std::uint32_t discarded_bytes = 0;  ///< of the sensor stream: part of no good frame
-  Status status_last = Status::none;  ///< of the last sample
-  Status status_seen = Status::none;  ///< of all samples together
-  std::uint32_t image_passes = 0;     ///< checks of the whole image since the start
-  std::uint32_t memory_passes = 0;    ///< tests of the whole memory since the start
-  std::uint16_t stack_bytes = 0;
-  std::uint16_t stack_unused_bytes = 0;  ///< never written since the start
-  std::array<char, 16> reset_cause{};    ///< ASCII, zero-terminated
+/// The words of a health record, in the order in which they are sent.
+enum class HealthWord : std::uint8_t {
+  model,            ///< CRC-32 of the model file that the weights come from
+  image,            ///< the seal of the image, by which it is known: no two images have the same
+  samples,          ///< answered since the start, modulo 2^32, as all counts
+  invalid_rates,    ///< of these, without a valid undelayed rate
+  sequence_gaps,    ///< of these, after lost samples, late, or repeated
+  status_last,      ///< Status of the last sample
+  status_seen,      ///< of all samples together
+  discarded_bytes,  ///< of the sensor stream: part of no good frame
+  image_passes,     ///< checks of the whole image since the start
+  memory_passes,    ///< tests of the whole memory since the start
+  stack,            ///< bytes of it; from bit 16 on, of these never written since the start
+  version,          ///< of the firmware: 1.2.3 is 010203
+  sources,          ///< 32 bits of the SHA-256 of what the image was built from, but for the model
+  processor,        ///< three words: the number that no other processor has, or 0
+  serial = processor + 3,  ///< four: that of the gyro, ASCII, padded with 0, at least one
+  count = serial + 4
+};
+
+/// What is counted of the samples: words of the record.
+struct SampleCounts {
+  std::uint32_t samples = 0;
+  std::uint32_t invalid_rates = 0;
+  std::uint32_t sequence_gaps = 0;
+  Status status_last = Status::none;
+  Status status_seen = Status::none;
 
   /// Counts a sample.
   void count(const OutputSample& sample) {
@@ -37,13 +46,27 @@ struct HealthRecord {
   }
 };
 
-constexpr std::size_t kHealthResponseBytes = 68;
+/// What a board knows about itself (SPEC.md, "Health record").
+struct HealthRecord {
+  bool image_intact = false;     ///< at the start; what is found later ends in a restart
+  bool memory_good = false;      ///< likewise
+  std::uint8_t model_error = 0;  ///< a ModelError
+  std::array<std::uint32_t, static_cast<std::size_t>(HealthWord::count)> words{};
+  std::array<char, 16> reset_cause{};  ///< ASCII, zero-terminated
+
+  std::uint32_t& operator[](HealthWord word) { return words[static_cast<std::size_t>(word)]; }
+  std::uint32_t operator[](HealthWord word) const { return words[static_cast<std::size_t>(word)]; }
+  Status status_last() const { return static_cast<Status>((*this)[HealthWord::status_last]); }
+  Status status_seen() const { return static_cast<Status>((*this)[HealthWord::status_seen]); }
+};
+
+constexpr std::size_t kHealthResponseBytes = 104;
 using HealthResponse = std::array<std::uint8_t, kHealthResponseBytes>;
 
 HealthResponse encode_health_response(const HealthRecord& record);
 
 /// Reads kHealthResponseBytes bytes; false, with nothing changed, unless sync, layout and CRC are
-/// right, all other flags are 0 and the reset cause ends.
+/// right, all other flags are 0, and serial number and reset cause end.
 bool decode_health_response(const std::uint8_t* bytes, HealthRecord& record);
 
 }  // namespace fog

@@ -4,7 +4,6 @@
 #include "core/bytes/crc.hpp"
 #include "core/bytes/opaque.hpp"
 #include "core/fixed_point/fixed.hpp"
-#include "core/frames/rate_float.hpp"
 
 namespace fog {
 namespace {
@@ -27,11 +26,11 @@ FOG_OPAQUE std::uint32_t frame_crc(const std::uint8_t* frame, std::uint32_t imag
 
 }  // namespace
 
-KvhFrame encode_kvh_frame(const OutputSample& sample, std::uint32_t frame_number,
-                          std::uint32_t image_crc) {
+KvhFrame encode_kvh_frame(const OutputSample& sample, std::uint32_t rotation,
+                          std::uint32_t frame_number, std::uint32_t image_crc) {
   KvhFrame frame{};
   store_be32(&frame[0], kHeader);
-  store_be32(&frame[kRotationZ], rate_as_radians_float(sample.denoised));
+  store_be32(&frame[kRotationZ], rotation);
   frame[kStatus] = sample.denoised_valid() ? kRotationZValid : std::uint8_t{0};
   frame[kSequence] = static_cast<std::uint8_t>(frame_number & kSequenceMask);
   const auto whole_degrees = round_to<Fixed<std::int32_t, 0>>(sample.temperature);

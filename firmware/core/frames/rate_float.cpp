@@ -7,10 +7,6 @@ namespace {
 constexpr std::uint64_t kRadiansPerDegreePerHour = 2729258392U;
 constexpr int kConstantFraction = 49;
 
-constexpr int kMantissaBits = 23;
-constexpr int kExponentBias = 127;
-constexpr std::uint32_t kSign = 0x80000000U;
-
 }  // namespace
 
 std::uint32_t rate_as_radians_float(Rate rate) {
@@ -22,11 +18,8 @@ std::uint32_t rate_as_radians_float(Rate rate) {
   const int top_bit = 63 - __builtin_clzll(product);
   const int dropped = top_bit - kMantissaBits;
   const std::uint64_t mantissa = (product + (std::uint64_t{1} << (dropped - 1))) >> dropped;
-  const int exponent = top_bit - kConstantFraction - Rate::fractional_bits + kExponentBias;
-  // Adding, not or-ing: a mantissa that was rounded up to 2^24 carries into the exponent.
-  const std::uint32_t bits = (static_cast<std::uint32_t>(exponent) << kMantissaBits) +
-                             static_cast<std::uint32_t>(mantissa - (1U << kMantissaBits));
-  return raw < 0 ? bits | kSign : bits;
+  return assemble_float(raw < 0, top_bit - kConstantFraction - Rate::fractional_bits,
+                        static_cast<std::uint32_t>(mantissa));
 }
 
 }  // namespace fog

@@ -10,8 +10,10 @@
 #include "core/compensation/drift_model.hpp"
 #include "core/denoise/denoiser.hpp"
 #include "core/frames/compact_frame.hpp"
+#include "core/frames/delta_angle.hpp"
 #include "core/frames/kvh_frame.hpp"
 #include "core/frames/output_bytes.hpp"
+#include "core/frames/rate_float.hpp"
 #include "core/frames/stream_parser.hpp"
 #include "core/health/image_proof.hpp"
 #include "core/health/image_seal.hpp"
@@ -22,12 +24,40 @@
 
 namespace fog {
 
+/// Z rotation of the KVH frames: the rate or, where the header has chosen so, its angle.
+template <bool kMayBeAngle>
+class Rotation {
+ public:
+  explicit Rotation(const ModelParameters& /*parameters*/) {}
+  void step(Rate /*rate*/) {}
+  void stand() {}
+  std::uint32_t bits(Rate rate) const { return rate_as_radians_float(rate); }
+};
+template <>
+class Rotation<true> {
+ public:
+  explicit Rotation(const ModelParameters& parameters)
+      : is_angle_((parameters.output_options & kRotationIsAngle) != 0U),
+        angle_(parameters.acquisition.sample_period_us) {}
+  void step(Rate rate) { angle_.step(rate); }
+  void stand() { angle_.stand(); }
+  std::uint32_t bits(Rate rate) const {
+    return is_angle_ ? angle_.bits() : rate_as_radians_float(rate);
+  }
+
+ private:
+  bool is_angle_;
+  DeltaAngle angle_;
+};
+
 /// The whole pipeline: bytes of the sensor stream in, bytes of the output stream out. The order of
 /// the stages is that of process(). Shape limits are template parameters so that an image holds
 /// just what its model needs: `kEffects` of the registry, `kExpressions`, a network of
-/// `kNetworkInputs`, filters up to `kTaps` x `kLevels`, `kOutput` frames or, with both, any.
+/// `kNetworkInputs`, filters up to `kTaps` x `kLevels`, `kOutput` frames or, with both, any, with
+/// `kOptions` of theirs.
 template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs,
-          std::size_t kTaps, std::size_t kLevels, OutputSelection kOutput = OutputSelection::both>
+          std::size_t kTaps, std::size_t kLevels, OutputSelection kOutput = OutputSelection::both,
+          OutputOptions kOptions = kAllOutputOptions>
 class Compensator {
  public:
   static constexpr ModelShape room{kEffects,
@@ -37,7 +67,8 @@ class Compensator {
                                    kLevels,
                                    effect_fits<kEffects>,
                                    expression_check<kExpressions>(),
-                                   kOutput};
+                                   kOutput,
+                                   kOptions};
 
   /// `parameters` must have been read with this class's room; parameters of a refused table make a
   /// pipeline that answers every sample and marks none valid. `proof` of the image's integrity is
@@ -48,6 +79,7 @@ class Compensator {
         calibration_(parameters.calibration),
         output_(parameters.output),
         invalidating_(parameters.invalidating),
+        rotation_(parameters),
         monitor_(parameters.acquisition),
         extension_monitor_(parameters.needs(), parameters.acquisition.input_limits,
                            parameters.acquisition.sample_period_us, kConfirmUs),
@@ -87,6 +119,7 @@ class Compensator {
   /// else changes; the time that has passed comes with the next sample.
   std::size_t answer_silence(std::uint8_t* out) {
     proof_.take();
+    rotation_.stand();
     last_.status |= fault_ | Status::no_samples | Status::rate_refused | Status::denoised_refused |
                     status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
     return encode(last_, out);
@@ -119,6 +152,7 @@ class Compensator {
   /// One sample, which came `now`, through all stages.
   OutputSample process(const SensorSample& sample, SampleTime now = {}) {
     proof_.take();
+    rotation_.stand();
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
@@ -138,7 +172,7 @@ class Compensator {
     const bool measured_well = !any(result.status, kRateInvalid);
     result.status |= status_if(any(result.status, invalidating_), Status::rate_refused);
     if (!verdict.late) {
-      denoised_ = denoiser_.step(result.compensated, measured_well);
+      denoise(result.compensated, measured_well);
       count_refused(measured_well && !result.compensated_valid());
       if (temperature_good) last_temperature_ = temperature;
     }
@@ -162,6 +196,11 @@ class Compensator {
  private:
   using Drift = DriftModel<kEffects, kExpressions, kNetworkInputs>;
   using Collector = BlockCollector<Drift::inputs>;
+
+  void denoise(Rate compensated, bool measured_well) {
+    denoised_ = denoiser_.step(compensated, measured_well);
+    rotation_.step(denoised_.rate);
+  }
 
   // What the extension records said, and the time of one sample.
   void end_sample() {
@@ -236,7 +275,8 @@ class Compensator {
     };
     if constexpr (kOutput != OutputSelection::compact) {
       if (sends(OutputSelection::kvh)) {
-        append(encode_kvh_frame(sample, frames_, proof_.for_frames()));
+        append(encode_kvh_frame(sample, rotation_.bits(sample.denoised), frames_,
+                                proof_.for_frames()));
       }
     }
     if constexpr (kOutput != OutputSelection::kvh) {
@@ -254,6 +294,7 @@ class Compensator {
   const CalibrationParameters& calibration_;
   OutputSelection output_;
   Status invalidating_;
+  Rotation<(kOptions & kRotationIsAngle) != 0U> rotation_;
   StreamParser parser_;
   SampleMonitor monitor_;
   ExtensionMonitor<Drift::inputs & kAllExtensionInputs> extension_monitor_;

@@ -1,6 +1,8 @@
 #include "core/pipeline/model_parameters.hpp"
 
 #include <limits>
+#include <new>
+#include <type_traits>
 
 #include "core/acquisition/extension_monitor.hpp"
 #include "core/bytes/byte_order.hpp"
@@ -156,10 +158,12 @@ void read_denoise(TableReader& table, DenoiseParameters& denoise) {
 
 ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
                      ModelParameters& parameters) {
-  constexpr std::size_t kHeaderWords = 4;
   parameters.fault = Status::none;
   parameters.provenance = static_cast<std::uint32_t>(words[3]);
+  constexpr std::size_t kHeaderWords = kProcessorAt + kProcessorWords;
+  if (words.size <= kHeaderWords) return ModelError::out_of_range;
   TableReader table({words.data + kHeaderWords, words.size - kHeaderWords - 1});
+  table.require(static_cast<std::uint32_t>(words[kProcessorAt - 1]) < 1U << 24U);  // it ends
   read_calibration(table, parameters);
   read_thermal(table, parameters);
   read_input_limits(table, parameters.acquisition);
@@ -167,7 +171,10 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   read_expressions(table, room.expressions_fit, parameters.expressions);
   read_network(table, parameters.network);
   read_denoise(table, parameters.denoise);
-  parameters.output = static_cast<OutputSelection>(table.next(0, 2));
+  const std::int32_t output = table.next(0, 2 | kAllOutputOptions);
+  parameters.output = static_cast<OutputSelection>(output & ~kAllOutputOptions);
+  parameters.output_options = static_cast<OutputOptions>(output & kAllOutputOptions);
+  table.require(parameters.output <= OutputSelection::both);
   parameters.invalidating = static_cast<Status>(table.next());
   table.require((parameters.invalidating & ~kMayInvalidate) == kRateInvalid);
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
@@ -175,13 +182,22 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   if ((enabled & ~room.effects) != 0U || (parameters.network.used() & ~room.network_inputs) != 0U ||
       parameters.denoise.levels() > room.levels ||
       (room.taps != kAnyTaps && parameters.denoise.taps() != room.taps) ||
-      (room.output != OutputSelection::both && parameters.output != room.output)) {
+      (room.output != OutputSelection::both && parameters.output != room.output) ||
+      (parameters.output_options & ~room.output_options) != 0U) {
     return ModelError::not_in_image;
   }
   return ModelError::none;
 }
 
+// In its place: a second one would be a fifth of the stack.
+void reset(ModelParameters& parameters) {
+  static_assert(std::is_trivially_destructible_v<ModelParameters>);
+  new (&parameters) ModelParameters();
+}
+
 }  // namespace
+
+ModelParameters::ModelParameters() = default;
 
 std::uint32_t model_table_crc(Span<const std::int32_t> table) {
   std::uint32_t crc = kCrc32Initial;
@@ -195,7 +211,7 @@ std::uint32_t model_table_crc(Span<const std::int32_t> table) {
 
 ModelError read_model(Span<const std::int32_t> words, const ModelShape& room,
                       ModelParameters& parameters) {
-  parameters = ModelParameters();
+  reset(parameters);
   if (words.size < kLeastWords || words.size > kMostModelWords || words[0] != kModelMagic) {
     return ModelError::not_a_model;
   }
@@ -205,7 +221,7 @@ ModelError read_model(Span<const std::int32_t> words, const ModelShape& room,
     return ModelError::damaged;
   }
   const ModelError error = read_body(words, room, parameters);
-  if (error != ModelError::none) parameters = ModelParameters();
+  if (error != ModelError::none) reset(parameters);
   return error;
 }
 
@@ -214,16 +230,17 @@ const char* describe(ModelError error) {
     case ModelError::none:
       return "good";
     case ModelError::not_a_model:
-      return "no model table";
+      return "missing";
     case ModelError::other_layout:
-      return "model table of another layout version";
+      return "of another layout version";
     case ModelError::damaged:
-      return "model table damaged (CRC)";
+      return "damaged (CRC)";
     case ModelError::out_of_range:
-      return "model table holds a value out of range";
+      return "out of range";
     case ModelError::not_in_image:
-      return "model uses an effect, operation, network input, filter or frame that this image was "
-             "not built with";
+      return "not for this image";
+    case ModelError::other_board:
+      return "of another board";
   }
   return "unknown";
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/acquisition/calibration.hpp"
@@ -16,10 +18,16 @@
 namespace fog {
 
 /// Frames that are sent for each sample.
-enum class OutputSelection : std::int32_t { kvh = 0, compact = 1, both = 2 };
+enum class OutputSelection : std::uint8_t { kvh = 0, compact = 1, both = 2 };
+
+/// What the header has chosen of KVH's frames beside, bits of the same word of the table.
+using OutputOptions = std::uint8_t;
+constexpr OutputOptions kRotationIsAngle = 4;  ///< Z rotation is the angle of a sample, not a rate
+constexpr OutputOptions kAnswersKvhCommands = 8;
+constexpr OutputOptions kAllOutputOptions = kRotationIsAngle | kAnswersKvhCommands;
 
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
-constexpr std::int32_t kModelLayout = 5;          ///< of the table; SPEC.md, "Model table"
+constexpr std::int32_t kModelLayout = 6;          ///< of the table; SPEC.md, "Model table"
 constexpr std::size_t kMostModelWords = 4096;
 
 /// What an image has room for: fixed by the header that it is built with.
@@ -32,15 +40,38 @@ struct ModelShape {
   EffectCheck effect_fits = fog::effect_fits<kAllEffects>;
   ExpressionCheck expressions_fit = fog::expressions_fit;
   OutputSelection output = OutputSelection::both;  ///< these frames; both: whatever
+  OutputOptions output_options = kAllOutputOptions;
 };
 
 /// Room for any model.
 constexpr ModelShape kAnyModel{kAllEffects, kAllExpressions, kAllNetworkInputs, kAnyTaps,
                                kMostLevels};
 
+/// Whose model it is, from word kIdentityAt of the table on: four words of the gyro's serial
+/// number, ASCII padded with 0, at least one; three of the number of the processor that it is bound
+/// to, all 0: to none.
+constexpr std::size_t kIdentityAt = 4;
+constexpr std::size_t kSerialWords = 4;
+constexpr std::size_t kProcessorWords = 3;
+constexpr std::size_t kProcessorAt = kIdentityAt + kSerialWords;
+
+/// Whether a table is bound, and not to this processor.
+inline bool is_bound_elsewhere(const std::int32_t* bound,
+                               const std::array<std::uint32_t, kProcessorWords>& processor) {
+  std::uint32_t any = 0;
+  std::uint32_t difference = 0;
+  for (std::size_t i = 0; i < kProcessorWords; ++i) {
+    any |= static_cast<std::uint32_t>(bound[i]);
+    difference |= static_cast<std::uint32_t>(bound[i]) ^ processor[i];
+  }
+  return any != 0 && difference != 0;
+}
+
 /// A model table taken apart. Arrays stay in the table, which must outlive this.
 /// As constructed it is the parameters of a board without a usable model: no rate is valid.
 struct ModelParameters {
+  ModelParameters();  // out of line: 130 bytes less of flash
+
   Status fault = Status::model_refused;  ///< goes into the status of every sample
   std::uint32_t provenance = 0;          ///< CRC-32 of the model file that it was made from
   std::uint32_t samples_per_block = 1;
@@ -53,6 +84,7 @@ struct ModelParameters {
   NetworkParameters network;
   DenoiseParameters denoise;
   OutputSelection output = OutputSelection::kvh;
+  OutputOptions output_options = 0;
   Status invalidating = kRateInvalid;  ///< any of these makes a rate not valid
 
   /// What the model needs beside the coil's temperature.
@@ -72,6 +104,7 @@ enum class ModelError : std::uint8_t {
   out_of_range,  ///< a value that no export writes
   not_in_image,  ///< an effect, operation, network input or filter that this image was not built
                  ///< for
+  other_board,   ///< bound to another processor
 };
 
 /// What the last word of a table must be: the CRC-32 of those before it.

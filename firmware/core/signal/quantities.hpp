@@ -6,6 +6,8 @@
 #include "core/fixed_point/fixed.hpp"
 #include "core/fixed_point/logarithm.hpp"
 #include "core/fixed_point/logistic.hpp"
+#include "core/fixed_point/saturating_difference.hpp"
+#include "core/fixed_point/share.hpp"
 #include "core/fixed_point/sine.hpp"
 
 namespace fog {
@@ -33,6 +35,15 @@ struct BoardNumbers {
   /// A slow state: 64 bits, so that a lag of 10^5 s still moves.
   template <int kFractionalBits>
   using Wide = Fixed<std::int64_t, kFractionalBits>;
+  /// Of effects that follow the input rate: a coefficient in deg/h, what it is of the rate, and
+  /// what that makes of a rate, exactly.
+  using Coefficient = Fixed<std::int64_t, 40>;
+  using ScaleFactorError = Fixed<std::int32_t, 31>;
+  using RateDrift = Fixed<std::int64_t, 41>;
+  using ShareOf = fog::ShareOf;
+  static Rate saturating_difference(Rate a, Rate b) {
+    return Rate::from_raw(fog::saturating_difference(a.raw(), b.raw()));
+  }
   /// How the model table holds a constant: the raw integer.
   using Constant = std::int32_t;
   template <int kFractionalBits>

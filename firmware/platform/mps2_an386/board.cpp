@@ -1,6 +1,7 @@
 #include "platform/board.hpp"
 
 #include "hal/clock.hpp"
+#include "hal/processor.hpp"
 #include "platform/cortex_m/restart.hpp"
 #include "platform/cortex_m/tick.hpp"
 #include "platform/mps2_an386/peripherals.hpp"
@@ -16,6 +17,10 @@ bool fog::hal::clock_keeps_time() {
 }
 
 void fog::hal::try_another_speed() {}
+
+fog::hal::ProcessorNumber fog::hal::processor_number() {
+  return {};
+}
 
 namespace fog::platform {
 

@@ -40,7 +40,7 @@ void start_board() {
 BoardDescription describe_board() {
   const bool brown_out_reset_on =
       (flash().options.read() & Flash::kBrownOutLevel) != Flash::kBrownOutOff;
-  return {"stm32f405", clock_tree().core_hz, clock_tree().source, clock_tree().is_fallback,
+  return {FOG_BOARD_NAME, clock_tree().core_hz, clock_tree().source, clock_tree().is_fallback,
           brown_out_reset_on};
 }
 

@@ -85,6 +85,11 @@ struct Flash {
 };
 static_assert(offsetof(Flash, options) == 0x14);
 
+/// Unique device identifier: 39.1.
+struct UniqueNumber {
+  std::array<Register, 3> words;
+};
+
 /// General-purpose I/O: 8.4.
 struct Gpio {
   Register mode;
@@ -211,6 +216,9 @@ inline Rcc& rcc() {
 }
 inline Flash& flash() {
   return peripheral_at<Flash>(0x40023C00U);
+}
+inline UniqueNumber& unique_number() {
+  return peripheral_at<UniqueNumber>(0x1FFF7A10U);
 }
 inline Gpio& gpio(std::uint32_t port) {
   return peripheral_at<Gpio>(0x40020000U + 0x400U * port);

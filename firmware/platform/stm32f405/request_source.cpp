@@ -11,7 +11,7 @@ namespace fog {
 namespace platform {
 namespace {
 
-RingBuffer<16> requested;
+RingBuffer<FOG_REQUEST_BYTES> requested;
 
 }  // namespace
 

@@ -23,5 +23,25 @@ TEST(Verification, AScaleFactorWithALargeSlopeIsWithinTheLimitAtAnyReferenceAndR
   }
 }
 
+// The board holds each of them within a share of the rate.
+TEST(Verification, AScaleFactorErrorBeyondWhatTheBoardHoldsIsOffByMoreThanTheLimit) {
+  const auto worst_dph = [](const std::string& effect, const std::vector<double>& shape,
+                            const std::vector<double>& coefficients) {
+    model::Model model = fog::test::paper_like_model();
+    model.network = {};
+    model.terms = {fog::test::natural_term(effect, shape, coefficients)};
+    const BoardTable table = make_board_table(model, {200, fog::OutputSelection::kvh, false});
+    return verify_quantization(model, read_board_table(table, "test")).worst_dph;
+  };
+  const std::vector<double> to_300_dps{5, 300};
+  EXPECT_LE(worst_dph("scale_factor", {}, {490'000}), kQuantizationLimitDph);
+  EXPECT_GT(worst_dph("scale_factor", {}, {510'000}), 1000);
+  EXPECT_LE(worst_dph("scale_factor_nonlinearity", to_300_dps, {0, 4600, 0, 0}),
+            kQuantizationLimitDph);
+  EXPECT_GT(worst_dph("scale_factor_nonlinearity", to_300_dps, {0, 4800, 0, 0}), 10);
+  EXPECT_LE(worst_dph("scale_factor_asymmetry", {}, {-120'000}), kQuantizationLimitDph);
+  EXPECT_GT(worst_dph("scale_factor_asymmetry", {}, {-130'000}), 1000);
+}
+
 }  // namespace
 }  // namespace fogcomp::board

@@ -225,7 +225,9 @@ TEST_F(CompensatorTest, NothingIsValidBeforeThereIsAMeasurement) {
   int first_denoised = 0;
   for (int i = 0; first_denoised == 0 && i < settled + 2000; ++i) {
     const OutputSample out = run(1);
-    const bool marked = (fog::encode_kvh_frame(out, 0, fog::kIntactImage)[28] & 4U) != 0;
+    const bool marked = (fog::encode_kvh_frame(out, fog::rate_as_radians_float(out.denoised), 0,
+                                               fog::kIntactImage)[28] &
+                         4U) != 0;
     ASSERT_EQ(marked, out.denoised_valid());
     if (out.compensated_valid() && first_rate == 0) first_rate = i;
     if (marked) first_denoised = i;

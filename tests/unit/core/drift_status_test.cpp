@@ -112,15 +112,19 @@ TEST_F(DriftStatus, IsHeldUntilTheModelHasCaughtUpStepByStep) {
   for (int i = 0; i < 5; ++i) step_whole();
   model.hold(4);
   model.take(at(raw));
-  for (int i = 0; i < 4; ++i) {
+  const auto next_sample = [&] {
     model.catch_up();
+    model.see({});
+  };
+  for (int i = 0; i < 4; ++i) {
+    next_sample();
     EXPECT_EQ(model.drift(), held);
     EXPECT_TRUE(any(model.status(), Status::drift_held));
   }
-  model.catch_up();
+  next_sample();
   EXPECT_EQ(model.drift(), whole.drift());
   EXPECT_EQ(model.status(), Status::thermal_settling);
-  model.catch_up();
+  next_sample();
   EXPECT_EQ(model.drift(), whole.drift()) << "nothing is due";
 }
 

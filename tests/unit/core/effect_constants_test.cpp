@@ -24,6 +24,7 @@ bool accepted(std::size_t id, const Constants& constants, std::size_t coefficien
 constexpr std::int32_t kMost = INT32_MAX;
 constexpr std::int32_t kLeast = INT32_MIN;
 constexpr std::int32_t k256Degrees = 256 << 22;
+constexpr std::int32_t k256Degrees_q16 = 256 << 16;
 
 struct EffectLimits {
   const char* name;
@@ -65,6 +66,14 @@ const EffectLimits kEffects[] = {
      2,
      {{0, 1}, {k256Degrees - 1, kMost}, {1 - k256Degrees, 1}},
      {{0, 0}, {k256Degrees, 1}, {-k256Degrees, 1}, {0, -1}}},
+    {"scale_factor", 17, 1, {{}}, {}},
+    {"scale_factor_temperature",
+     10,
+     2,
+     {{2, k256Degrees_q16}, {2, -k256Degrees_q16}},
+     {{0, 0}, {4, 0}, {2, k256Degrees_q16 + 1}, {2, -k256Degrees_q16 - 1}}},
+    {"scale_factor_nonlinearity", 18, 2, {{3, 1}, {3, kMost}}, {{1, 1}, {6, 1}, {3, 0}, {3, -1}}},
+    {"scale_factor_asymmetry", 19, 1, {{1, 1}, {kMost, kMost}}, {{0, 1}, {1, 0}}},
     {"warm_up", 11, 1, {{1}, {kMost}}, {{0}, {-1}}},
     {"aging", 12, 1, {{1}, {kMost}}, {{0}, {-1}}},
 };

@@ -10,6 +10,7 @@
 #include "core/frames/health_record.hpp"
 #include "core/frames/health_request.hpp"
 #include "core/frames/kvh_frame.hpp"
+#include "core/frames/rate_float.hpp"
 #include "core/health/image_proof.hpp"
 #include "core/health/image_seal.hpp"
 #include "core/health/memory_scan.hpp"
@@ -102,9 +103,11 @@ TEST(Frames, OfADamagedImageAreRefusedOrSayNotValid) {
   for (int i = 0; i < 1000; ++i) {
     const std::uint32_t image_crc =
         i == 0 ? fog::kImageCrcStart : static_cast<std::uint32_t>(random());
-    const fog::KvhFrame wrong = fog::encode_kvh_frame(good, 0, image_crc);
+    const fog::KvhFrame wrong =
+        fog::encode_kvh_frame(good, fog::rate_as_radians_float(good.denoised), 0, image_crc);
     EXPECT_NE(fog::crc32(wrong.data(), wrong.size()), 0U);
-    const fog::KvhFrame right = fog::encode_kvh_frame(admitted, 0, image_crc);
+    const fog::KvhFrame right = fog::encode_kvh_frame(
+        admitted, fog::rate_as_radians_float(admitted.denoised), 0, image_crc);
     EXPECT_EQ(fog::crc32(right.data(), right.size()), 0U);
     EXPECT_EQ(right[28], 0);
     const fog::CompactFrame compact = fog::encode_compact_frame(good, 465, image_crc);
@@ -271,21 +274,17 @@ TEST(MemoryScan, TakesAnotherPatternEachPass) {
 
 // ---- record ----
 
+using Word = fog::HealthWord;
+
 fog::HealthRecord some_record() {
   fog::HealthRecord record;
-  record.image_intact = record.model_good = true;
-  record.model = 0x01020304;
-  record.image_crc = 0xFFFFFFFF;
-  record.samples = 1000;
-  record.invalid_rates = 3;
-  record.sequence_gaps = 2;
-  record.discarded_bytes = 77;
-  record.status_last = Status::drift_held;
-  record.status_seen = Status::drift_held | Status::rate_jump;
-  record.image_passes = 12;
-  record.memory_passes = 11;
-  record.stack_bytes = 2048;
-  record.stack_unused_bytes = 900;
+  record.image_intact = true;
+  record.model_error = 6;
+  record[Word::model] = 0x01020304;
+  record[Word::samples] = 1000;
+  record[Word::memory_passes] = 11;
+  record[Word::status_last] = static_cast<std::uint32_t>(Status::drift_held);
+  record[Word::serial] = 0x2D474F46;
   record.reset_cause = {'w', 'a', 't', 'c', 'h', 'd', 'o', 'g'};
   return record;
 }
@@ -296,9 +295,9 @@ TEST(HealthRecord, ReturnsWhatWasPutInAndRefusesDamage) {
   fog::HealthRecord got;
   ASSERT_TRUE(fog::decode_health_response(response.data(), got));
   EXPECT_EQ(fog::encode_health_response(got), response);
-  EXPECT_TRUE(got.image_intact && !got.memory_good && got.model_good);
-  EXPECT_EQ(got.samples, 1000U);
-  EXPECT_EQ(got.memory_passes, 11U);
+  EXPECT_TRUE(got.image_intact && !got.memory_good && got.model_error == 6);
+  EXPECT_EQ(got.words, sent.words);
+  EXPECT_EQ(got.status_last(), Status::drift_held);
   EXPECT_STREQ(got.reset_cause.data(), "watchdog");
   for (std::size_t bit = 0; bit < 8 * response.size(); ++bit) {
     fog::HealthResponse damaged = response;
@@ -309,74 +308,86 @@ TEST(HealthRecord, ReturnsWhatWasPutInAndRefusesDamage) {
 
 // SPEC.md, "Health record", byte by byte.
 TEST(HealthRecord, HasTheLayoutOfItsSpecification) {
+  const Word order[] = {Word::model,         Word::image,           Word::samples,
+                        Word::invalid_rates, Word::sequence_gaps,   Word::status_last,
+                        Word::status_seen,   Word::discarded_bytes, Word::image_passes,
+                        Word::memory_passes, Word::stack,           Word::version,
+                        Word::sources,       Word::processor};
   fog::HealthRecord record;
-  record.model = 0x04030201;
-  record.image_crc = 0x08070605;
-  record.samples = 0x0C0B0A09;
-  record.invalid_rates = 0x100F0E0D;
-  record.sequence_gaps = 0x14131211;
-  record.discarded_bytes = 0x18171615;
-  record.status_last = static_cast<Status>(0x1C1B1A19);
-  record.status_seen = static_cast<Status>(0x201F1E1D);
-  record.image_passes = 0x24232221;
-  record.memory_passes = 0x28272625;
-  record.stack_bytes = 0x2A29;
-  record.stack_unused_bytes = 0x2C2B;
-  record.reset_cause = {'-', '.', '/', '0', '1', '2', '3', '4', '5', '6', '7', '8', '9', ':', ';'};
-  for (unsigned flags = 0; flags < 8; ++flags) {
+  std::uint8_t next = 1;
+  const auto four = [&next] {
+    std::uint32_t word = 0;
+    for (unsigned shift = 0; shift < 32; shift += 8) word |= std::uint32_t{next++} << shift;
+    return word;
+  };
+  for (const Word word : order) record[word] = four();
+  for (std::size_t i = 14; i < record.words.size(); ++i) record.words[i] = four();
+  record[Word::serial] = record.words[16];
+  record.words[19] &= 0xFFFFFFU;  // its end
+  for (std::size_t i = 0; i < 15; ++i) record.reset_cause[i] = static_cast<char>(next++);
+  for (unsigned flags = 0; flags < 256; ++flags) {
+    if ((flags & 0x0CU) != 0) continue;
     record.image_intact = flags % 2 != 0;
     record.memory_good = flags / 2 % 2 != 0;
-    record.model_good = flags / 4 != 0;
+    record.model_error = static_cast<std::uint8_t>(flags / 16);
     const fog::HealthResponse sent = fog::encode_health_response(record);
+    ASSERT_EQ(sent.size(), 104U);
     EXPECT_EQ(sent[0], 0xC3);
     EXPECT_EQ(sent[1], 0x99);
-    EXPECT_EQ(sent[2], 1);
+    EXPECT_EQ(sent[2], 2);
     EXPECT_EQ(sent[3], flags);
-    for (std::size_t i = 4; i < 63; ++i) EXPECT_EQ(sent[i], i - 3) << i;
-    EXPECT_EQ(sent[63], 0);
-    const std::uint32_t crc = fog::crc32(sent.data(), 64);
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(sent[64 + i], (crc >> (8 * i)) & 0xFFU);
+    for (std::size_t i = 4; i < 99; ++i) EXPECT_EQ(sent[i], i == 83 ? 0 : i - 3) << i;
+    EXPECT_EQ(sent[99], 0);
+    const std::uint32_t crc = fog::crc32(sent.data(), 100);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(sent[100 + i], (crc >> (8 * i)) & 0xFFU);
 
     fog::HealthRecord got;
     got.image_intact = !record.image_intact;
     got.memory_good = !record.memory_good;
-    got.model_good = !record.model_good;
     ASSERT_TRUE(fog::decode_health_response(sent.data(), got));
     EXPECT_EQ(got.image_intact, record.image_intact);
     EXPECT_EQ(got.memory_good, record.memory_good);
-    EXPECT_EQ(got.model_good, record.model_good);
+    EXPECT_EQ(got.model_error, record.model_error);
     EXPECT_EQ(fog::encode_health_response(got), sent);
   }
 }
 
-// Each with a good CRC: sync, layout, a flag that no board has, a reset cause without an end.
+// Each with a good CRC: sync, layout, a flag that no board has, a serial number and a reset cause
+// without an end.
 TEST(HealthRecord, LeavesAloneWhatItRefuses) {
   const fog::HealthResponse response = fog::encode_health_response(some_record());
-  for (const auto& [at, bit] :
-       {std::pair<std::size_t, unsigned>{0, 0}, {1, 0}, {2, 0}, {3, 3}, {3, 7}, {63, 0}, {63, 7}}) {
+  for (const auto& [at, bit] : {std::pair<std::size_t, unsigned>{0, 0},
+                                {1, 0},
+                                {2, 0},
+                                {3, 2},
+                                {3, 3},
+                                {83, 0},
+                                {83, 7},
+                                {99, 0},
+                                {99, 7}}) {
     fog::HealthResponse other = response;
     other[at] = static_cast<std::uint8_t>(other[at] ^ (1U << bit));
-    const std::uint32_t crc = fog::crc32(other.data(), 64);
-    for (std::size_t i = 0; i < 4; ++i) other[64 + i] = static_cast<std::uint8_t>(crc >> (8 * i));
+    const std::uint32_t crc = fog::crc32(other.data(), 100);
+    for (std::size_t i = 0; i < 4; ++i) other[100 + i] = static_cast<std::uint8_t>(crc >> (8 * i));
     fog::HealthRecord untouched;
     EXPECT_FALSE(fog::decode_health_response(other.data(), untouched)) << at;
-    EXPECT_EQ(untouched.samples, 0U);
+    EXPECT_EQ(untouched.words, fog::HealthRecord().words);
   }
 }
 
-TEST(HealthRecord, CountsWhatIsWrongWithSamples) {
-  fog::HealthRecord record;
+TEST(SampleCounts, CountWhatIsWrongWithSamples) {
+  fog::SampleCounts counts;
   fog::OutputSample sample;
-  record.count(sample);
+  counts.count(sample);
   sample.status = Status::gyro_stuck | Status::sequence_gap;
-  record.count(sample);
+  counts.count(sample);
   sample.status = Status::drift_held;
-  record.count(sample);
-  EXPECT_EQ(record.samples, 3U);
-  EXPECT_EQ(record.invalid_rates, 1U);
-  EXPECT_EQ(record.sequence_gaps, 1U);
-  EXPECT_EQ(record.status_last, Status::drift_held);
-  EXPECT_EQ(record.status_seen, sample.status | Status::gyro_stuck | Status::sequence_gap);
+  counts.count(sample);
+  EXPECT_EQ(counts.samples, 3U);
+  EXPECT_EQ(counts.invalid_rates, 1U);
+  EXPECT_EQ(counts.sequence_gaps, 1U);
+  EXPECT_EQ(counts.status_last, Status::drift_held);
+  EXPECT_EQ(counts.status_seen, sample.status | Status::gyro_stuck | Status::sequence_gap);
 }
 
 TEST(HealthRequest, HasTheCrcOfItsSpecification) {

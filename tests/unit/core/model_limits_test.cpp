@@ -62,7 +62,9 @@ void put_input(Table& table, const std::string& name, std::int32_t signal, std::
 // What stands before the effects.
 Table table_begun() {
   Table table;
-  table.put("magic", 0x464F474D).put("layout", 5).put("words", 0).put("model", 0x11223344);
+  table.put("magic", 0x464F474D).put("layout", 6).put("words", 0).put("model", 0x11223344);
+  table.put("serial 0", 0x2D474F46).put("serial 1", 0x31).put("serial 2", 0).put("serial 3", 0);
+  table.put("processor 0", 7).put("processor 1", 8).put("processor 2", 9);
   table.put("period", 5000).put("block", 200).put("multiplier", kHalf + 1).put("shift", 30);
   table.put("range", 1 << 20).put("step", 77).put("stuck", 100);
   table.put("decay", 1001).put("gain", 2002);
@@ -154,6 +156,35 @@ TEST(ModelLimits, EveryWordArrivesWhereItBelongs) {
   EXPECT_EQ(got.denoise.thresholds[0], 655);
   EXPECT_EQ(got.output, fog::OutputSelection::both);
   EXPECT_EQ(got.invalidating, fog::kRateInvalid | fog::Status::thermal_settling);
+}
+
+TEST(ModelLimits, ATableIsForAnyProcessorOrForOne) {
+  const std::int32_t any[] = {0, 0, 0};
+  EXPECT_FALSE(fog::is_bound_elsewhere(any, {0, 0, 0}));
+  EXPECT_FALSE(fog::is_bound_elsewhere(any, {7, 8, 9}));
+  const std::int32_t one[] = {7, -8, 9};
+  EXPECT_FALSE(fog::is_bound_elsewhere(one, {7, static_cast<std::uint32_t>(-8), 9}));
+  for (std::size_t i = 0; i < 96; ++i) {
+    std::array<std::uint32_t, 3> other{7, static_cast<std::uint32_t>(-8), 9};
+    other[i / 32] ^= 1U << (i % 32);
+    EXPECT_TRUE(fog::is_bound_elsewhere(one, other)) << i;
+  }
+  EXPECT_TRUE(fog::is_bound_elsewhere(one, {0, 0, 0})) << "a processor that says no number";
+}
+
+TEST(ModelLimits, ASerialNumberEnds) {
+  Table table = good_table();
+  table["serial 3"] = 0x00FFFFFF;
+  EXPECT_EQ(table.read(), ModelError::none);
+  table["serial 3"] = 0x01000000;
+  EXPECT_EQ(table.read(), ModelError::out_of_range);
+  table["serial 3"] = INT32_MIN;
+  EXPECT_EQ(table.read(), ModelError::out_of_range);
+}
+
+// A board without a usable model answers silence: as fast as that it can.
+TEST(ModelLimits, ABoardWithoutAModelHasASamplePeriodThatALineTakes) {
+  EXPECT_GE(ModelParameters().acquisition.sample_period_us, 1000U);
 }
 
 TEST(ModelLimits, TheUsualFlagsAlwaysMakeARateNotValidAndOthersMayBeChosen) {

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace fog {
+
+/// What a board that is asked as a KVH gyro is asked says of itself.
+struct KvhSettings {
+  std::uint32_t sample_rate_hz = 0;
+  bool delta_angle = false;
+};
+
+/// The commands that drivers of KVH's gyros send at start-up (SPEC.md, "KVH commands"): lines of
+/// ASCII, ended by CR or LF. What a header has chosen they cannot change: a value that is another
+/// is refused.
+class KvhCommands {
+ public:
+  explicit KvhCommands(const KvhSettings& settings) : settings_(settings) {}
+
+  /// Takes a byte. Where it ends a line that is to be answered: writes the answer to `out` (room
+  /// for kMostAnswer) and returns its size; else returns 0.
+  std::size_t feed(std::uint8_t byte, std::uint8_t* out);
+
+  /// Whether the user has entered the configuration mode, in which no frames are sent.
+  bool configuring() const { return configuring_; }
+
+  static constexpr std::size_t kMostLine = 24;
+  static constexpr std::size_t kMostAnswer = kMostLine + 16;
+
+ private:
+  std::size_t answer(std::uint8_t* out);
+
+  KvhSettings settings_;
+  bool configuring_ = false;
+  std::size_t size_ = 0;  // of line_; 0: not within a command; kMostLine: too long for any
+  std::array<char, kMostLine> line_{};
+};
+
+}  // namespace fog

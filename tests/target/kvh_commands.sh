@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# kvh_commands.sh MACHINE PLATFORM IMAGES FOGCOMP MAKE_MODEL IN.bin DIR: an image whose header says so answers the lines that
+# drivers of KVH's gyros send, and sends no frames in the configuration mode.
+set -euo pipefail
+machine=$1 platform=$2 images=$3 fogcomp=$4 make_model=$5 input=$6 folder=$7
+here=$(realpath "$(dirname "$0")")
+mkdir -p "$folder"
+scratch=$(mktemp -d)
+clean_up() {
+  jobs -p | xargs -r kill 2>/dev/null || true
+  wait
+  rm -rf "$scratch"
+}
+trap clean_up EXIT
+trap 'exit 143' TERM INT HUP
+
+"$make_model" "$folder/one.model" 0 bias
+"$fogcomp" export "$folder/one.model" -o "$folder/fog_model.h" --sample-rate 100 --rotation delta --kvh-commands
+"$here/build_variant.sh" "$images" "$platform" fogcomp "$folder/fogcomp.elf" \
+  -DFOG_MODEL_HEADER="$(realpath "$folder/fog_model.h")"
+
+mkfifo "$scratch"/{user,sensor}.{in,out}
+: >"$scratch/console"
+cat "$scratch/user.out" >"$scratch/sent" &
+timeout --kill-after=1 60 qemu-system-arm -M "$machine" -display none -monitor none -serial "pipe:$scratch/user" \
+  -serial "pipe:$scratch/sensor" -serial "file:$scratch/console" -kernel "$folder/fogcomp.elf" </dev/null >"$scratch/log" 2>&1 &
+exec 7<>"$scratch/user.in" 8<>"$scratch/sensor.in"
+
+wait_for() {
+  local deadline=$((SECONDS + 30))
+  until "$@"; do
+    ((SECONDS < deadline)) || { echo "gave up waiting for: $*" >&2; cat "$scratch/console" >&2; od -c "$scratch/sent" | tail >&2; exit 1; }
+    sleep 0.02
+  done
+}
+booted() { grep -q '^image: ' "$scratch/console"; }
+has_sent() { (($(stat -c %s "$scratch/sent") >= $1)); }
+wait_for booted
+
+bytes=0
+samples() { head -c $((16 * ($1 + 20))) "$input" | tail -c 320 >&8; }
+# say LINE [ANSWER]
+say() {
+  printf '%s\n' "$1" >&7
+  [[ ${2-} ]] || { sleep 0.5; return; }
+  bytes=$((bytes + ${#2} + 2))
+  wait_for has_sent "$bytes"
+  [[ $(tail -c "$((${#2} + 2))" "$scratch/sent") == "$2"$'\r' ]] || { echo "to $1: $(tail -c 40 "$scratch/sent")" >&2; exit 1; }
+}
+frames() { wait_for has_sent $((bytes += 36 * $1)); }
+
+samples 0
+frames 20
+say '=CONFIG,1' CONFIG,1
+samples 20
+say '?TEMPUNITS' TEMPUNITS,C
+say '?ROTFMT' ROTFMT,DELTA
+say '=dr,100' DR,100
+say '=ROTFMT,RATE' INVALID,=ROTFMT,RATE
+sleep 0.5
+say '=CONFIG,0'
+samples 40
+frames 20
+(($(stat -c %s "$scratch/sent") == bytes)) || { echo "$(stat -c %s "$scratch/sent") bytes sent, not $bytes" >&2; exit 1; }
+echo "$machine: $bytes bytes sent as expected"
