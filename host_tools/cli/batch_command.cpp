@@ -220,7 +220,7 @@ struct BatchCommand : Command {
 
   BatchCommand()
       : Command("batch", {"DIR", 1, 1},
-                "fit, compare, export for every gyro of a folder; one table and page",
+                "fit, compare, export every gyro of a folder; one table and page",
                 "fogcomp batch gyros -o results --effects bias,temperature_rate") {
     FitOptions& fit = calibration.fit;
     calibration.make_rare();
