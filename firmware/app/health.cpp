@@ -64,7 +64,7 @@ KvhSettings kvh_settings() {
           (parameters.output_options & kRotationIsAngle) != 0U};
 }
 
-KvhCommands& kvh_commands() {
+[[maybe_unused]] KvhCommands& kvh_commands() {
   static KvhCommands instance(kvh_settings());
   return instance;
 }

@@ -85,7 +85,8 @@ int AddCommand::run() const {
   const bool written = addition.accepted || force.given();
   if (written) model_file.write(model::model_text(addition.model));
   const std::string name = written ? output.value() : "";
-  const findings::Document document = findings::add_findings(addition, arguments[0], name);
+  findings::Document document = findings::add_findings(addition, arguments[0], name);
+  document.read_with(recording.given_words());
   if (page.wanted()) page.fill(document);
   if (written) model_file.commit();
   page.commit();

@@ -47,7 +47,8 @@ int CompareCommand::run() const {
   request.reading = recording.value();
   request.runs = {arguments.begin() + 1, arguments.end()};
   const std::vector<compare::ModelOnRuns> judged = workflow::compare(request, Watch().observer());
-  const findings::Document document = findings::compare_findings(judged);
+  findings::Document document = findings::compare_findings(judged);
+  document.read_with(recording.given_words());
   if (page.wanted()) page.write(document);
   if (json.given()) {
     std::puts(findings::compare_json(judged).text().c_str());

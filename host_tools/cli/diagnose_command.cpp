@@ -69,9 +69,10 @@ int DiagnoseCommand::run() const {
   const workflow::DiagnoseOutcome found = workflow::diagnose(request(), Watch().observer());
   const bool written = model_file && !found.ladder.steps.empty();
   const findings::DiagnosedFiles files{arguments[0], found.runs, holdouts.value(),
-                                       written ? output.value() : ""};
-  const findings::Document document =
+                                       recording.given_words(), written ? output.value() : ""};
+  findings::Document document =
       findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
+  document.read_with(recording.given_words());
   if (written) model_file->write(model::model_text(found.ladder.model));
   if (page.wanted()) page.fill(document);
   if (written) model_file->commit();

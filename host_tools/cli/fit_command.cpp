@@ -56,8 +56,8 @@ int FitCommand::run() const {
                  counted(epochs, "epoch").c_str());
   }
   model_file.write(model::model_text(found.model));
-  const findings::Document document =
-      findings::fit_findings(found, found.on_its_runs(output.value()));
+  findings::Document document = findings::fit_findings(found, found.on_its_runs(output.value()));
+  document.read_with(recording.given_words());
   if (page.wanted()) page.fill(document);
   model_file.commit();
   page.commit();

@@ -37,7 +37,8 @@ int InfoCommand::run() const {
   request.reading.limits = limits.value();
   ReportFile page(report);
   const auto [run, summary] = workflow::info(request, Watch().observer());
-  const findings::Document document = findings::info_findings(run, summary);
+  findings::Document document = findings::info_findings(run, summary);
+  document.read_with(recording.given_words());
   if (page.wanted()) page.write(document);
   if (json.given()) {
     std::puts(findings::info_json(run, summary).text().c_str());

@@ -14,6 +14,17 @@ Option* OptionGroup::find_option(const std::string& name) const {
   return found == options_.end() ? nullptr : *found;
 }
 
+std::vector<std::string> OptionGroup::given_words() const {
+  std::vector<std::string> words;
+  for (const Option* option : options_) {
+    for (const std::string& value : option->values) {
+      words.push_back("--" + option->name);
+      if (!option->value_name.empty()) words.push_back(value);
+    }
+  }
+  return words;
+}
+
 void OptionGroup::make_rare() {
   for (Option* option : options_) option->rare = true;
 }

@@ -23,6 +23,8 @@ class OptionGroup {
   const std::vector<Option*>& options() const { return options_; }
   /// The one of that name (without dashes); nullptr where there is none.
   Option* find_option(const std::string& name) const;
+  /// Those that were given, as the words of a command line.
+  std::vector<std::string> given_words() const;
   /// Leaves all of them out of --help, which is to fit a screen.
   void make_rare();
   /// The error of a word on the command line; points to --help.

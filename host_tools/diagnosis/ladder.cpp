@@ -30,9 +30,10 @@ model::Model with_network(const model::Model& before, const TriedAddition& addit
 
 }  // namespace
 
-std::vector<std::string> Ladder::added() const {
+std::vector<std::string> Ladder::names(bool described) const {
   std::vector<std::string> all;
   for (const Step& step : steps) {
+    if (step.describes != described) continue;
     for (const std::string& name : step.addition.request.names()) {
       if (!holds(all, name)) all.push_back(name);
     }

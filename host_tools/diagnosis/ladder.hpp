@@ -28,8 +28,13 @@ struct Ladder {
   std::string left_alone;
   model::Model model;  ///< at the end, as the commands `add` of the steps make it
 
-  /// Names of what the loop added, in that order, each once.
-  std::vector<std::string> added() const;
+  /// Names of what the loop added, in that order, each once: what it named as missing, and what
+  /// only describes.
+  std::vector<std::string> added() const { return names(false); }
+  std::vector<std::string> described() const { return names(true); }
+
+ private:
+  std::vector<std::string> names(bool described) const;
 };
 
 /// Adds what find_next_step() proposes, up to `max_steps` times, each step made and judged as `add`

@@ -3,6 +3,7 @@
 #include "findings/figures.hpp"
 #include "findings/network_words.hpp"
 #include "findings/run_plots.hpp"
+#include "findings/run_section.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {
@@ -95,18 +96,17 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
   for (const std::size_t i : addition.changed) changed.terms.push_back(addition.model.terms[i]);
   std::vector<std::string> names;
   for (const model::EffectTerm& one : addition.model.terms) names.push_back(one.name);
-  std::string runs;
+  std::vector<std::string> runs;
   for (const fit::Addition::RunError& run : addition.runs) {
-    if (!run.holdout) runs += " " + run.file;
+    if (!run.holdout) runs.push_back(run.file);
   }
   Document document(
-      "fogcomp add " + model + " " + join(addition.names(), " ") + runs,
+      "fogcomp add " + model + " " + join(addition.names(), " ") + " " + join(runs, " "),
       words(std::string(addition.accepted ? "accepted: " : "refused: ") + addition.reason, names));
   if (written.empty()) {
-    document.next("nothing was written; ask what else it could be",
-                  "fogcomp diagnose " + model + runs);
+    document.next("nothing was written; ask what else it could be", diagnose_command(model, runs));
   } else {
-    document.next("look again at what the new model leaves", "fogcomp diagnose " + written + runs);
+    document.next("look again at what the new model leaves", diagnose_command(written, runs));
   }
   for (const std::string& warning : addition.fit.identified.warnings) {
     document.sentence("note: " + words(warning, names));

@@ -49,9 +49,9 @@ void add_next(Document& document, const Summary& summary, const std::string& inp
                    [](const Summary::Gyro& gyro) { return gyro.outcome == Outcome::fail; });
   if (failing == summary.gyros.end()) return;
   const std::string& name = failing->result.gyro;
-  document.next("ask which effect " + verbatim(name) + " has that the others have not",
-                "fogcomp diagnose " + output + "/" + name + "/" + name + ".model " + input + "/" +
-                    name + "/*");
+  document.next_line("ask which effect " + verbatim(name) + " has that the others have not",
+                     "fogcomp diagnose " + output + "/" + name + "/" + name + ".model " + input +
+                         "/" + name + "/*");
 }
 
 void add_rejected(Document& document, const Summary& summary, bool reports) {

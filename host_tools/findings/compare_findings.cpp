@@ -54,16 +54,16 @@ Text found(const std::vector<const compare::ModelOnRuns*>& models) {
 
 Document compare_findings(const std::vector<compare::ModelOnRuns>& models) {
   const compare::ModelOnRuns& first = models[0];
-  std::string subject = "fogcomp compare " + first.file + run_files(first);
+  std::string subject = "fogcomp compare " + first.file + " " + join(run_files(first), " ");
   for (std::size_t i = 1; i < models.size(); ++i) subject += " --model " + models[i].file;
   const std::vector<const compare::ModelOnRuns*> ranked = best_first(models);
   const compare::ModelOnRuns& best = *ranked[0];
   Document document(subject, found(ranked));
   if (std::any_of(best.runs.begin(), best.runs.end(), leaves_drift)) {
-    document.next("ask which effect is missing", "fogcomp diagnose " + best.file + run_files(best));
+    document.next("ask which effect is missing", diagnose_command(best.file, run_files(best)));
   } else {
     document.next("nothing above the noise floor is left on these runs: make the board's header",
-                  "fogcomp export " + best.file + " -o fog_model.h");
+                  {"fogcomp", "export", best.file, "-o", "fog_model.h"});
   }
   for (std::size_t run = 0; run < first.runs.size(); ++run) {
     add_run(document, ranked, run, Shown::everywhere);

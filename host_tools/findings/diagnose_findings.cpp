@@ -30,12 +30,12 @@ std::vector<std::string> names_from_outside(const diagnosis::DiagnosisData& data
 void add_next(Document& document, const DiagnosisWords& said, diagnosis::Verdict verdict,
               const std::string& model) {
   if (!said.command.empty()) {
-    document.next("add it; it is kept only if it helps out of sample", said.command);
+    document.next_line("add it; it is kept only if it helps out of sample", said.command);
   } else if (!said.next.empty()) {
-    document.next(words(said.next), "");
+    document.next(words(said.next));
   } else if (verdict == diagnosis::Verdict::none) {
     document.next("make the board's header",
-                  shell_words({"fogcomp", "export", model, "-o", "fog_model.h"}));
+                  std::vector<std::string>{"fogcomp", "export", model, "-o", "fog_model.h"});
   }
 }
 
@@ -354,7 +354,7 @@ Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
   } else {
     const std::string& judge = files.holdouts.empty() ? files.runs[0] : files.holdouts[0];
     document.next("see what the loop's model leaves",
-                  shell_words({"fogcomp", "compare", files.output, judge}));
+                  std::vector<std::string>{"fogcomp", "compare", files.output, judge});
   }
   document.sentence(words(said.certainty, names));
   for (const std::string& line : said.findings) document.sentence(words(line, names));

@@ -174,7 +174,8 @@ Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
         .set("out_of_sample_rms_after_dph", judged ? Json(tried.rms_after_dph) : Json());
   });
   Json result = diagnosis_json(ladder.first, ladder.next, files);
-  result.set("added", ladder.added()).set("ladder", std::move(steps));
+  result.set("added", ladder.added()).set("described", ladder.described());
+  result.set("ladder", std::move(steps));
   result.set("commands", ladder_commands(ladder, files));
   result.set("model", files.output.empty() ? Json() : Json(files.output));
   result.set("left_alone", ladder.left_alone.empty() ? Json() : Json(ladder.left_alone));

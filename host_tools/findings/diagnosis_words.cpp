@@ -37,6 +37,7 @@ std::string add_command_line(const diagnosis::AdditionRequest& request, const st
   for (const std::string& holdout : files.holdouts) {
     line.insert(line.end(), {"--holdout", holdout});
   }
+  line.insert(line.end(), files.reading.begin(), files.reading.end());
   line.insert(line.end(), {"-o", files.output.empty() ? "NEW.model" : files.output});
   return shell_words(line);
 }

@@ -13,7 +13,8 @@ struct DiagnosedFiles {
   std::string model;
   std::vector<std::string> runs;
   std::vector<std::string> holdouts{};
-  std::string output{};  ///< the model at the end of the loop; "": none was written
+  std::vector<std::string> reading{};  ///< options with which the recordings are read
+  std::string output{};                ///< the model at the end of the loop; "": none was written
 };
 
 /// What a diagnosis found, for people, without figures that belong in tables.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "support/text.hpp"
+
 namespace fogcomp::findings {
 
 bool Table::has_bars() const {
@@ -15,6 +17,15 @@ bool Table::is_of_words(std::size_t column) const {
            return column < row.cells.size() &&
                   row.cells[column].text.plain().size() > kLongestFigure;
          });
+}
+
+void Document::next(Text sentence, const std::vector<std::string>& command) {
+  next_ = {std::move(sentence), shell_words(command)};
+  proposes_reading_ = command.size() > 1 && command[1] != "export";
+}
+
+void Document::read_with(const std::vector<std::string>& options) {
+  if (proposes_reading_ && !options.empty()) next_.command += " " + shell_words(options);
 }
 
 void Document::heading(Text text, Shown shown) {

@@ -80,16 +80,21 @@ class Document {
   /// What to do now.
   struct Next {
     Text sentence{};
-    std::string command{};  ///< to be typed; "": the sentence says it
+    std::string command{};  ///< to be typed in a shell; "": the sentence says it
   };
 
   /// `subject`: the command line, e.g. "fogcomp info run.csv". `found`: one line.
   Document(std::string subject, Text found)
       : subject_(std::move(subject)), found_(std::move(found)) {}
 
-  void next(Text sentence, std::string command) {
+  /// `command`: its words; none where the sentence says it.
+  void next(Text sentence, const std::vector<std::string>& command = {});
+  /// The same with a command line as a shell takes it.
+  void next_line(Text sentence, std::string command) {
     next_ = {std::move(sentence), std::move(command)};
   }
+  /// The options with which the recordings were read: what next() proposes reads them so, too.
+  void read_with(const std::vector<std::string>& options);
   void heading(Text text, Shown shown = Shown::everywhere);
   /// Headed by the file's name; its folder stands beneath where there is one.
   void file_heading(const std::string& path, const Text& remark = {});
@@ -110,6 +115,7 @@ class Document {
   std::string subject_;
   Text found_;
   Next next_;
+  bool proposes_reading_ = false;
   std::vector<Part> parts_;
 };
 

@@ -119,15 +119,13 @@ void add_ladder(Document& document, const FitOutcome& fit) {
 }  // namespace
 
 Document fit_findings(const FitOutcome& fit, const compare::ModelOnRuns& model) {
-  Document document("fogcomp fit" + run_files(model) + " -o " + model.file, found(fit));
+  Document document("fogcomp fit " + join(run_files(model), " ") + " -o " + model.file, found(fit));
   if (std::any_of(model.runs.begin(), model.runs.end(), leaves_drift)) {
-    document.next("ask which effect is missing",
-                  "fogcomp diagnose " + model.file + run_files(model));
+    document.next("ask which effect is missing", diagnose_command(model.file, run_files(model)));
   } else {
     document.next(
         "nothing above the noise floor is left; compare the model with a run that it was not "
-        "fitted to",
-        "");
+        "fitted to");
   }
   add_rows(document, fit);
   add_steps(document, fit);

@@ -26,7 +26,7 @@ constexpr double kInstabilityToFloor = 0.664;  // sqrt(2 ln 2 / pi)
 struct Finding {
   Text found;
   Text next;
-  std::string command;
+  std::vector<std::string> command{};
 };
 
 std::optional<double> drift_of(const compare::BiasSummary& bias,
@@ -39,7 +39,7 @@ Finding find(const recording::Recording& recording, const compare::RunSummary& s
   const std::optional<double> drift = drift_of(summary.bias, summary);
   if (!drift) {
     return {"the recording is too short to tell drift from noise",
-            "record for longer: a day in a chamber shows what temperature does", ""};
+            "record for longer: a day in a chamber shows what temperature does"};
   }
   const Text error = words(format("means of %.4g s scatter by ", summary.average_s)) +
                      number(*summary.bias.std_dph) + " deg/h (std), noise alone would make " +
@@ -50,11 +50,12 @@ Finding find(const recording::Recording& recording, const compare::RunSummary& s
                                  });
   if (!ramps) {
     return {"the temperature stands still: " + error,
-            "this run shows noise and warm-up only; record one in which the temperature moves", ""};
+            "this run shows noise and warm-up only; record one in which the temperature moves"};
   }
-  return {number(*drift) + " deg/h of drift: " + error,
-          "fit physical effects to it, then look at what they leave",
-          "fogcomp fit " + recording.file + " -o gyro.model --effects " + model::kFirstEffects};
+  return {
+      number(*drift) + " deg/h of drift: " + error,
+      "fit physical effects to it, then look at what they leave",
+      {"fogcomp", "fit", recording.file, "-o", "gyro.model", "--effects", model::kFirstEffects}};
 }
 
 std::string duration(double seconds) {

@@ -213,7 +213,7 @@ Text found(const std::vector<research::Study>& studies) {
 Document paper_findings(const std::vector<research::Study>& studies) {
   const research::Study& first = studies.front();
   Document document("fogcomp paper", found(studies));
-  document.next(
+  document.next_line(
       "such a network of time and temperature is an image of its one run (last table); fit "
       "physical effects to a recording of yours, and a network on what they leave",
       "fogcomp fit run.csv -o gyro.model --effects bias,bias_temperature:order=2,temperature_rate "

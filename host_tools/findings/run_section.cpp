@@ -281,10 +281,17 @@ void add_autocorrelation(Document& document, const Models& models, std::size_t r
 
 }  // namespace
 
-std::string run_files(const compare::ModelOnRuns& model) {
-  std::string files;
-  for (const compare::ModelOnRun& run : model.runs) files += " " + run.comparison.file;
+std::vector<std::string> run_files(const compare::ModelOnRuns& model) {
+  std::vector<std::string> files;
+  for (const compare::ModelOnRun& run : model.runs) files.push_back(run.comparison.file);
   return files;
+}
+
+std::vector<std::string> diagnose_command(const std::string& model,
+                                          const std::vector<std::string>& runs) {
+  std::vector<std::string> command{"fogcomp", "diagnose", model};
+  command.insert(command.end(), runs.begin(), runs.end());
+  return command;
 }
 
 bool leaves_drift(const compare::ModelOnRun& run) {

@@ -16,7 +16,11 @@ void add_run(Document& document, const std::vector<const compare::ModelOnRuns*>&
              std::size_t run, Shown shown);
 
 /// The runs' files as on a command line, each with a space before it.
-std::string run_files(const compare::ModelOnRuns& model);
+std::vector<std::string> run_files(const compare::ModelOnRuns& model);
+
+/// The words that ask what a model lacks.
+std::vector<std::string> diagnose_command(const std::string& model,
+                                          const std::vector<std::string>& runs);
 
 /// Whether what a model leaves of a run lies above the noise floor beyond doubt.
 bool leaves_drift(const compare::ModelOnRun& run);

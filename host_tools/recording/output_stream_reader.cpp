@@ -61,7 +61,7 @@ class KvhSamples {
     float rate_radps = 0;
     std::memcpy(&rate_radps, &bits, sizeof rate_radps);
     const auto degc = static_cast<std::int16_t>(load_big(frame + kKvhTemperature, 2));
-    const double rate_dph = double{rate_radps} * kDphPerDegreePerSecond * 180 / kPi;
+    const double rate_dph = static_cast<double>(rate_radps) * kDphPerDegreePerSecond * 180 / kPi;
     const bool valid = (frame[kKvhStatus] & kKvhZValid) != 0 && std::isfinite(rate_dph);
     return {number_, rate_dph, static_cast<double>(degc), valid, valid};
   }

@@ -83,6 +83,15 @@ status=0
 "$fogcomp" diagnose at_once.model run1.csv --max-effects 1 -o none.model >none.txt || status=$?
 [[ $status == 0 || ( $status == 1 && ! -e none.model ) ]] || fail "exit code $status: $(cat none.txt)"
 
+# What is proposed can be typed as it stands, whatever a file is called and however it was read.
+awk 'NR == 9 { print "damaged,row,here" } { print }' run1.csv >"run of monday.csv"
+proposed="fit 'run of monday.csv' -o \"monday's model\" --effects bias,bias_temperature --skip-bad-rows"
+for _ in fit diagnose add diagnose; do
+  eval "\"$fogcomp\" $proposed" >typed.txt || fail "$proposed: $(cat typed.txt)"
+  proposed=$(sed -n 's/^  next: fogcomp //p' typed.txt)
+  [[ $proposed == *"'run of monday.csv'"*--skip-bad-rows* ]] || fail "the next command is: $proposed"
+done
+
 # Two models and two runs side by side: every segment has a figure of each.
 "$fogcomp" compare static.model run1.csv run2.csv --model rate.model >both.txt
 [[ $(grep -c '^  all ' both.txt) == 2 ]] || fail "$(cat both.txt)"

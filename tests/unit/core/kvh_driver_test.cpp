@@ -49,7 +49,7 @@ TEST(DeltaAngle, SumsToTheIntegralOfTheRateToHalfAnLsbOfTheLast) {
       integral += Wide{raw} * period_us * DeltaAngle::kAnglePerLsbUs;
       integral_rad += raw / 1024.0L * period_us * 1e-6L * 3.14159265358979323846264338L / 648000;
       const float sent = as_float(angle.bits());
-      sum += Wide{static_cast<std::int64_t>(std::ldexp(sent, 48))} << 32;
+      sum += Wide{static_cast<std::int64_t>(std::ldexp(sent, 48))} * (Wide{1} << 32);
       const float lsb = std::nextafter(std::abs(sent), HUGE_VALF) - std::abs(sent);
       const double left = std::ldexp(static_cast<double>(integral - sum), -80);
       ASSERT_LE(std::abs(left), 0.5 * static_cast<double>(lsb) + 0x1p-48) << i;

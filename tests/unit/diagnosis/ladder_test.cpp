@@ -22,6 +22,10 @@ TEST(Ladder, ListsWhatItAddedOnceEach) {
   ladder.steps = {step({"thermal_hysteresis"}), step({"shupe", "bias_temperature:order=4"}),
                   step({}, "square = dTdt^2"), step({"thermal_hysteresis:radius2=20"})};
   EXPECT_EQ(ladder.added(), (Names{"thermal_hysteresis", "shupe", "bias_temperature", "square"}));
+  EXPECT_TRUE(ladder.described().empty());
+  ladder.steps[2].describes = true;
+  EXPECT_EQ(ladder.added(), (Names{"thermal_hysteresis", "shupe", "bias_temperature"}));
+  EXPECT_EQ(ladder.described(), Names{"square"});
 }
 
 // A rate term is missing.

@@ -97,11 +97,14 @@ TEST(DiagnosisWords, SayThatWhatIsLeftIsNotWorthATrial) {
 TEST(DiagnosisWords, OfALadderAreTheCommandsThatMakeItsModel) {
   diagnosis::Ladder ladder;
   ladder.steps = {{tried({"bias_step"}), false, {}, 3, 2}, {tried({}, "q = T^2"), true, {}, 2, 1}};
-  const DiagnosedFiles files{"my gyro.model", {"a.csv", "b.csv"}, {"c.csv"}, "best.model"};
+  const DiagnosedFiles files{
+      "my gyro.model", {"a.csv", "b.csv"}, {"c.csv"}, {"--rate", "100"}, "best.model"};
   EXPECT_EQ(ladder_commands(ladder, files),
             (std::vector<std::string>{
-                "fogcomp add 'my gyro.model' bias_step a.csv b.csv --holdout c.csv -o best.model",
-                "fogcomp add best.model a.csv b.csv --effect-expr 'q = T^2' --holdout c.csv -o "
+                "fogcomp add 'my gyro.model' bias_step a.csv b.csv --holdout c.csv --rate 100 -o "
+                "best.model",
+                "fogcomp add best.model a.csv b.csv --effect-expr 'q = T^2' --holdout c.csv --rate "
+                "100 -o "
                 "best.model"}));
 }
 

@@ -32,7 +32,7 @@ std::size_t count(const std::string& text, const std::string& word) {
 Document full_document(const std::string& name) {
   const Text text = verbatim(name);
   Document document(name, text);
-  document.next(text, name);
+  document.next_line(text, name);
   document.heading(text);
   document.sentence(text);
   document.file_heading(name);
@@ -163,7 +163,7 @@ TEST(Page, NothingInThePageNamesAPlaceToLoadFrom) {
 
 TEST(Terminal, SaysFirstWhatWasFoundAndWhatToDo) {
   Document document("fogcomp fit run.csv", "the model leaves 0.05 deg/h rms");
-  document.next("ask which effect is missing", "fogcomp diagnose gyro.model run.csv");
+  document.next("ask which effect is missing", {"fogcomp", "diagnose", "gyro.model", "run.csv"});
   document.sentence("5 rows");
   document.heading("Error ladder");
   document.table(table_of_rms("rms left, deg/h", 0));
