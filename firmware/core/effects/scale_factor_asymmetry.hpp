@@ -46,7 +46,11 @@ class ScaleFactorAsymmetry {
     constants[1] = 1 / (2 * constants[0]);
   }
   static bool constants_valid(const typename N::Constant* constants) {
-    return constants[0] > 0 && constants[1] > 0;
+    // What lies within the dead band is half of 1 at most; a foreign inverse has to keep it
+    // below 1.
+    return constants[0] > 0 && constants[1] > 0 &&
+           std::int64_t{constants[0]} * constants[1] <=
+               3 * power_of_two<std::int64_t>(kBandFraction + kInverseFraction - 2);
   }
 
   explicit ScaleFactorAsymmetry(const typename N::Constant* constants)

@@ -73,7 +73,11 @@ const EffectLimits kEffects[] = {
      {{2, k256Degrees_q16}, {2, -k256Degrees_q16}},
      {{0, 0}, {4, 0}, {2, k256Degrees_q16 + 1}, {2, -k256Degrees_q16 - 1}}},
     {"scale_factor_nonlinearity", 18, 2, {{3, 1}, {3, kMost}}, {{1, 1}, {6, 1}, {3, 0}, {3, -1}}},
-    {"scale_factor_asymmetry", 19, 1, {{1, 1}, {kMost, kMost}}, {{0, 1}, {1, 0}}},
+    {"scale_factor_asymmetry",
+     19,
+     1,
+     {{1, 1}, {36864000, 119305}, {kMost, 3072}},
+     {{0, 1}, {1, 0}, {kMost, 3073}, {kMost, kMost}}},
     {"warm_up", 11, 1, {{1}, {kMost}}, {{0}, {-1}}},
     {"aging", 12, 1, {{1}, {kMost}}, {{0}, {-1}}},
 };
