@@ -25,7 +25,7 @@ Ladder::Step step_of(const NextStep& next, const Diagnosis& before) {
 model::Model with_network(const model::Model& before, const TriedAddition& addition,
                           const JudgingRuns& runs) {
   if (!before.network.present()) return *addition.model;
-  return add(before, addition.request, runs).model;
+  return try_to_add(before, addition.request, runs).model;
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ class Judge {
     TriedAddition trial;
     trial.request = std::move(request);
     try {
-      fit::Addition addition = add(model_, trial.request, runs_);
+      fit::Addition addition = try_to_add(model_, trial.request, runs_);
       const std::string objection =
           addition.accepted ? objection_to(addition.model, !runs_.holdouts.empty()) : "";
       trial.accepted = addition.accepted && objection.empty();
@@ -253,12 +253,14 @@ std::vector<std::string> AdditionRequest::names() const {
   return names;
 }
 
-fit::Addition add(const model::Model& model, const AdditionRequest& request,
-                  const JudgingRuns& runs) {
+fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
+                         const JudgingRuns& runs) {
   const fit::EffectChange change = request.expression.empty()
                                        ? fit::change_effects(model.terms, request.effects)
                                        : fit::change_expression(model.terms, request.expression);
-  return fit::add_effect(model, change, runs.training, runs.holdouts, {});
+  fit::AddSettings settings;
+  settings.verdict_only = true;
+  return fit::add_effect(model, change, runs.training, runs.holdouts, settings);
 }
 
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,

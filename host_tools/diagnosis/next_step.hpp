@@ -53,9 +53,10 @@ struct JudgingRuns {
   std::vector<compare::RunInBlocks> holdouts;
 };
 
-/// As the command `add` does it, its network included. Throws InputError as fit::add_effect() does.
-fit::Addition add(const model::Model& model, const AdditionRequest& request,
-                  const JudgingRuns& runs);
+/// As the command `add` does it, its network included, for the verdict and the model alone. Throws
+/// InputError as fit::add_effect() does.
+fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
+                         const JudgingRuns& runs);
 
 /// Tries what `diagnosis` names and, where it names nothing or that does not hold, the sets of
 /// effects that explain most, and formulas over the signals that vary (formulas_over()). What holds

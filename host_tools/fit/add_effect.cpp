@@ -193,12 +193,15 @@ void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const mode
       series, holdouts, {identified.noise, identified.row_weights, settings.run_offsets}};
   result.changed = places_of(change, change.changed, result.model);
   result.out_of_sample = judge(before, result.model, result.changed);
+  if (settings.verdict_only && !result.out_of_sample->helps()) return;
   if (change.changed.size() > 1) {
     PartsOfSet models(given, before, result.model, change, series, settings);
     result.parts = judge_parts(change, judge, models);
   }
-  result.halves =
-      judge_halves(series, before.terms, result.model.terms, result.changed, judge.with);
+  if (!settings.verdict_only) {
+    result.halves =
+        judge_halves(series, before.terms, result.model.terms, result.changed, judge.with);
+  }
   if (result.out_of_sample->within_runs && identified.noise.from_quiet_parts) {
     result.chance_of_walk = chance_of_walk_instead(before, result, series, settings.run_offsets);
   }

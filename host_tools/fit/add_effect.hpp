@@ -19,6 +19,9 @@ struct AddSettings {
   std::uint64_t seed = 1;    ///< of the network's first weights
   /// Told how much of its trainings is done, 0..1; or empty.
   std::function<void(double)> progress{};
+  /// For a trial: what is told beside the verdict (halves; parts of a set that does not help) is
+  /// left out. The model is the same.
+  bool verdict_only = false;
 };
 
 /// A model with some effects more, or changed, and whether that was worth it.

@@ -30,7 +30,7 @@ struct Asked {
     next = find_next_step(model, found, data, runs);
   }
   // As the printed command would.
-  bool add_accepts() const { return add(model, next.addition->request, runs).accepted; }
+  bool add_accepts() const { return try_to_add(model, next.addition->request, runs).accepted; }
 
   model::Model model;
   JudgingRuns runs;
