@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "diagnosis/decision_rules.hpp"
+#include "diagnosis/step_candidates.hpp"
 #include "fit/expression_survey.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "fit/reference_values.hpp"
@@ -16,7 +18,6 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-constexpr double kLeastVisible = 0.03;
 // Far from where an effect acts it is next to nothing (a glass transition 80 degC away: e^-40): its
 // coefficient would be beyond 5e5 deg/h, the largest that a board holds, to make 0.5 deg/h.
 constexpr double kLeastRegressor = 1e-6;
@@ -27,7 +28,6 @@ constexpr int kFirstPlaces = 7;
 constexpr std::size_t kMostPlaces = 72;  // of one parameter
 constexpr std::array<double, 3> kOtherPlaces{0.2, 0.5, 0.8};
 constexpr std::size_t kLaidOut = 3;  // parameters; an expression's others stay in the middle
-constexpr int kStepsPerRun = 48;
 
 // What the effect's columns are behind those that the model has already.
 class ShapeMaker {
@@ -44,11 +44,11 @@ class ShapeMaker {
     if (!term.expression && largest < kLeastRegressor) return std::nullopt;
     VisiblePart part = to_visible_(all.rightCols(added));
     if (!part.visible.allFinite()) return std::nullopt;
-    if (part.visible.maxCoeff() < kLeastVisible) return std::nullopt;
+    if (part.visible.maxCoeff() < rules::kMinVisible) return std::nullopt;
     // One of two columns may be invisible (the static part of an effect beside a polynomial).
     Eigen::Index kept = 0;
     for (Eigen::Index i = 0; i < added; ++i) {
-      if (part.visible[i] < kLeastVisible) continue;
+      if (part.visible[i] < rules::kMinVisible) continue;
       part.columns.col(kept++) = part.columns.col(i);
     }
     return Candidate::Shape{term, orthonormal(part.columns.leftCols(kept), kRank), 0};
@@ -66,14 +66,9 @@ double likeness(const Candidate::Shape& a, const Candidate::Shape& b) {
          static_cast<double>(std::max(a.basis.cols(), b.basis.cols()));
 }
 
-// chi^2 that a shape by itself takes out of the whitened residual.
-double gain_of(const Candidate::Shape& shape, const Eigen::VectorXd& residual) {
-  return (shape.basis.transpose() * residual).squaredNorm();
-}
-
 std::size_t best_of(const std::vector<Candidate::Shape>& shapes, const Eigen::VectorXd& residual) {
   const auto less = [&](const Candidate::Shape& a, const Candidate::Shape& b) {
-    return gain_of(a, residual) < gain_of(b, residual);
+    return a.gain(residual) < b.gain(residual);
   };
   return static_cast<std::size_t>(std::max_element(shapes.begin(), shapes.end(), less) -
                                   shapes.begin());
@@ -154,16 +149,6 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const model::Ef
   return shapes;
 }
 
-// `step`, from this row on.
-std::optional<Candidate::Shape> step_shape(const series::Rows& rows, const ToVisible& to_visible,
-                                           model::EffectTerm step, std::size_t row) {
-  VisiblePart part = to_visible(fit::step_column(rows, row));
-  if (part.visible[0] < kLeastVisible) return std::nullopt;
-  step.parameters[0] = rows.time_s[row];
-  step.identified[0] = false;
-  return Candidate::Shape{std::move(step), part.columns.colwise().normalized(), row};
-}
-
 // What the model's own term could grow by. Laid out along what is new; the rest stays where it is,
 // until all is fitted.
 std::vector<Candidate::Shape> grown_shapes(const series::SignalSeries& series,
@@ -182,49 +167,6 @@ std::vector<Candidate::Shape> grown_shapes(const series::SignalSeries& series,
     }
   }
   return shapes;
-}
-
-// An event has a moment, not a shape: a step at evenly spaced times of each recording.
-std::vector<Candidate::Shape> step_shapes(const series::Rows& rows, const ToVisible& to_visible,
-                                          const model::EffectTerm& step) {
-  std::vector<Candidate::Shape> shapes;
-  for (const recording::RowRange& run : rows.runs()) {
-    for (int i = 1; i < kStepsPerRun; ++i) {
-      const std::size_t at = run.first + run.size() * static_cast<std::size_t>(i) / kStepsPerRun;
-      if (at <= run.first || at >= run.end) continue;
-      auto shape = step_shape(rows, to_visible, step, at);
-      if (shape) shapes.push_back(std::move(*shape));
-    }
-  }
-  return shapes;
-}
-
-// Moves each of the best few steps to the row near it from which on it explains most.
-void move_steps(const series::Rows& rows, const ToVisible& to_visible,
-                std::vector<Candidate::Shape>& shapes, const Eigen::VectorXd& residual) {
-  constexpr std::size_t kBestSteps = 4;
-  const auto more = [&](const Candidate::Shape& a, const Candidate::Shape& b) {
-    return gain_of(a, residual) > gain_of(b, residual);
-  };
-  const std::size_t count = std::min(kBestSteps, shapes.size());
-  std::partial_sort(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(count),
-                    shapes.end(), more);
-  const std::vector<recording::RowRange> runs = rows.runs();
-  for (std::size_t i = 0; i < count; ++i) {
-    Candidate::Shape& shape = shapes[i];
-    const recording::RowRange run =
-        *std::find_if(runs.begin(), runs.end(),
-                      [&](const recording::RowRange& one) { return shape.row < one.end; });
-    for (std::size_t away = run.size() / kStepsPerRun / 2; away > 0; away /= 2) {
-      for (const std::size_t row : {shape.row - away, shape.row + away}) {
-        if (row <= run.first || row >= run.end) continue;
-        auto tried = step_shape(rows, to_visible, shape.term, row);
-        if (!tried || !more(*tried, shape)) continue;
-        shape = std::move(*tried);
-        break;
-      }
-    }
-  }
 }
 
 std::string missing_input(const model::CatalogueEntry& entry, fog::InputMask inputs) {
@@ -306,7 +248,7 @@ void add_expressions(const series::SignalSeries& series,
 void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes, std::size_t index,
                   const Eigen::VectorXd& residual) {
   Candidate::Shape& shape = shapes[index];
-  double gain = gain_of(shape, residual);
+  double gain = shape.gain(residual);
   for (const model::ShapeParameter& parameter : model::shape_parameters({shape.term})) {
     // The shape itself changes below.
     const auto place = [&] { return parameter.to_unit(shape.term.parameters[parameter.index]); };
@@ -319,8 +261,8 @@ void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes,
         model::EffectTerm moved = shape.term;
         moved.parameters[parameter.index] = parameter.from_unit(unit);
         auto tried = make(moved);
-        if (!tried || gain_of(*tried, residual) <= gain) continue;
-        gain = gain_of(*tried, residual);
+        if (!tried || tried->gain(residual) <= gain) continue;
+        gain = tried->gain(residual);
         shape = std::move(*tried);
         break;
       }
@@ -339,7 +281,7 @@ void sharpen(std::vector<Candidate>& candidates, const series::SignalSeries& ser
   std::vector<double> gain;
   for (const Candidate& candidate : candidates) {
     best.push_back(best_of(candidate.shapes, residual));
-    gain.push_back(gain_of(candidate.shapes[best.back()], residual));
+    gain.push_back(candidate.shapes[best.back()].gain(residual));
   }
   if (gain.empty()) return;
   const double needed =

@@ -15,6 +15,11 @@ struct Candidate {
     model::EffectTerm term;  ///< what would be added, or what the model's own would become
     Eigen::MatrixXd basis;   ///< rows x 1 or more, orthonormal: what that adds, whitened
     std::size_t row = 0;     ///< of a bias step: from which on it is there
+
+    /// chi^2 that it by itself takes out of the whitened residual.
+    double gain(const Eigen::VectorXd& residual) const {
+      return (basis.transpose() * residual).squaredNorm();
+    }
   };
   std::vector<Shape> shapes;  ///< at least one
 

@@ -100,6 +100,10 @@ constexpr double kMainPart = 0.5;
 constexpr std::array<double, 4> kRowLengths_s{10, 20, 30, 60};
 constexpr double kMaxRows = 12000;
 
+/// Share of an effect that the model must leave for it to be seen: of less it would have to be
+/// thirty times what it shows.
+constexpr double kMinVisible = 0.03;
+
 /// An addition that lowers the error by less than this share hardly helps.
 constexpr double kHardlyHelps = 0.1;
 

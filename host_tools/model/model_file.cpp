@@ -6,9 +6,9 @@
 #include <limits>
 #include <map>
 
-#include "core/bytes/crc.hpp"
 #include "core/denoise/denoise_parameters.hpp"
 #include "model/catalogue.hpp"
+#include "model/model_file_keys.hpp"
 #include "model/model_lines.hpp"
 #include "model/serial_number.hpp"
 #include "support/input_error.hpp"
@@ -19,28 +19,8 @@
 namespace fogcomp::model {
 namespace {
 
-constexpr const char* kHistory = "history";
-constexpr const char* kHistoryFloor = "history_floor_dph";
-constexpr const char* kHistoryHoldout = "history_holdout_dph";
-constexpr const char* kHistoryForced = "history_forced";
-constexpr const char* kTitleLine = "fogcomp-model 2";
-
 constexpr double kMaxWeight = 1e15;
 constexpr double kMaxDegc = 2000;
-
-std::uint32_t crc_of(const std::string& text, std::size_t size) {
-  return fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), size);
-}
-
-void write_layer(ModelWriter& out, const char* name, const RealLayer& layer) {
-  out.word(name).word(name_of(layer.activation));
-  out.number(static_cast<double>(layer.weights.rows()));
-  for (Eigen::Index row = 0; row < layer.weights.rows(); ++row) {
-    out.number(layer.biases[row]);
-    for (Eigen::Index i = 0; i < layer.weights.cols(); ++i) out.number(layer.weights(row, i));
-  }
-  out.end_line();
-}
 
 // Within the catalogue's bounds, but for the rounding of a search that ends at one of them.
 double read_parameter(ModelReader& in, const fog::ParameterDescription& parameter) {
@@ -134,21 +114,6 @@ EffectTerm read_expression(ModelReader& in) {
   return term;
 }
 
-void write_expression(ModelWriter& out, const EffectTerm& term) {
-  const ExpressionTerm& written = *term.expression;
-  out.word("expression").word(term.name).number(written.scale_log2);
-  out.number(static_cast<double>(term.parameters.size())).numbers(term.parameters);
-  out.numbers(term.parameter_sigma).numbers(term.coefficients_dph).numbers(term.sigma_dph);
-  std::vector<double> ranges;
-  for (std::size_t i = 0; i < fog::kInputs; ++i) {
-    if (!written.expression.uses(static_cast<fog::Input>(i))) continue;
-    ranges.push_back(written.ranges[i].least);
-    ranges.push_back(written.ranges[i].most);
-  }
-  out.number(static_cast<double>(ranges.size())).numbers(ranges);
-  out.word(written.expression.text).end_line();
-}
-
 RealLayer read_layer(ModelReader& in, Eigen::Index columns) {
   constexpr std::array<fog::Activation, 3> kActivations{
       fog::Activation::logsig, fog::Activation::tansig, fog::Activation::linear};
@@ -236,36 +201,6 @@ void read_history(ModelReader& in, const std::string& key, std::vector<HistoryEn
   } else {
     in.fail("unknown entry '" + key + "'");
   }
-}
-
-void write_history(ModelWriter& out, const HistoryEntry& entry) {
-  out.word(kHistory).number(static_cast<double>(entry.data_hash));
-  out.number(entry.rms_before_dph).number(entry.rms_after_dph).word(entry.action).end_line();
-  if (entry.noise_floor_dph) out.word(kHistoryFloor).number(*entry.noise_floor_dph).end_line();
-  if (entry.holdout) {
-    out.word(kHistoryHoldout).number(entry.holdout->rms_before_dph);
-    out.number(entry.holdout->rms_after_dph).end_line();
-  }
-  if (entry.forced) out.word(kHistoryForced).end_line();
-}
-
-void write_term(ModelWriter& out, const EffectTerm& term) {
-  if (term.expression) return write_expression(out, term);
-  out.word("effect").word(term.name).number(static_cast<double>(term.parameters.size()));
-  out.numbers(term.parameters).numbers(term.identified).numbers(term.parameter_sigma);
-  out.number(static_cast<double>(term.coefficients_dph.size()));
-  out.numbers(term.coefficients_dph).numbers(term.sigma_dph).end_line();
-}
-
-void write_network(ModelWriter& out, const RealNetwork& network) {
-  for (const RealInput& input : network.inputs) {
-    out.word("input").word(name_of(input.signal)).number(input.centre).number(input.half_range);
-    out.number(input.tau_s).end_line();
-  }
-  write_layer(out, "hidden", network.hidden);
-  write_layer(out, "output", network.output);
-  out.word("network_drift_dph").number(network.centre_dph);
-  out.number(network.amplitude_dph).end_line();
 }
 
 void read_temperature_range(ModelReader& in, Model& model) {
@@ -361,44 +296,6 @@ std::string with_unix_line_ends(const std::string& text) {
 }
 
 }  // namespace
-
-std::string model_text(const Model& model) {
-  ModelWriter out;
-  out.word(kTitleLine).end_line();
-  if (!model.serial.empty()) out.word("serial").word(model.serial).end_line();
-  out.word("scale_factor").number(model.scale_factor).end_line();
-  out.word("range_dps").number(model.limits.range_dps).end_line();
-  out.word("max_acceleration_dps2").number(model.limits.max_acceleration_dps2).end_line();
-  if (!model.columns.empty()) out.word("columns").word(model.columns).end_line();
-  out.word("derivative_tau_s").number(model.derivative_tau_s).end_line();
-  out.word("range_degc").number(model.least_degc).number(model.most_degc).end_line();
-  if (const auto& rate = model.rate_range_degc_per_min) {
-    out.word("range_degc_per_min").number(rate->least).number(rate->most).end_line();
-  }
-  if (const auto& time = model.time_range_s) {
-    out.word("range_s").number(time->least).number(time->most).end_line();
-  }
-  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    const auto& input = model.input_ranges[i];
-    if (!input) continue;
-    out.word("input_range").word(description_of(fog::extension_input(i)).name);
-    out.number(input->range.least).number(input->range.most).number(input->step).end_line();
-  }
-  out.word("noise_dph_rthz").number(model.noise_dph_rthz).end_line();
-  out.word("residual_rms_dph").number(model.residual_rms_dph).end_line();
-  if (const auto& uncertain = model.uncertain) {
-    out.word("uncertain_dph").number(uncertain->sigma_dph).number(uncertain->drift_dph).end_line();
-  }
-  out.word("average_s").number(model.average_s).end_line();
-  out.word("denoise").word(model.denoise.wavelet).number(model.denoise.levels);
-  out.word(kBoardRules[static_cast<std::size_t>(model.denoise.rule)]);
-  out.word(model.denoise.hard ? "hard" : "soft").end_line();
-  for (const EffectTerm& term : model.terms) write_term(out, term);
-  if (model.network.present()) write_network(out, model.network);
-  for (const HistoryEntry& entry : model.history) write_history(out, entry);
-  std::string text = std::move(out.text());
-  return text + format("crc %08x\n", static_cast<unsigned>(crc_of(text, text.size())));
-}
 
 bool looks_like_model(const std::string& text) {
   return text.rfind(kModelTitle, 0) == 0;
