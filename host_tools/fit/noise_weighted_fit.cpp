@@ -52,6 +52,18 @@ void set_noise(const series::Rows& rows, const std::vector<recording::RowRange>&
       rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
 }
 
+// A search that left a shape where it was is not repeated with noise that is a little better known;
+// that of a term which no fit has found before is, once.
+std::vector<bool> to_search_again(const std::vector<model::EffectTerm>& terms,
+                                  const std::vector<model::ShapeParameter>& shapes,
+                                  std::vector<bool> elsewhere, int round) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const bool is_new = terms[shapes[i].term].coefficients_dph.empty();
+    elsewhere[i] = elsewhere[i] || (is_new && round == 0);
+  }
+  return elsewhere;
+}
+
 }  // namespace
 
 double NoiseWeightedFit::misfit() const {
@@ -77,13 +89,16 @@ NoiseWeightedFit fit_rows(const series::SignalSeries& series,
   const LinearFit first =
       solve_linear(fit.robust.asDiagonal() * fit.columns, fit.robust.cwiseProduct(rows.drift_dph));
   fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
+  std::vector<bool> ranges(fit.shapes.size(), !settings.shapes_found);
   for (int round = 0; round < kRounds; ++round) {
     set_noise(rows, quiet, settings.noise, fit);
     const noise::Whitening whitening(fit.noise, rows, fit.row_weights);
     WhitenedProblem problem(series, whitening, fit.terms, nuisance);
-    search_shapes(problem, fit.shapes, [&](double done) {
+    const auto progress = [&](double done) {
       if (settings.progress) settings.progress((round + done) / kRounds);
-    });
+    };
+    ranges = to_search_again(terms, fit.shapes,
+                             search_shapes(problem, fit.shapes, ranges, progress), round);
     fit.terms = problem.terms();
     const LinearFit solved = problem.solve();
     fit.coefficients = solved.coefficients;
@@ -102,7 +117,7 @@ NoiseWeightedFit fit_determined(const series::SignalSeries& series,
                                 const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
                                 const std::function<void(double)>& progress) {
   const series::Rows& rows = series.rows();
-  NoiseWeightedFit fit = fit_rows(series, terms, nuisance, {kept, std::nullopt, progress});
+  NoiseWeightedFit fit = fit_rows(series, terms, nuisance, {kept, std::nullopt, false, progress});
   const Eigen::Index unknowns = fit.linear() + static_cast<Eigen::Index>(fit.shapes.size());
   if (rows.size() <= unknowns) {
     throw InputError(

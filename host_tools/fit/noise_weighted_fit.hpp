@@ -40,6 +40,7 @@ struct RowSettings {
   /// 1 per row, 0 for rows that count for nothing; empty: all count.
   Eigen::VectorXd kept;
   std::optional<noise::NoiseModel> noise;  ///< taken as it is instead of being estimated
+  bool shapes_found = false;               ///< the same rows, with a noise that is better known
   std::function<void(double)> progress{};  ///< told how much is done, 0..1; or empty
 };
 

@@ -106,7 +106,8 @@ Fold leave_out(const series::SignalSeries& series, const std::vector<model::Effe
   const noise::Whitening whitening(with.noise, rows, weights);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, with.run_offsets);
   WhitenedProblem problem(series, whitening, terms, offsets);
-  search_shapes(problem, model::shape_parameters(terms));
+  const std::vector<model::ShapeParameter> shapes = model::shape_parameters(terms);
+  search_shapes(problem, shapes, std::vector<bool>(shapes.size(), true));
   const LinearFit fit = problem.solve();
   Fold fold;
   fold.determined = fit.rank == fit.coefficients.size();

@@ -1,0 +1,179 @@
+#include "fit/whitened_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "support/least_squares.hpp"
+
+namespace fogcomp::fit {
+namespace {
+
+constexpr double kDifferenceStep = 1e-4;  // of a parameter's range, for derivatives
+constexpr double kDependent = 1e-8;
+
+// Of a shape at which an expression overflows: worse than any other.
+double finite_or_worst(double cost) {
+  return std::isfinite(cost) ? cost : std::numeric_limits<double>::infinity();
+}
+
+// Columns less what an orthonormal basis can do of them; nothing where only rounding is left.
+Eigen::MatrixXd without(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd left = columns - basis * (basis.transpose() * columns).eval();
+  for (Eigen::Index i = 0; i < left.cols(); ++i) {
+    if (left.col(i).norm() <= kDependent * columns.col(i).norm()) left.col(i).setZero();
+  }
+  return left;
+}
+
+double cost_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& measured) {
+  return finite_or_worst(solve_linear(columns, measured).residual.squaredNorm());
+}
+
+}  // namespace
+
+WhitenedProblem::WhitenedProblem(const series::SignalSeries& series,
+                                 const noise::Whitening& whitening,
+                                 std::vector<model::EffectTerm> terms,
+                                 const Eigen::MatrixXd& nuisance)
+    : series_(&series),
+      whitening_(&whitening),
+      terms_(std::move(terms)),
+      measured_(whitening.apply(series.rows().drift_dph)) {
+  for (const model::EffectTerm& term : terms_) columns_.push_back(whitened(term));
+  columns_.push_back(whitening.apply(nuisance));
+  project_out_fixed();
+}
+
+void WhitenedProblem::project_out_fixed() {
+  const std::vector<model::ShapeParameter> parameters = model::shape_parameters(terms_);
+  if (parameters.empty()) return;
+  std::vector<bool> moves(columns_.size(), false);
+  for (const model::ShapeParameter& parameter : parameters) moves[parameter.term] = true;
+  std::vector<Eigen::MatrixXd> fixed;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (!moves[i]) fixed.push_back(columns_[i]);
+  }
+  const Eigen::MatrixXd all = side_by_side(fixed, measured_.size());
+  if (!all.allFinite()) {  // an expression: no shape of the others makes that better
+    measured_left_.setConstant(measured_.size(), std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
+  fixed_ = orthonormal(all, kDependent);
+  measured_left_ = without(fixed_, measured_);
+  left_.resize(columns_.size());
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (moves[i]) left_[i] = without(fixed_, columns_[i]);
+  }
+}
+
+Eigen::MatrixXd WhitenedProblem::whitened(const model::EffectTerm& term,
+                                          series::Reading reading) const {
+  return whitening_->apply(series_->regressors(term, reading));
+}
+
+double WhitenedProblem::value(const model::ShapeParameter& parameter) const {
+  return terms_[parameter.term].parameters[parameter.index];
+}
+
+void WhitenedProblem::set(const std::vector<model::ShapeParameter>& parameters,
+                          const std::vector<double>& values) {
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    terms_[parameters[i].term].parameters[parameters[i].index] = values[i];
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::size_t term = parameters[i].term;
+    if (i + 1 < parameters.size() && parameters[i + 1].term == term) continue;  // once a term
+    columns_[term] = whitened(terms_[term]);
+    left_[term] = without(fixed_, columns_[term]);
+  }
+}
+
+Eigen::MatrixXd WhitenedProblem::matrix() const {
+  return side_by_side(columns_, measured_.size());
+}
+
+Eigen::Index WhitenedProblem::first_column(const std::vector<Eigen::MatrixXd>& columns,
+                                           std::size_t term) {
+  Eigen::Index first = 0;
+  for (std::size_t i = 0; i < term; ++i) first += columns[i].cols();
+  return first;
+}
+
+LinearFit WhitenedProblem::solve(const std::vector<model::ShapeParameter>& parameters) const {
+  const Eigen::MatrixXd columns = jacobian(parameters);
+  if (series_->phase() == series::Phase::zero) return solve_linear(columns, measured_);
+  Eigen::MatrixXd instruments = columns;
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    instruments.middleCols(first_column(columns_, i), columns_[i].cols()) =
+        whitened(terms_[i], series::Reading::smoothed);
+  }
+  return solve_with_instruments(columns, instruments, measured_);
+}
+
+// Whitened, of the regressors' sum with these coefficients, for a change of the parameter's place
+// in its range from 0 to 1.
+Eigen::VectorXd WhitenedProblem::derivative(const model::ShapeParameter& parameter,
+                                            const Eigen::VectorXd& coefficients) const {
+  model::EffectTerm moved = terms_[parameter.term];
+  const double unit = parameter.to_unit(moved.parameters[parameter.index]);
+  const double up = std::min(unit + kDifferenceStep, 1.0);
+  const double down = std::max(unit - kDifferenceStep, 0.0);
+  moved.parameters[parameter.index] = parameter.from_unit(up);
+  const Eigen::VectorXd above = series_->regressors(moved) * coefficients;
+  moved.parameters[parameter.index] = parameter.from_unit(down);
+  return whitening_->apply(above - series_->regressors(moved) * coefficients) / (up - down);
+}
+
+Eigen::MatrixXd WhitenedProblem::derivatives(const std::vector<model::ShapeParameter>& parameters,
+                                             const std::vector<Eigen::MatrixXd>& columns,
+                                             const Eigen::VectorXd& measured) const {
+  Eigen::MatrixXd all(measured.size(), static_cast<Eigen::Index>(parameters.size()));
+  if (parameters.empty()) return all;
+  const Eigen::VectorXd coefficients =
+      solve_linear(side_by_side(columns, measured.size()), measured).coefficients;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::size_t term = parameters[i].term;
+    all.col(static_cast<Eigen::Index>(i)) = derivative(
+        parameters[i], coefficients.segment(first_column(columns, term), columns[term].cols()));
+  }
+  return all;
+}
+
+Eigen::MatrixXd WhitenedProblem::jacobian(
+    const std::vector<model::ShapeParameter>& parameters) const {
+  return side_by_side({matrix(), derivatives(parameters, columns_, measured_)}, measured_.size());
+}
+
+double WhitenedProblem::cost() const {
+  return cost_of(side_by_side(left_, measured_.size()), measured_left_);
+}
+
+std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& parameter,
+                                           const std::vector<double>& values,
+                                           const std::vector<model::ShapeParameter>& others) const {
+  std::vector<Eigen::MatrixXd> beside = left_;
+  if (!beside.empty()) beside[parameter.term].resize(measured_.size(), 0);
+  beside.push_back(without(fixed_, derivatives(others, left_, measured_left_)));
+  const Eigen::MatrixXd all = side_by_side(beside, measured_.size());
+  const Eigen::MatrixXd basis = orthonormal(all, kDependent);
+  const Eigen::VectorXd left = without(basis, measured_left_);
+  model::EffectTerm moved = terms_[parameter.term];
+  std::vector<double> costs;
+  for (const double value : values) {
+    moved.parameters[parameter.index] = value;
+    costs.push_back(cost_of(without(basis, without(fixed_, whitened(moved))), left));
+  }
+  return costs;
+}
+
+WhitenedProblem::Step WhitenedProblem::step(
+    const std::vector<model::ShapeParameter>& parameters) const {
+  const Eigen::MatrixXd change = without(fixed_, derivatives(parameters, left_, measured_left_));
+  std::vector<Eigen::MatrixXd> columns = left_;
+  columns.push_back(change);
+  const LinearFit fit = solve_linear(side_by_side(columns, measured_.size()), measured_left_);
+  return {fit.coefficients.tail(change.cols()), fit.residual.squaredNorm()};
+}
+
+}  // namespace fogcomp::fit

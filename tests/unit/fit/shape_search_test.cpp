@@ -1,0 +1,93 @@
+#include "fit/shape_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/effect_list.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+namespace fogcomp::fit {
+namespace {
+
+using fog::test::recording_of;
+using fog::test::truth;
+
+// A gyro with a lag whose time constant is searched, beside effects that have no shape.
+class ShapeSearch : public testing::Test {
+ protected:
+  ShapeSearch() {
+    gyro_.terms = model::parse_effects("bias,bias_temperature:order=2,thermal_lag:tau=900");
+    gyro_.terms[0].coefficients_dph = {0.5};
+    gyro_.terms[1].coefficients_dph = {0.1, -0.2};
+    gyro_.terms[2].coefficients_dph = {0.3};
+    recording_ = recording_of(gyro_, {0.002, 0, 300}, 1);
+    series_.add(series::make_blocks(recording_));
+    noise::NoiseModel white;
+    white.white_variance = 0.002 * 0.002;
+    whitening_.emplace(white, series_.rows(), series_.rows().weights);
+  }
+  // The lag searched for, from so many seconds.
+  WhitenedProblem problem(double tau_s) const {
+    std::vector<model::EffectTerm> terms =
+        model::parse_effects("bias,bias_temperature:order=2,thermal_lag:tau=?");
+    terms[2].parameters[0] = tau_s;
+    return {series_, *whitening_, terms, Eigen::MatrixXd(series_.rows().size(), 0)};
+  }
+  static std::vector<model::ShapeParameter> shapes(const WhitenedProblem& problem) {
+    return model::shape_parameters(problem.terms());
+  }
+
+ private:
+  model::Model gyro_ = truth();
+  recording::Recording recording_;
+  series::SignalSeries series_{gyro_};
+  std::optional<noise::Whitening> whitening_;
+};
+
+TEST_F(ShapeSearch, CostIsThatOfAllColumnsTogether) {
+  const WhitenedProblem at = problem(2000);
+  EXPECT_NEAR(at.cost(), solve_linear(at.matrix(), at.measured()).residual.squaredNorm(),
+              1e-9 * at.cost());
+}
+
+TEST_F(ShapeSearch, CostsOfAGridAreThoseOfItsValues) {
+  const WhitenedProblem start = problem(2000);
+  const std::vector<double> values{300, 900, 2500};
+  const std::vector<double> costs = start.costs(shapes(start)[0], values, {});
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    WhitenedProblem moved = start;
+    moved.set(shapes(start), {values[i]});
+    EXPECT_NEAR(costs[i], moved.cost(), 1e-9 * moved.cost());
+    EXPECT_NEAR(costs[i], problem(values[i]).cost(), 1e-9 * moved.cost());
+  }
+}
+
+TEST_F(ShapeSearch, StepPromisesWhatItBringsNearTheBestPlace) {
+  WhitenedProblem near = problem(850);
+  const double before = near.cost();
+  const model::ShapeParameter tau = shapes(near)[0];
+  const WhitenedProblem::Step step = near.step({tau});
+  near.set({tau}, {tau.from_unit(tau.to_unit(850) + step.change[0])});
+  EXPECT_LT(near.cost(), before);
+  EXPECT_NEAR(near.cost(), step.cost, 0.1 * (before - step.cost));
+}
+
+TEST_F(ShapeSearch, FindsTheTimeConstantAndSaysWhetherADipTookItElsewhere) {
+  for (const double from : {60.0, 800.0, 10000.0}) {
+    WhitenedProblem searched = problem(from);
+    const std::vector<bool> elsewhere = search_shapes(searched, shapes(searched), {true});
+    EXPECT_NEAR(searched.value(shapes(searched)[0]), 900, 20) << from;
+    // From where it was found there is no better place.
+    WhitenedProblem again = searched;
+    EXPECT_FALSE(search_shapes(again, shapes(again), {true})[0]) << from;
+    EXPECT_NEAR(again.value(shapes(again)[0]), searched.value(shapes(searched)[0]), 0.1);
+  }
+}
+
+TEST_F(ShapeSearch, StaysInItsDipWhereNoRangeIsAsked) {
+  WhitenedProblem near = problem(800);
+  EXPECT_FALSE(search_shapes(near, shapes(near), {false})[0]);
+  EXPECT_NEAR(near.value(shapes(near)[0]), 900, 20);
+}
+
+}  // namespace
+}  // namespace fogcomp::fit
