@@ -113,11 +113,11 @@ class Judge {
   Judge(const model::Model& model, const JudgingRuns& runs) : model_(model), runs_(runs) {
     model_.network = {};
   }
-  TriedAddition operator()(AdditionRequest request) const {
+  TriedAddition operator()(AdditionRequest request) {
     TriedAddition trial;
     trial.request = std::move(request);
     try {
-      fit::Addition addition = try_to_add(model_, trial.request, runs_);
+      fit::Addition addition = try_to_add(model_, trial.request, runs_, &refitted_);
       const std::string objection =
           addition.accepted ? objection_to(addition.model, !runs_.holdouts.empty()) : "";
       trial.accepted = addition.accepted && objection.empty();
@@ -137,10 +137,11 @@ class Judge {
  private:
   model::Model model_;
   const JudgingRuns& runs_;
+  fit::RefittedModel refitted_;
 };
 
 // Whether it holds; either way `next` has it.
-bool try_out(AdditionRequest request, const Judge& judge, NextStep& next) {
+bool try_out(AdditionRequest request, Judge& judge, NextStep& next) {
   TriedAddition addition = judge(std::move(request));
   const bool accepted = addition.accepted;
   if (accepted) {
@@ -223,7 +224,7 @@ void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const D
 }
 
 // The first few that could describe it, until one holds.
-bool describe(std::vector<Description> descriptions, const Judge& judge, NextStep& next) {
+bool describe(std::vector<Description> descriptions, Judge& judge, NextStep& next) {
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   for (Description& description : descriptions) {
     next.describes = !description.is_part;
@@ -254,12 +255,13 @@ std::vector<std::string> AdditionRequest::names() const {
 }
 
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
-                         const JudgingRuns& runs) {
+                         const JudgingRuns& runs, fit::RefittedModel* before) {
   const fit::EffectChange change = request.expression.empty()
                                        ? fit::change_effects(model.terms, request.effects)
                                        : fit::change_expression(model.terms, request.expression);
   fit::AddSettings settings;
   settings.verdict_only = true;
+  settings.before = before;
   return fit::add_effect(model, change, runs.training, runs.holdouts, settings);
 }
 
@@ -274,7 +276,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   if (const std::string one = effect_to_add(diagnosis); !one.empty()) named = {one};
   const std::vector<std::string> events = events_among(diagnosis, named);
   if (!events.empty()) named = events;
-  const Judge judge(model, runs);
+  Judge judge(model, runs);
   std::vector<Description> descriptions;
   if (diagnosis.verdict != Verdict::unknown) {
     if (!named.empty() && try_out(*request_of(diagnosis, named), judge, next)) {

@@ -53,10 +53,10 @@ struct JudgingRuns {
   std::vector<compare::RunInBlocks> holdouts;
 };
 
-/// As the command `add` does it, its network included, for the verdict and the model alone. Throws
-/// InputError as fit::add_effect() does.
+/// As the command `add` does it, its network included, for the verdict and the model alone.
+/// `before`: as AddSettings has it. Throws InputError as fit::add_effect() does.
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
-                         const JudgingRuns& runs);
+                         const JudgingRuns& runs, fit::RefittedModel* before = nullptr);
 
 /// Tries what `diagnosis` names and, where it names nothing or that does not hold, the sets of
 /// effects that explain most, and formulas over the signals that vary (formulas_over()). What holds

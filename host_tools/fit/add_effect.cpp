@@ -145,25 +145,36 @@ std::vector<std::size_t> places_of(const EffectChange& change,
   return places;
 }
 
-// Each effect of a set by itself, and beside the others.
+// The effects `added` to those of `before`; nothing where the data determine them only with others.
+std::optional<OutOfSample> judge_part(const EffectChange& change,
+                                      const std::vector<std::size_t>& before,
+                                      const std::vector<std::size_t>& after, std::size_t added,
+                                      const Judge& judge, PartsOfSet& models) {
+  try {
+    const model::Model& with = models.fitted(after);
+    return judge(models.fitted(before), with, places_of(change, {added}, with));
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+bool is_needless(const Addition::Part& part) {
+  return part.beside && !part.beside->helps();
+}
+
+// Each effect of a set by itself, and beside the others. For a verdict alone only the latter, up to
+// the first that is not needed.
 std::vector<Addition::Part> judge_parts(const EffectChange& change, const Judge& judge,
-                                        PartsOfSet& models) {
+                                        PartsOfSet& models, bool verdict_only) {
   std::vector<Addition::Part> parts;
   for (const std::size_t i : change.changed) {
     Addition::Part part{change.terms[i].name, {}, {}};
     std::vector<std::size_t> others = change.changed;
     others.erase(std::find(others.begin(), others.end(), i));
-    try {
-      const model::Model& alone = models.fitted({i});
-      part.alone = judge(models.fitted({}), alone, places_of(change, {i}, alone));
-    } catch (const InputError&) {  // the data determine it only with the others
-    }
-    try {
-      const model::Model& all = models.fitted(change.changed);
-      part.beside = judge(models.fitted(others), all, places_of(change, {i}, all));
-    } catch (const InputError&) {
-    }
+    if (!verdict_only) part.alone = judge_part(change, {}, {i}, i, judge, models);
+    part.beside = judge_part(change, others, change.changed, i, judge, models);
     parts.push_back(std::move(part));
+    if (verdict_only && is_needless(parts.back())) break;
   }
   return parts;
 }
@@ -196,7 +207,7 @@ void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const mode
   if (settings.verdict_only && !result.out_of_sample->helps()) return;
   if (change.changed.size() > 1) {
     PartsOfSet models(given, before, result.model, change, series, settings);
-    result.parts = judge_parts(change, judge, models);
+    result.parts = judge_parts(change, judge, models, settings.verdict_only);
   }
   if (!settings.verdict_only) {
     result.halves =
@@ -228,7 +239,15 @@ void refit_both(model::Model& before, Addition& after, const series::SignalSerie
     if (settings.progress) settings.progress((half + done) / 2);
     return true;
   };
-  fit_model(before, series, fitting);
+  RefittedModel* const known = settings.before;
+  const Eigen::VectorXd& drift_dph = series.rows().drift_dph;
+  if (known != nullptr && known->drift_dph.size() == drift_dph.size() &&
+      known->drift_dph == drift_dph) {
+    before = known->model;
+  } else {
+    fit_model(before, series, fitting);
+    if (known != nullptr) *known = {drift_dph, before};
+  }
   half = 1;
   after.fit = fit_model(after.model, series, fitting);
 }
@@ -236,7 +255,8 @@ void refit_both(model::Model& before, Addition& after, const series::SignalSerie
 // Of all runs, the holdouts last; returns how the latter's errors moved.
 RiseTest compare_on_runs(const model::Model& before,
                          const std::vector<compare::RunInBlocks>& training,
-                         const std::vector<compare::RunInBlocks>& holdouts, Addition& after) {
+                         const std::vector<compare::RunInBlocks>& holdouts, bool verdict_only,
+                         Addition& after) {
   RiseTest on_holdouts;
   const auto compare = [&](const compare::RunInBlocks& run, bool holdout) {
     compare::Comparison without = compare::compare_with(before, run);
@@ -246,7 +266,9 @@ RiseTest compare_on_runs(const model::Model& before,
                           run.noise_floor_dph, with.outside.temperature, std::move(without),
                           std::move(with)});
   };
-  for (const compare::RunInBlocks& run : training) compare(run, false);
+  if (!verdict_only) {
+    for (const compare::RunInBlocks& run : training) compare(run, false);
+  }
   for (const compare::RunInBlocks& run : holdouts) compare(run, true);
   return on_holdouts;
 }
@@ -285,9 +307,7 @@ void decide(const model::Model& model, const std::optional<model::HistoryEntry::
   for (const std::size_t i : result.changed) {
     if (doubt.empty()) doubt = doubt_of(result.model.terms[i], model);
   }
-  const auto needless =
-      std::find_if(result.parts.begin(), result.parts.end(),
-                   [](const Addition::Part& part) { return part.beside && !part.beside->helps(); });
+  const auto needless = std::find_if(result.parts.begin(), result.parts.end(), is_needless);
   if (risen) {
     result.reason =
         format("makes the whole model worse on the holdouts: %s -> %s deg/h",
@@ -332,7 +352,8 @@ Addition add_effect(const model::Model& model, const EffectChange& change,
   } else {
     judge_out_of_sample(model.terms, before, change, series, holdouts, settings, result);
   }
-  const RiseTest on_holdouts = compare_on_runs(before, training.runs, holdouts, result);
+  const RiseTest on_holdouts =
+      compare_on_runs(before, training.runs, holdouts, settings.verdict_only, result);
   model::HistoryEntry step{"add " + change.what, training.data_hash, before.residual_rms_dph,
                            result.model.residual_rms_dph, training.noise_floor_dph};
   if (!holdouts.empty()) step.holdout = on_holdouts.rms_dph();

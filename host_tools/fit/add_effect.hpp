@@ -14,14 +14,22 @@
 
 namespace fogcomp::fit {
 
+/// The model as it was, refitted to some rows.
+struct RefittedModel {
+  Eigen::VectorXd drift_dph;  ///< of the rows
+  model::Model model;
+};
+
 struct AddSettings {
   bool run_offsets = false;  ///< as IdentifySettings has it; holdouts too
   std::uint64_t seed = 1;    ///< of the network's first weights
   /// Told how much of its trainings is done, 0..1; or empty.
   std::function<void(double)> progress{};
-  /// For a trial: what is told beside the verdict (halves; parts of a set that does not help) is
-  /// left out. The model is the same.
+  /// For a trial: what is told beside the verdict (halves, comparisons on the training runs, parts
+  /// of a set but what speaks against it) is left out. The model is the same.
   bool verdict_only = false;
+  /// Of trials with one model and the same runs: kept from one to the next.
+  RefittedModel* before = nullptr;
 };
 
 /// A model with some effects more, or changed, and whether that was worth it.
