@@ -26,6 +26,7 @@ constexpr double kTheSame = 0.98;
 constexpr double kRank = 1e-8;
 constexpr int kFirstPlaces = 7;
 constexpr std::size_t kMostPlaces = 72;  // of one parameter
+constexpr double kEdge = 0.02;           // how well known is where an effect begins to show
 constexpr std::array<double, 3> kOtherPlaces{0.2, 0.5, 0.8};
 constexpr std::size_t kLaidOut = 3;  // parameters; an expression's others stay in the middle
 
@@ -93,10 +94,15 @@ void lay_out(const ShapeMaker& make, model::EffectTerm term, const model::ShapeP
   struct Place {
     double unit;
     std::optional<Candidate::Shape> shape;
+    bool as_the_next = false;  // no place is needed between
   };
   const auto at = [&](double unit) {
     term.parameters[parameter.index] = parameter.from_unit(unit);
     return Place{unit, make(term)};
+  };
+  const auto differ = [](const Place& a, const Place& b) {
+    if (a.shape.has_value() != b.shape.has_value()) return b.unit - a.unit > kEdge;
+    return a.shape.has_value() && likeness(*a.shape, *b.shape) < kAlike;
   };
   std::vector<Place> places;
   for (int i = 0; i < kFirstPlaces; ++i) {
@@ -108,12 +114,8 @@ void lay_out(const ShapeMaker& make, model::EffectTerm term, const model::ShapeP
     for (std::size_t i = 0; i < places.size(); ++i) {
       const bool more = i + 1 < places.size() && finer.size() + places.size() - i < kMostPlaces;
       const double left = places[i].unit;
-      const bool here = places[i].shape.has_value();
-      const bool next = i + 1 < places.size() && places[i + 1].shape.has_value();
-      const bool different =
-          more && (here || next) &&
-          (here != next ? places[i + 1].unit - left > 0.02
-                        : likeness(*places[i].shape, *places[i + 1].shape) < kAlike);
+      const bool different = more && !places[i].as_the_next && differ(places[i], places[i + 1]);
+      places[i].as_the_next = more && !different;
       finer.push_back(std::move(places[i]));
       if (!different) continue;
       finer.push_back(at((left + places[i + 1].unit) / 2));

@@ -203,25 +203,31 @@ std::size_t Hypothesis::effects() const {
 BestShape best_shape(const fit::ExplainedSpace& space,
                      const std::vector<series::ColumnRange>& shapes,
                      const std::vector<series::ColumnRange>& others, const Eigen::VectorXd& along) {
-  BestShape best;
   std::vector<series::ColumnRange> parts = others;
-  double width = 0;
-  for (const series::ColumnRange& other : others) width += static_cast<double>(other.count);
   parts.push_back({});
-  std::vector<double> evidence;
-  evidence.reserve(shapes.size());
-  for (std::size_t shape = 0; shape < shapes.size(); ++shape) {
-    parts.back() = shapes[shape];
-    const double gain = space.gain(parts, along);
-    evidence.push_back(fit::log_evidence(gain, width + static_cast<double>(shapes[shape].count)));
-    if (shape > 0 && gain <= best.gain) continue;
-    best.gain = gain;
+  std::vector<double> gains;
+  std::vector<double> columns;
+  for (const series::ColumnRange& shape : shapes) {
+    parts.back() = shape;
+    gains.push_back(space.gain(parts, along));
+    columns.push_back(fit::column_count(parts));
+  }
+  return best_of_gains(gains, columns);
+}
+
+BestShape best_of_gains(const std::vector<double>& gains, const std::vector<double>& columns) {
+  BestShape best;
+  std::vector<double> evidence(gains.size());
+  for (std::size_t shape = 0; shape < gains.size(); ++shape) {
+    evidence[shape] = fit::log_evidence(gains[shape], columns[shape]);
+    if (shape > 0 && gains[shape] <= best.gain) continue;
+    best.gain = gains[shape];
     best.shape = shape;
   }
   const double most = *std::max_element(evidence.begin(), evidence.end());
   double sum = 0;
   for (const double one : evidence) sum += std::exp(one - most);
-  best.log_evidence = most + std::log(sum / static_cast<double>(shapes.size()));
+  best.log_evidence = most + std::log(sum / static_cast<double>(gains.size()));
   return best;
 }
 

@@ -49,6 +49,8 @@ struct BestShape {
 BestShape best_shape(const fit::ExplainedSpace& space,
                      const std::vector<series::ColumnRange>& shapes,
                      const std::vector<series::ColumnRange>& others, const Eigen::VectorXd& along);
+/// The same from what each shape gains, with so many columns in all.
+BestShape best_of_gains(const std::vector<double>& gains, const std::vector<double>& columns);
 
 /// One, two or three of the candidates at a time, most probable first. Sets that contain a
 /// event need it to bring a chi^2 of rules::kMinStepGain.

@@ -13,26 +13,72 @@ constexpr int kDraws = 400;
 constexpr double kTailShare = 0.15;  // of the draws that an exponential tail is fitted to
 constexpr double kCovarianceRidge = 1e-7;
 
-// The best effect's evidence, measured in the noise that smooth functions still find beside that
-// effect: where slow noise is stronger than the quiet parts said, it is so in every direction.
-double best_evidence(const fit::ExplainedSpace& space, const Library& library,
-                     const series::ColumnRange& structure, double freedom,
-                     const Eigen::VectorXd& along) {
-  const auto most = [&](const Eigen::VectorXd& values, series::ColumnRange* where) {
-    double evidence = 0;
+// Each candidate's gains by itself, for one series of numbers after another.
+class GainsAlone {
+ public:
+  GainsAlone(const fit::ExplainedSpace& space, const Library& library) {
     for (const std::vector<series::ColumnRange>& shapes : library) {
-      const BestShape best = best_shape(space, shapes, {}, values);
+      Candidate candidate;
+      for (const series::ColumnRange& shape : shapes) {
+        candidate.shapes.push_back({shape, space.to_gain(shape)});
+        candidate.columns.push_back(static_cast<double>(shape.count));
+      }
+      candidate.gains.resize(shapes.size());
+      candidates_.push_back(std::move(candidate));
+    }
+  }
+
+  // Of the candidate with most evidence; and which shape, where that is asked for.
+  double most_evidence(const Eigen::VectorXd& along, series::ColumnRange* where) {
+    double evidence = 0;
+    for (Candidate& candidate : candidates_) {
+      for (std::size_t i = 0; i < candidate.shapes.size(); ++i) {
+        candidate.gains[i] = gain(candidate.shapes[i], along);
+      }
+      const BestShape best = best_of_gains(candidate.gains, candidate.columns);
       if (best.log_evidence <= evidence) continue;
       evidence = best.log_evidence;
-      if (where != nullptr) *where = shapes[best.shape];
+      if (where != nullptr) *where = candidate.shapes[best.shape].columns;
     }
     return evidence;
+  }
+
+ private:
+  struct Shape {
+    series::ColumnRange columns;
+    Eigen::MatrixXd to_gain;
   };
+  struct Candidate {
+    std::vector<Shape> shapes;
+    std::vector<double> columns;
+    std::vector<double> gains;
+  };
+
+  static double gain(const Shape& shape, const Eigen::VectorXd& along) {
+    double gain = 0;
+    for (Eigen::Index i = 0; i < shape.columns.count; ++i) {
+      double part = 0;
+      for (Eigen::Index j = 0; j <= i; ++j) {
+        part += shape.to_gain(i, j) * along[shape.columns.first + j];
+      }
+      gain += part * part;
+    }
+    return gain;
+  }
+
+  std::vector<Candidate> candidates_;
+};
+
+// The best effect's evidence, measured in the noise that smooth functions still find beside that
+// effect: where slow noise is stronger than the quiet parts said, it is so in every direction.
+double best_evidence(const fit::ExplainedSpace& space, GainsAlone& gains,
+                     const series::ColumnRange& structure, double freedom,
+                     const Eigen::VectorXd& along) {
   series::ColumnRange best;
-  if (most(along, &best) == 0) return 0;
+  if (gains.most_evidence(along, &best) == 0) return 0;
   const double left = space.gain({best, structure}, along) - space.gain({best}, along);
   const double variance = (freedom + left) / (freedom + static_cast<double>(structure.count));
-  return most(along / std::sqrt(std::max(1.0, variance)), nullptr);
+  return gains.most_evidence(along / std::sqrt(std::max(1.0, variance)), nullptr);
 }
 
 // Logarithm of the share of draws beyond `value`; beyond the upper draws, by their exponential
@@ -63,17 +109,21 @@ NullTest test_against_noise(const fit::ExplainedSpace& space, const Library& lib
   std::gamma_distribution<double> variance(freedom / 2, 2 / freedom);
   std::vector<double> evidence;
   std::vector<double> smooth;
-  Eigen::VectorXd white(covariance.rows());
-  for (int draw = 0; draw < kDraws; ++draw) {
-    for (double& value : white) value = normal(random);
-    white /= std::sqrt(variance(random));
-    const Eigen::VectorXd along = root.triangularView<Eigen::Lower>() * white;
-    evidence.push_back(best_evidence(space, library, structure, freedom, along));
+  Eigen::MatrixXd white(covariance.rows(), kDraws);
+  for (auto draw : white.colwise()) {
+    for (double& value : draw) value = normal(random);
+    draw /= std::sqrt(variance(random));
+  }
+  const Eigen::MatrixXd draws = root.triangularView<Eigen::Lower>() * white;
+  GainsAlone gains(space, library);
+  for (Eigen::Index draw = 0; draw < kDraws; ++draw) {
+    const Eigen::VectorXd along = draws.col(draw);
+    evidence.push_back(best_evidence(space, gains, structure, freedom, along));
     smooth.push_back(along.segment(structure.first, structure.count).squaredNorm());
   }
   NullTest test;
   test.library_log_p =
-      beyond_log_p(evidence, best_evidence(space, library, structure, freedom, space.along()));
+      beyond_log_p(evidence, best_evidence(space, gains, structure, freedom, space.along()));
   test.structure_log_p =
       beyond_log_p(smooth, space.along().segment(structure.first, structure.count).squaredNorm());
   return test;

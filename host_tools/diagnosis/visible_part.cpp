@@ -147,12 +147,15 @@ Eigen::MatrixXd ModelRemover::with_priors(const Eigen::MatrixXd& columns) const 
   return longer;
 }
 
-Eigen::MatrixXd ModelRemover::without_model(Eigen::MatrixXd columns) const {
-  // Twice: the second pass removes what rounding left of the first.
-  for (int pass = 0; pass < 2; ++pass) {
-    columns -= basis_ * (basis_.transpose() * columns).eval();
+// Once more where rounding is much of what is left.
+Eigen::MatrixXd ModelRemover::without_model(const Eigen::MatrixXd& columns) const {
+  constexpr double kLittle = 1e-2;
+  Eigen::MatrixXd left = columns - basis_ * (basis_.transpose() * columns).eval();
+  for (Eigen::Index i = 0; i < left.cols(); ++i) {
+    if (left.col(i).norm() > kLittle * columns.col(i).norm()) continue;
+    left.col(i) -= basis_ * (basis_.transpose() * left.col(i)).eval();
   }
-  return columns;
+  return left;
 }
 
 VisiblePart ModelRemover::operator()(const Eigen::MatrixXd& regressors) const {

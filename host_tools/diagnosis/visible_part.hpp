@@ -25,7 +25,7 @@ class ModelRemover {
 
  private:
   Eigen::MatrixXd with_priors(const Eigen::MatrixXd& columns) const;
-  Eigen::MatrixXd without_model(Eigen::MatrixXd columns) const;
+  Eigen::MatrixXd without_model(const Eigen::MatrixXd& columns) const;
 
   noise::Whitening whitening_;
   Eigen::Index priors_ = 0;  // rows for what is known beforehand

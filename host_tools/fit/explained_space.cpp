@@ -75,6 +75,12 @@ double ExplainedSpace::gain(const std::vector<series::ColumnRange>& parts,
   return all.right.dot(solve_definite(all.matrix, all.right));
 }
 
+Eigen::MatrixXd ExplainedSpace::to_gain(const series::ColumnRange& part) const {
+  const Eigen::MatrixXd root = cholesky_factor(system({part}, along_).matrix);
+  return root.triangularView<Eigen::Lower>().solve(
+      Eigen::MatrixXd::Identity(part.count, part.count));
+}
+
 Eigen::VectorXd ExplainedSpace::coefficients(const std::vector<series::ColumnRange>& parts) const {
   const System all = system(parts, along_);
   return solve_definite(all.matrix, all.right);

@@ -31,6 +31,8 @@ class ExplainedSpace {
   /// Fall of the residual's sum of squares that these columns bring together.
   double gain(const std::vector<series::ColumnRange>& parts) const { return gain(parts, along_); }
   double gain(const std::vector<series::ColumnRange>& parts, const Eigen::VectorXd& along) const;
+  /// Lower triangular; the square of its product with what is along these columns is their gain.
+  Eigen::MatrixXd to_gain(const series::ColumnRange& part) const;
   /// Their coefficients, in the order of the parts, for columns of unit length.
   Eigen::VectorXd coefficients(const std::vector<series::ColumnRange>& parts) const;
 

@@ -292,7 +292,7 @@ double apply(NodeKind kind, double left, double right) {
     case NodeKind::divide:
       return left / right;
     case NodeKind::power:
-      return std::pow(left, right);
+      return right == 2 ? left * left : std::pow(left, right);  // the usual one, far faster
     case NodeKind::negate:
       return -left;
     case NodeKind::sine:

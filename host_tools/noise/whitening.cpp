@@ -23,6 +23,9 @@ Whitening::Whitening(const NoiseModel& noise, const series::Rows& rows,
     variances[j] = noise.components[static_cast<std::size_t>(j)].variance;
   }
   Eigen::MatrixXd covariance = variances.asDiagonal();
+  Eigen::VectorXd decay(components);
+  Eigen::VectorXd to_sum(components);
+  double decay_s = -1;  // what `decay` is over
   std::size_t next_run = 0;
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto row = static_cast<std::size_t>(i);
@@ -31,19 +34,23 @@ Whitening::Whitening(const NoiseModel& noise, const series::Rows& rows,
       ++next_run;
     } else {
       const double elapsed_s = rows.time_s[row] - rows.time_s[row - 1];
-      for (Eigen::Index j = 0; j < components; ++j) {
-        decay_(j, i) = std::exp(-elapsed_s / noise.components[static_cast<std::size_t>(j)].tau_s);
+      if (elapsed_s != decay_s) {
+        for (Eigen::Index j = 0; j < components; ++j) {
+          decay[j] = std::exp(-elapsed_s / noise.components[static_cast<std::size_t>(j)].tau_s);
+        }
+        decay_s = elapsed_s;
       }
-      const Eigen::VectorXd decay = decay_.col(i);
-      covariance = decay.asDiagonal() * covariance * decay.asDiagonal();
+      decay_.col(i) = decay;
+      covariance.array().colwise() *= decay.array();
+      covariance.array().rowwise() *= decay.array().transpose();
       covariance.diagonal().array() += variances.array() * (1 - decay.array().square());
     }
-    const Eigen::VectorXd to_sum = covariance.rowwise().sum();
+    to_sum = covariance.rowwise().sum();
     const double own = weights[i] > 0 ? noise.white_variance / weights[i] : kNothingKnown;
     const double variance = to_sum.sum() + own;
     scale_[i] = 1 / std::sqrt(variance);
     gain_.col(i) = to_sum / variance;
-    covariance -= to_sum * to_sum.transpose() / variance;
+    covariance.noalias() -= to_sum * gain_.col(i).transpose();
   }
 }
 
