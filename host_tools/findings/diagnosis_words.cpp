@@ -315,7 +315,11 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   }
   if (diagnosis.outliers > 0)
     words.limits.push_back(noise::outlier_words(diagnosis.outliers, diagnosis.row_s));
-  words.limits.push_back(format("chance that noise alone looks like this: %.2g", diagnosis.chance));
+  // Beyond the draws of the test the tail of their distribution is a guess.
+  constexpr double kTiny = 1e-6;
+  words.limits.push_back(
+      "chance that noise alone looks like this: " +
+      (diagnosis.chance < kTiny ? "less than one in a million" : format("%.2g", diagnosis.chance)));
   const std::string network = network_words(diagnosis);
   if (!network.empty()) words.limits.push_back(network);
   for (const std::string& note : diagnosis.notes) words.limits.push_back("note: " + note);
