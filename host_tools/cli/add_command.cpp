@@ -44,6 +44,7 @@ struct AddCommand : Command {
                 "fogcomp add gyro.model thermal_lag run.csv -o better.model") {
     stands_for_positional = &expression;
     words = model::effect_names();
+    words.emplace_back(fit::kNetworkName);
     may_replace_first = true;
     needs = {{&output}};
   }

@@ -21,6 +21,14 @@ Ladder::Step step_of(const NextStep& next, const Diagnosis& before) {
   return step;
 }
 
+// A diagnosis leaves a network out.
+void set_errors(const model::Model& grown, const Diagnosis& after, Ladder::Step& step) {
+  step.rms_after_dph = after.residual_rms_dph;
+  if (!step.addition.request.is_network()) return;
+  step.rms_before_dph = grown.history.back().rms_before_dph;
+  step.rms_after_dph = grown.history.back().rms_after_dph;
+}
+
 // A trial leaves the network out.
 model::Model with_network(const model::Model& before, const TriedAddition& addition,
                           const JudgingRuns& runs) {
@@ -59,9 +67,10 @@ Ladder walk_ladder(const model::Model& model, const DiagnosisData& data, const J
   while (done < max_steps && ladder.last_next.addition) {
     ++done;
     Ladder::Step step = step_of(ladder.last_next, ladder.last);
+    const bool is_network = step.addition.request.is_network();
     model::Model grown = with_network(ladder.model, step.addition, runs);
     Diagnosis after = diagnose(grown, data, each);
-    step.rms_after_dph = after.residual_rms_dph;
+    set_errors(grown, after, step);
     if (step.rms_after_dph >= step.rms_before_dph) {
       ladder.left_alone = join(step.addition.request.names(), " and ");
       break;
@@ -69,7 +78,12 @@ Ladder walk_ladder(const model::Model& model, const DiagnosisData& data, const J
     ladder.model = std::move(grown);
     ladder.last = std::move(after);
     ladder.steps.push_back(std::move(step));
+    const std::vector<TriedAddition> refused = std::move(ladder.last_next.refused);
     ladder.last_next = {};
+    if (is_network) {  // its effects are those with which all else was refused
+      ladder.last_next.refused = refused;
+      break;
+    }
     if (done < max_steps) {
       ladder.last_next = find_next_step(ladder.model, ladder.last, data, runs, unheard);
     }

@@ -254,6 +254,10 @@ std::vector<std::string> AdditionRequest::names() const {
   return names;
 }
 
+bool AdditionRequest::is_network() const {
+  return names() == std::vector<std::string>{fit::kNetworkName};
+}
+
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
                          const JudgingRuns& runs, fit::RefittedModel* before) {
   const fit::EffectChange change = request.expression.empty()
@@ -301,8 +305,12 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
     add_formulas(model, diagnosis, data, settings, next, descriptions);
   }
   sort_by_explained(descriptions);
-  describe(std::move(descriptions), judge, next);
+  const bool described = describe(std::move(descriptions), judge, next);
   next.together.clear();
+  if (!described && is_function_of_signals(diagnosis) && !model.network.present()) {
+    next.describes = true;
+    try_out({{fit::kNetworkName}, ""}, judge, next);
+  }
   return next;
 }
 

@@ -12,10 +12,11 @@ namespace fogcomp::diagnosis {
 
 /// What `add` is told to add: effects, or an expression.
 struct AdditionRequest {
-  std::vector<std::string> effects;  ///< each as fit::change_effect() takes it; or else
+  std::vector<std::string> effects;  ///< as fit::change_effects() takes them; or else
   std::string expression;            ///< `NAME = EXPRESSION`
 
   std::vector<std::string> names() const;  ///< without their parameters
+  bool is_network() const;
 };
 
 /// An addition to the model that was tried, judged as `add` judges it.
@@ -62,9 +63,10 @@ fit::Addition try_to_add(const model::Model& model, const AdditionRequest& reque
 /// effects that explain most, and formulas over the signals that vary (formulas_over()). What holds
 /// also has to lower the error of the training runs and, where no holdout judges, by no less than
 /// rules::kWorthAdding of what was taken out of it since it was fitted. A bias step comes first:
-/// what lies beside it is judged once it is masked. Nothing is tried where nothing is missing, or
-/// where what is left is no function of the signals: a cycle, a random walk. `data` has the rows of
-/// `runs.training`.
+/// what lies beside it is judged once it is masked. Where nothing else holds, a network on the
+/// temperature and its rate is tried, unless the model has one. Nothing is tried where nothing is
+/// missing, or where what is left is no function of the signals: a cycle, a random walk. `data` has
+/// the rows of `runs.training`.
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisData& data, const JudgingRuns& runs,
                         const DiagnosisSettings& settings = {});

@@ -112,8 +112,8 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
     document.sentence("note: " + words(warning, names));
   }
   if (addition.fit.network_judged) document.sentence(words(network_verdict(addition.fit)));
-  add_parts(document, addition);
-  document.listing(model::describe(changed));
+  if (!addition.parts.empty()) add_parts(document, addition);
+  if (!changed.terms.empty()) document.listing(model::describe(changed));
   add_errors(document, addition);
   for (std::size_t i = 0; i < addition.runs.size(); ++i) {
     add_run(document, addition.runs[i], format("run %zu", i));

@@ -69,14 +69,16 @@ Json runs_json(const std::vector<fit::Addition::RunError>& runs) {
 }  // namespace
 
 Json add_json(const fit::Addition& addition, const std::string& written) {
-  const model::EffectTerm& term = addition.model.terms[addition.changed.front()];
+  const bool is_network = addition.changed.empty();
+  const model::EffectTerm term =
+      is_network ? model::EffectTerm() : addition.model.terms[addition.changed.front()];
   const std::optional<fit::OutOfSample>& judged = addition.out_of_sample;
   Json notes = addition.fit.identified.warnings;
   if (addition.fit.training && !addition.model.network.present()) {
     notes.push(network_verdict(addition.fit));
   }
   Json result = Json::object();
-  result.set("effect", term.name)
+  result.set("effect", addition.names().front())
       .set("effects", addition.names())
       .set("terms", added_terms_json(addition))
       .set("accepted", addition.accepted)
@@ -87,8 +89,8 @@ Json add_json(const fit::Addition& addition, const std::string& written) {
       .set("chance_of_walk", addition.chance_of_walk)
       .set("runs", runs_json(addition.runs))
       .set("halves", halves_json(addition.halves))
-      .set("parameters", parameters_json(term))
-      .set("coefficients", coefficients_json(term))
+      .set("parameters", is_network ? Json::object() : parameters_json(term))
+      .set("coefficients", is_network ? Json::object() : coefficients_json(term))
       .set("notes", std::move(notes))
       .set("model", written.empty() ? Json() : Json(written));
   return result;

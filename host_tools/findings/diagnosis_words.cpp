@@ -181,6 +181,13 @@ std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
   return "";
 }
 
+// Far beyond the draws of the test the tail of their distribution is a guess.
+std::string chance_words(double chance) {
+  constexpr double kTiny = 1e-6;
+  return "chance that noise alone looks like this: " +
+         (chance < kTiny ? "less than one in a million" : format("%.2g", chance));
+}
+
 // What the network, which the diagnosis leaves out, had learnt.
 std::string network_words(const diagnosis::Diagnosis& diagnosis) {
   constexpr double kSaysNothing = 0.05;   // difference of shares that says nothing
@@ -228,11 +235,12 @@ std::vector<std::string> description_words(const diagnosis::NextStep& next) {
     lines.push_back(text);
   }
   if (next.addition) {
+    const bool one = next.addition->request.names().size() == 1;
     lines.push_back(
         what_is_tried(next.addition->request) +
-        format(" lowers the error out of sample from %s to %s deg/h: this describes it, it does "
+        format(" %s the error out of sample from %s to %s deg/h: this describes it, it does "
                "not say what it is. Beyond the trained temperatures it is held at its value there",
-               rounded(next.addition->rms_before_dph).c_str(),
+               one ? "lowers" : "lower", rounded(next.addition->rms_before_dph).c_str(),
                rounded(next.addition->rms_after_dph).c_str()));
   }
   if (next.experiment && !next.experiment->sentence.empty()) {
@@ -315,11 +323,7 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   }
   if (diagnosis.outliers > 0)
     words.limits.push_back(noise::outlier_words(diagnosis.outliers, diagnosis.row_s));
-  // Beyond the draws of the test the tail of their distribution is a guess.
-  constexpr double kTiny = 1e-6;
-  words.limits.push_back(
-      "chance that noise alone looks like this: " +
-      (diagnosis.chance < kTiny ? "less than one in a million" : format("%.2g", diagnosis.chance)));
+  words.limits.push_back(chance_words(diagnosis.chance));
   const std::string network = network_words(diagnosis);
   if (!network.empty()) words.limits.push_back(network);
   for (const std::string& note : diagnosis.notes) words.limits.push_back("note: " + note);

@@ -77,6 +77,11 @@ std::size_t place_of(const std::string& name, const std::vector<model::EffectTer
   return static_cast<std::size_t>(found - terms.begin());
 }
 
+model::Model without_network(model::Model model) {
+  model.network = {};
+  return model;
+}
+
 // What is needed to judge one model against another out of sample.
 struct Judge {
   const series::SignalSeries& series;
@@ -89,7 +94,8 @@ struct Judge {
     if (holdouts.empty()) {
       return cross_validate(series, before.terms, after.terms, changed, with);
     }
-    return judge_on_holdouts(before, after, holdouts, with.noise, with.run_offsets);
+    return judge_on_holdouts(without_network(before), without_network(after), holdouts, with.noise,
+                             with.run_offsets);
   }
 };
 
@@ -218,6 +224,16 @@ void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const mode
   }
 }
 
+// Against the same effects without it: where there is a holdout there, else where it was not
+// trained. A network that does not help was not kept.
+void judge_network(const std::vector<compare::RunInBlocks>& holdouts, bool run_offsets,
+                   Addition& result) {
+  result.out_of_sample = result.fit.network_judged;
+  if (!result.model.network.present() || holdouts.empty()) return;
+  result.out_of_sample = judge_on_holdouts(without_network(result.model), result.model, holdouts,
+                                           result.fit.identified.noise, run_offsets);
+}
+
 // Why what is new in a term is not believed although it helps; "" where nothing speaks against it.
 std::string doubt_of(const model::EffectTerm& term, const model::Model& before) {
   const model::EffectTerm* own = before.find(term.name);
@@ -231,8 +247,8 @@ std::string doubt_of(const model::EffectTerm& term, const model::Model& before) 
 }
 
 // The model as it was, refitted, is half of the work.
-void refit_both(model::Model& before, Addition& after, const series::SignalSeries& series,
-                const AddSettings& settings) {
+void refit_both(model::Model& before, Addition& after, int network_hidden,
+                const series::SignalSeries& series, const AddSettings& settings) {
   FitSettings fitting = fit_settings(before, settings);
   double half = 0;
   fitting.network.training.go_on = [&](double done) {
@@ -249,6 +265,7 @@ void refit_both(model::Model& before, Addition& after, const series::SignalSerie
     if (known != nullptr) *known = {drift_dph, before};
   }
   half = 1;
+  if (network_hidden > 0) fitting.network.hidden = network_hidden;
   after.fit = fit_model(after.model, series, fitting);
 }
 
@@ -297,11 +314,14 @@ void take_up_steps(const std::string& name, const model::Model& before, Addition
 // Accepted or not, and why. `risen`: on the holdouts, where the whole model became worse there.
 void decide(const model::Model& model, const std::optional<model::HistoryEntry::Holdout>& risen,
             Addition& result) {
-  const OutOfSample& judged = *result.out_of_sample;
   result.accepted = false;
+  result.reason = "its training was interrupted";
+  if (!result.out_of_sample) return;
+  const OutOfSample& judged = *result.out_of_sample;
   result.reason =
-      format("%s out of sample: the effects alone leave %s",
-             judged.helps() ? "helps" : "does not help", out_of_sample_words(judged).c_str());
+      format("%s out of sample: %s %s", judged.helps() ? "helps" : "does not help",
+             result.changed.empty() ? "it takes the residual" : "the effects alone leave",
+             out_of_sample_words(judged).c_str());
   if (!judged.helps()) return;
   std::string doubt;
   for (const std::size_t i : result.changed) {
@@ -329,6 +349,7 @@ void decide(const model::Model& model, const std::optional<model::HistoryEntry::
 }  // namespace
 
 std::vector<std::string> Addition::names() const {
+  if (changed.empty()) return {kNetworkName};
   std::vector<std::string> names;
   for (const std::size_t i : changed) names.push_back(model.terms[i].name);
   return names;
@@ -344,11 +365,13 @@ Addition add_effect(const model::Model& model, const EffectChange& change,
   result.model.terms = change.terms;
   series::SignalSeries series(result.model);
   for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
-  refit_both(before, result, series, settings);
-  const model::EffectTerm& first = change.terms[change.changed.front()];
-  const bool is_event = searches_steps({first});
+  refit_both(before, result, change.network_hidden, series, settings);
+  const bool is_event =
+      !change.changed.empty() && searches_steps({change.terms[change.changed.front()]});
   if (is_event) {
-    take_up_steps(first.name, before, result);
+    take_up_steps(change.terms[change.changed.front()].name, before, result);
+  } else if (change.network_hidden > 0) {
+    judge_network(holdouts, settings.run_offsets, result);
   } else {
     judge_out_of_sample(model.terms, before, change, series, holdouts, settings, result);
   }

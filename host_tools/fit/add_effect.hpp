@@ -53,11 +53,12 @@ struct Addition {
     std::optional<OutOfSample> beside;  ///< when the others are there already
   };
   model::Model model;                ///< as refitted, with its history
-  std::vector<std::size_t> changed;  ///< the terms that were added or changed
+  std::vector<std::size_t> changed;  ///< the terms that were added or changed; none: a network
   std::vector<Part> parts;           ///< of a set, as `changed`; empty for one effect
   FitResult fit;                     ///< of the new model
   std::vector<RunError> runs;        ///< training runs, then holdouts
-  /// The effects alone, before against after; nothing for an event.
+  /// The effects alone, before against after; of a network the model with it against that without.
+  /// Nothing for an event, or where the training was interrupted.
   std::optional<OutOfSample> out_of_sample;
   /// Where no other run judged: chance that a random walk of the bias, and no effect, is what the
   /// addition explains, 0..1. Stretches of one run lie between others that walked along.
@@ -80,7 +81,8 @@ struct Addition {
 /// (rules::kMaxChanceOfWalk); and if the data determine what is new: no shape at a bound or
 /// anywhere within its range, a coefficient larger than its uncertainty; and of several, if each
 /// helps beside the others. An event has no other run or stretch that could judge it: it is
-/// accepted where the search finds it (fit_with_steps()), and the rows around it are masked. Throws
+/// accepted where the search finds it (fit_with_steps()), and the rows around it are masked. A
+/// network replaces the one that the model has; it is judged against the effects alone. Throws
 /// InputError for a run that lacks what the effect needs, for data that cannot determine it, and
 /// for an event that is not found.
 Addition add_effect(const model::Model& model, const EffectChange& change,

@@ -1,10 +1,13 @@
 #include "fit/effect_change.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
-#include "fit/shape_search.hpp"
+#include "fit/perceptron.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
+#include "model/shape_parameter.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -46,6 +49,24 @@ model::EffectTerm with_settings(const model::EffectTerm& old, const std::string&
   return term;
 }
 
+// `network` or `network:hidden=N`.
+std::optional<int> hidden_of(const std::string& effect) {
+  constexpr int kUsual = 4;
+  const std::string name = kNetworkName;
+  if (effect.substr(0, effect.find(':')) != name) return std::nullopt;
+  const std::string given = effect.substr(name.size());
+  const std::string setting = ":hidden=";
+  if (given.empty()) return kUsual;
+  const bool is_setting = given.rfind(setting, 0) == 0;
+  const std::optional<double> hidden =
+      is_setting ? parse_number(given.substr(setting.size())) : std::nullopt;
+  if (!hidden || *hidden < 1 || *hidden > kMostTrainedHidden || *hidden != std::floor(*hidden)) {
+    throw InputError("'" + effect + "'",
+                     format("is no network; write network:hidden=N, 1 to %d", kMostTrainedHidden));
+  }
+  return static_cast<int>(*hidden);
+}
+
 }  // namespace
 
 EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const std::string& effect) {
@@ -82,7 +103,16 @@ EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const st
 EffectChange change_effects(const std::vector<model::EffectTerm>& terms,
                             const std::vector<std::string>& effects) {
   EffectChange all{terms, {}, ""};
+  if (effects.size() == 1) {
+    if (const std::optional<int> hidden = hidden_of(effects[0])) {
+      return {terms, {}, effects[0], *hidden};
+    }
+  }
   for (const std::string& effect : effects) {
+    if (hidden_of(effect)) {
+      throw InputError(effect,
+                       "is trained on what all effects leave; add it by itself, after them");
+    }
     const EffectChange one = change_effect(all.terms, effect);
     const std::size_t place = one.changed.front();
     if (effects.size() > 1 && model::is_event(one.terms[place])) {

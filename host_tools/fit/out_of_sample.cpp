@@ -187,10 +187,8 @@ bool tell_terms(const std::vector<Fold>& folds, const series::SignalSeries& seri
   return true;
 }
 
-Eigen::VectorXd residual_of_effects(model::Model model,
-                                    const std::vector<compare::RunInBlocks>& runs,
-                                    bool run_offsets) {
-  model.network = model::RealNetwork();
+Eigen::VectorXd residual_on(const model::Model& model,
+                            const std::vector<compare::RunInBlocks>& runs, bool run_offsets) {
   std::vector<double> residual;
   for (const compare::RunInBlocks& run : runs) {
     const compare::Comparison comparison = compare::compare_with(model, run);
@@ -308,8 +306,8 @@ OutOfSample judge_on_holdouts(const model::Model& before, const model::Model& af
   series::SignalSeries series(after);
   for (const compare::RunInBlocks& run : holdouts) series.add(run.blocks);
   const series::Rows& rows = series.rows();
-  OutOfSample result = judge(rows, residual_of_effects(before, holdouts, run_offsets),
-                             residual_of_effects(after, holdouts, run_offsets), noise,
+  OutOfSample result = judge(rows, residual_on(before, holdouts, run_offsets),
+                             residual_on(after, holdouts, run_offsets), noise,
                              rows.weights.cwiseProduct(noise::counted_rows(rows)));
   result.how =
       holdouts.size() == 1 ? "on the holdout" : "on " + counted(holdouts.size(), "holdout");

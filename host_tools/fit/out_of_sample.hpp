@@ -77,8 +77,8 @@ std::vector<HalfTest> judge_halves(const series::SignalSeries& series,
                                    const std::vector<model::EffectTerm>& after,
                                    const std::vector<std::size_t>& changed, const JudgedWith& with);
 
-/// `holdouts`: runs that took no part in either fit; at least one. The effects alone, as the board
-/// has them: clamped to the trained range. With run_offsets every run has its mean removed.
+/// `holdouts`: runs that took no part in either fit; at least one. The models as the board has
+/// them: clamped to the trained range. With run_offsets every run has its mean removed.
 OutOfSample judge_on_holdouts(const model::Model& before, const model::Model& after,
                               const std::vector<compare::RunInBlocks>& holdouts,
                               const noise::NoiseModel& noise, bool run_offsets);

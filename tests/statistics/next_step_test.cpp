@@ -73,5 +73,17 @@ TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
   }
 }
 
+// Neither the catalogue nor a formula over its inputs has such a course.
+TEST(NextStep, IsANetworkWhereNothingElseHolds) {
+  model::EffectTerm hidden = written_term("x = tanh((T-20)/8)*tanh(4*dTdt)*sin(T/9)");
+  hidden.coefficients_dph = {std::ldexp(0.1, hidden.expression->scale_log2)};
+  const Asked asked(kBasic, recording_with({hidden}, 1));
+  ASSERT_TRUE(asked.next.addition);
+  EXPECT_TRUE(asked.next.describes);
+  EXPECT_TRUE(asked.next.addition->request.is_network());
+  EXPECT_FALSE(asked.next.refused.empty());
+  EXPECT_TRUE(asked.add_accepts());
+}
+
 }  // namespace
 }  // namespace fogcomp::diagnosis

@@ -189,6 +189,37 @@ TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
   EXPECT_FALSE(result.model.network.present()) << "gain " << result.fit.network_judged->gain;
 }
 
+TEST(AddEffect, JudgesANetworkAgainstTheEffectsAlone) {
+  const Model model = incomplete(kComplete);
+  const auto network = fogcomp::fit::change_effects(model.terms, {"network:hidden=3"});
+  Model kinked = truth();
+  kinked.terms.push_back(written_term("kink = max(T-20,0)"));
+  kinked.terms.back().coefficients_dph = {200};
+  const Addition right = add_effect(model, network, runs_of(kinked, {1}), {}, {});
+  EXPECT_TRUE(right.accepted) << right.reason;
+  EXPECT_EQ(right.model.network.hidden.biases.size(), 3);
+  EXPECT_EQ(right.names(), std::vector<std::string>{"network"});
+  EXPECT_EQ(right.model.history.back().action, "add network:hidden=3");
+  EXPECT_LT(right.model.history.back().rms_after_dph, right.model.history.back().rms_before_dph);
+  const Addition needless = add_effect(model, network, runs_of(truth(), {1}), {}, {});
+  EXPECT_FALSE(needless.accepted);
+  EXPECT_FALSE(needless.model.network.present());
+}
+
+// The holdout has what the network learnt with the other sign.
+TEST(AddEffect, JudgesANetworkOnTheHoldout) {
+  const Model model = incomplete(kComplete);
+  const auto network = fogcomp::fit::change_effects(model.terms, {"network:hidden=3"});
+  Model kinked = truth();
+  kinked.terms.push_back(written_term("kink = max(T-20,0)"));
+  kinked.terms.back().coefficients_dph = {200};
+  Model other = kinked;
+  other.terms.back().coefficients_dph = {-200};
+  const auto runs = runs_of(kinked, {1});
+  EXPECT_TRUE(add_effect(model, network, runs, {run_of(kinked, 2)}, {}).accepted);
+  EXPECT_FALSE(add_effect(model, network, runs, {run_of(other, 2)}, {}).accepted);
+}
+
 TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
   Model real = truth();
   fogcomp::model::EffectTerm late = fogcomp::model::expression_term("late = lag(dTdt^2, 900)");
@@ -206,6 +237,17 @@ TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
       term.sigma_dph[0], fogcomp::model::info_of(term).coefficients[0]);
   EXPECT_LT(sigma, 0.01);
   EXPECT_NEAR(fogcomp::model::natural_coefficient(term, 0), 0.1, 4 * sigma);
+}
+
+TEST(EffectChange, MayBeANetworkByItself) {
+  const auto terms = fogcomp::model::parse_effects("bias");
+  EXPECT_EQ(fogcomp::fit::change_effects(terms, {"network"}).network_hidden, 4);
+  EXPECT_EQ(fogcomp::fit::change_effects(terms, {"network:hidden=9"}).network_hidden, 9);
+  for (const char* wrong : {"network:hidden=0", "network:hidden=33", "network:hidden=2.5",
+                            "network:hidden=", "network:neurons=3"}) {
+    EXPECT_THROW(fogcomp::fit::change_effects(terms, {wrong}), fogcomp::InputError) << wrong;
+  }
+  EXPECT_THROW(fogcomp::fit::change_effects(terms, {"aging", "network"}), fogcomp::InputError);
 }
 
 TEST(EffectChange, RaisesWhatIsThere) {
