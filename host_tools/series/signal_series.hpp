@@ -55,19 +55,33 @@ class SignalSeries {
 
  private:
   static constexpr std::int32_t kNoRow = -1;
+  using Signals = fog::Signals<model::RealNumbers>;
+  // Blocks are what a long recording costs: of each only what cannot be had from the others.
+  struct Seen {
+    double temperature = 0;
+    double temperature_rate = 0;
+  };
+  using Extension = decltype(fog::BlockMeans<model::RealNumbers>::extension);
   // The state of the thermal stage during one block.
   struct Block {
-    fog::Signals<model::RealNumbers> signals;
-    bool restart = false;
-    double input_rate_dph = 0;  ///< while the signals hold, not before
+    Seen seen;
+    double input_rate_before_dph = 0;  ///< of the block that the signals are means of
+    double elapsed = 0;
+    double input_rate_dph = 0;  ///< while the signals hold
     std::int32_t row = kNoRow;  // none where the board's drift is not valid
-    double samples = 0;
+    std::uint32_t samples = 0;
+    bool restart = false;
   };
   struct Run {
     double block_s = 0;
     std::vector<Block> blocks;
-    std::vector<fog::Signals<model::RealNumbers>> smoothed;  ///< per block; none in Phase::zero
+    std::vector<Extension> extension;  ///< per block; none where the recording has no such input
+    std::vector<Seen> smoothed;        ///< per block; none in Phase::zero
+
+    void keep(const Signals& signals, bool restart, bool has_extension);
+    Signals signals(std::size_t block, Reading reading) const;
   };
+  template <class Keep>
   class Recorder;
 
   void add_as_the_board(const BlockSeries& series, RowAverager& rows);

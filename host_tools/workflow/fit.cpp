@@ -127,14 +127,17 @@ FitOutcome fit(const FitRequest& request, const Observer& observer) {
   observer.say(training.notes);
   observer.say(training.doubts);
   model.noise_dph_rthz = training.noise_dph_rthz;
-  series::SignalSeries series(model);
-  for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
-  outcome.rows = series.rows().size();
-  outcome.row_s = series.rows().row_s;
-  if (wanted.order_by_validation) choose_order(model.terms, series.rows());
-  observer.tell(kFittingEffects, 0);
-  listen(settings, observer);
-  outcome.result = fit::fit_model(model, series, settings);
+  {
+    // Gone before the judges below build theirs: a long recording has one of them in memory.
+    series::SignalSeries series(model);
+    for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
+    outcome.rows = series.rows().size();
+    outcome.row_s = series.rows().row_s;
+    if (wanted.order_by_validation) choose_order(model.terms, series.rows());
+    observer.tell(kFittingEffects, 0);
+    listen(settings, observer);
+    outcome.result = fit::fit_model(model, series, settings);
+  }
   observer.goes_on("judging", 0);  // whoever ended the training still gets what it came to
   outcome.delay_rms_dph = compare::delay_error_dph(model, training.runs);
   outcome.physical_lags = fit::physical_lags(model, training.runs, settings.identify.run_offsets);
