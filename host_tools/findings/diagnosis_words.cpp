@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "compare/comparison.hpp"
 #include "findings/figures.hpp"
 #include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"
@@ -326,6 +327,37 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
     }
   }
   return words;
+}
+
+BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next) {
+  const double left_dph = diagnosis.residual_rms_dph;
+  BriefDiagnosis brief;
+  brief.size_dph = compare::floor_removed(left_dph, diagnosis.noise_floor_dph);
+  if (diagnosis.verdict == diagnosis::Verdict::none) {
+    brief.sentence = format("no effect is missing: %.3g deg/h rms is left, noise alone is %.3g",
+                            left_dph, diagnosis.noise_floor_dph);
+    return brief;
+  }
+  if (!next.together.empty()) {
+    brief.effects = next.together;
+    brief.sentence = joined(next.together, "and") + " are missing together";
+  } else if (const diagnosis::CandidateFinding* named = diagnosis.find(diagnosis.effect)) {
+    brief.effects = {diagnosis.effect};
+    brief.size_dph = compare::floor_removed(left_dph, named->rms_after_dph);
+    brief.probability = named->probability;
+    brief.sentence = diagnosis.effect + " is missing";
+  } else if (!diagnosis.confusable.empty()) {
+    brief.effects = diagnosis.confusable;
+    brief.sentence =
+        joined(diagnosis.confusable, "or") + " is missing, these recordings cannot tell which";
+  } else {
+    const std::string fast = fast_words(diagnosis);
+    brief.sentence = "something is missing that no effect of the catalogue explains";
+    if (!fast.empty()) brief.sentence += " (" + fast + ")";
+  }
+  brief.sentence += format(": %.2g deg/h rms", brief.size_dph);
+  if (brief.probability) brief.sentence += format(", probability %.2f", *brief.probability);
+  return brief;
 }
 
 std::string step_words(const diagnosis::Ladder::Step& step) {

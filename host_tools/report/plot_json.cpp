@@ -87,7 +87,9 @@ Json plot_json(const Plot& plot) {
         .set("colour", band.colour);
   });
   Json names = json_array(plot.x_names, [](const Text& name) { return Json(name.typeset()); });
+  Json of_points = json_array(plot.names, [](const Text& name) { return Json(name.typeset()); });
   Json json = Json::object();
+  json.set("names", std::move(of_points));
   json.set("kind", name_of(plot.kind)).set("group", plot.group);
   json.set("x_label", plot.x_label.typeset()).set("y_label", plot.y_label.typeset());
   json.set("x", rounded(plot.x, log_x)).set("x_names", std::move(names));

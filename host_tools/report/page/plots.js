@@ -267,7 +267,8 @@
     const values = (logarithmic) => (logarithmic ? (u, splits) => splits.map(significant)
       : (u, splits, a, space, step) => splits.map((v) => v.toFixed(decimals(step))));
     const by_name = plot.x_names.length > 0;
-    const x_value = (self, v) =>
+    const named = (i) => (plot.names[i] ? `${plot.names[i]}: ` : "");
+    const x_value = (self, v, s, i) => named(i) +
       (by_name ? plot.x_names[v - 1] || "" : significant(v) + segment_at(plot, v));
     const peers = groups.get(plot.group) || [];
     const u = new uPlot({
