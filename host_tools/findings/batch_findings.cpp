@@ -169,34 +169,51 @@ std::vector<Place> places_of(const Summary& summary, const std::string& figure) 
   return places;
 }
 
+// Whether one gyro is so far off that the others would lie on one line.
+bool has_far_outlier(const std::vector<Place>& places) {
+  constexpr double kFarOff = 20;
+  return places.front().value > 0 &&
+         places.back().value > kFarOff * places[places.size() / 2].value;
+}
+
 // Width of a bin by Scott's rule, of the spread that a few outliers do not widen.
-double bin_width(const std::vector<Place>& places) {
-  std::vector<double> distances;
-  const double middle = places[places.size() / 2].value;
-  for (const Place& place : places) distances.push_back(place.value - middle);
-  const double width =
-      3.49 * sigma_by_median(std::move(distances)) / std::cbrt(static_cast<double>(places.size()));
+double bin_width(std::vector<double> values) {
+  const double middle = values[values.size() / 2];
+  for (double& value : values) value -= middle;
+  const double gyros = static_cast<double>(values.size());
+  const double width = 3.49 * sigma_by_median(std::move(values)) / std::cbrt(gyros);
   return width > 0 ? width : 1;
 }
 
-// A histogram of dots, a gyro each, so that every one has its name: as high as how many before it
-// lie in the same bin.
-Plot histogram(const std::vector<Place>& places, const Text& label) {
-  const double width = bin_width(places);
-  Curve gyros{"gyros", "residual", {}};
-  Curve named{"beyond a limit, or unlike the others", "mark", {}};
-  gyros.look = named.look = Look::points;
-  Plot plot;
+// How many of the values up to each one, which are rising, lie in the same bin.
+std::vector<double> heights_of(const std::vector<double>& values) {
+  const double width = bin_width(values);
+  std::vector<double> heights;
   double bin_before = -1;
-  double height = 0;
-  for (const Place& place : places) {
-    const double bin = std::floor((place.value - places.front().value) / width);
-    height = bin == bin_before ? height + 1 : 1;
+  for (const double value : values) {
+    const double bin = std::floor((value - values.front()) / width);
+    heights.push_back(bin == bin_before ? heights.back() + 1 : 1);
     bin_before = bin;
+  }
+  return heights;
+}
+
+// A histogram of dots, a gyro each, so that every one has its name.
+Plot histogram(const std::vector<Place>& places, const Text& label) {
+  Plot plot;
+  if (has_far_outlier(places)) plot.kind = Plot::Kind::log_x;
+  std::vector<double> drawn_at;
+  for (const Place& place : places) {
     plot.x.push_back(place.value);
     plot.names.push_back(verbatim(place.gyro));
-    gyros.y.push_back(place.named ? kNothing : height);
-    named.y.push_back(place.named ? height : kNothing);
+    drawn_at.push_back(plot.kind == Plot::Kind::log_x ? std::log(place.value) : place.value);
+  }
+  const std::vector<double> heights = heights_of(drawn_at);
+  Curve gyros{"gyros", "residual", heights};
+  Curve named{"beyond a limit, or unlike the others", "mark", heights};
+  gyros.look = named.look = Look::points;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    (places[i].named ? gyros : named).y[i] = kNothing;
   }
   plot.title = label + ".";
   plot.x_label = label;

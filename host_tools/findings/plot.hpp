@@ -44,17 +44,16 @@ struct Band {
 struct Plot {
   enum class Kind : std::uint8_t {
     linear,
-    log_y,  ///< x linear
+    log_x,  ///< y linear
     log_log,
     stacked
   };
   Text title;
   Text x_label;  ///< with the unit, as "time, h"
   Text y_label;
-  std::vector<Curve> curves;    ///< later ones lie on top
-  std::vector<double> x{};      ///< rising; of all curves that have none of their own
-  std::vector<Text> x_names{};  ///< of x = 1, 2, ... instead of numbers
-  std::vector<Text> names{};    ///< of what lies at each x, told where a reader points; or none
+  std::vector<Curve> curves;  ///< later ones lie on top
+  std::vector<double> x{};    ///< rising; of all curves that have none of their own
+  std::vector<Text> names{};  ///< of what lies at each x, told where a reader points; or none
   std::vector<Level> levels{};
   std::vector<Band> bands{};
   Text caption{};       ///< what is to be seen
