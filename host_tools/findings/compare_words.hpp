@@ -20,7 +20,7 @@ std::string structure_words(const compare::ModelOnRun& run);
 std::vector<std::string> remarks(const compare::ModelOnRun& run);
 
 /// A sentence for each run whose bias certainly differs from the first one's: "turn-on bias: b.csv
-/// is 0.12 +- 0.01 deg/h above a.csv".
+/// is 0.120 +- 0.012 deg/h above a.csv".
 std::vector<Text> turn_on_sentences(const std::vector<compare::TurnOnBias>& turn_on);
 
 /// A sentence for each kind of rows that the model never saw in training.

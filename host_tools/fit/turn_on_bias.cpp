@@ -15,7 +15,6 @@ namespace {
 
 // The blocks of a run without what the network makes of them.
 series::BlockSeries without_network(const model::Model& model, series::BlockSeries blocks) {
-  if (!model.network.present()) return blocks;
   model::RealDriftModel drift(model, blocks.block_s);
   std::vector<double> network_dph(blocks.blocks.size(), 0);
   series::walk_blocks(blocks, drift, [&](const series::BlockSeries::Block& block) {
@@ -57,7 +56,13 @@ std::vector<compare::TurnOnBias> turn_on_biases(const model::Model& model,
   std::vector<compare::TurnOnBias> found;
   if (runs.size() < 2) return found;
   series::SignalSeries series(model);
-  for (const compare::RunInBlocks& run : runs) series.add(without_network(model, run.blocks));
+  for (const compare::RunInBlocks& run : runs) {
+    if (model.network.present()) {
+      series.add(without_network(model, run.blocks));
+    } else {
+      series.add(run.blocks);
+    }
+  }
   const Eigen::MatrixXd offsets = run_offset_columns(series.rows());
   const NoiseWeightedFit fit = fit_rows(series, with_fixed_shapes(model.terms), offsets);
   if (series.rows().size() <= fit.linear() || !is_determined(fit)) return found;
