@@ -236,19 +236,46 @@ std::string names_of(const std::vector<Place>& places) {
   return join(names, ", ") + (more > 0 ? format(" and %zu more", more) : "");
 }
 
+// Whether an axis on which it is shown still tells the gyros apart.
+bool is_near(double limit, const std::vector<Place>& places) {
+  constexpr double kSpansBeyond = 2;
+  const double span = places.back().value - places.front().value;
+  return limit > places.front().value - kSpansBeyond * span &&
+         limit < places.back().value + kSpansBeyond * span;
+}
+
+// Where what lies beyond the limit ends: at the last gyro, but not so near that it is not seen.
+double end_of_band(const Limit& limit, const std::vector<Place>& places, Plot::Kind kind) {
+  constexpr double kSeen = 0.05;  // of the axis
+  const double least = std::min(limit.value, places.front().value);
+  const double most = std::max(limit.value, places.back().value);
+  const double sign = limit.is_most ? 1 : -1;
+  const double seen = kind == Plot::Kind::log_x && least > 0
+                          ? limit.value * std::pow(most / least, sign * kSeen)
+                          : limit.value + sign * kSeen * (most - least);
+  return limit.is_most ? std::max(places.back().value, seen) : std::min(places.front().value, seen);
+}
+
+// A place without a dot.
+void show_on_axis(double value, Plot& plot) {
+  const auto at = std::lower_bound(plot.x.begin(), plot.x.end(), value) - plot.x.begin();
+  plot.x.insert(plot.x.begin() + at, value);
+  plot.names.insert(plot.names.begin() + at, Text());
+  for (Curve& curve : plot.curves) curve.y.insert(curve.y.begin() + at, kNothing);
+}
+
 void add_histogram(Document& document, const Summary& summary, const std::string& figure) {
   const std::vector<Place> places = places_of(summary, figure);
   if (places.empty()) return;
   const Text label = figure_label(figure).empty() ? verbatim(figure) : figure_label(figure);
   Plot plot = histogram(places, label);
-  const double least = places.front().value;
-  const double most = places.back().value;
   plot.caption = "Median " + significant(places[places.size() / 2].value) + ".";
   const std::string named = names_of(places);
   if (!named.empty()) plot.caption += " " + verbatim(named) + ".";
   for (const Limit& limit : summary.limits) {
     if (limit.figure != figure) continue;
-    const double end = limit.is_most ? std::max(most, limit.value) : std::min(least, limit.value);
+    const double end = end_of_band(limit, places, plot.kind);
+    if (is_near(limit.value, places)) show_on_axis(end, plot);
     plot.bands.push_back(
         {"beyond the limit", std::min(limit.value, end), std::max(limit.value, end), "mark"});
     plot.caption += words(format(" Limit: %s %g.", limit.is_most ? "≤" : "≥", limit.value));
