@@ -31,16 +31,18 @@ void walk_smoothed(const BlockSeries& series, double tau_s, DriftModel& model) {
 
 }  // namespace
 
-void SignalSeries::Run::keep(const Signals& signals, bool restart, bool has_extension) {
+void SignalSeries::Run::keep(const Signals& signals, bool restart) {
   const fog::BlockMeans<model::RealNumbers>& means = signals.block;
-  blocks.push_back({{signals.temperature, signals.temperature_rate},
-                    means.input_rate,
-                    means.elapsed,
-                    means.input_rate,
-                    kNoRow,
-                    0,
-                    restart});
-  if (has_extension) extension.push_back(means.extension);
+  blocks.push_back({{signals.temperature, signals.temperature_rate}, means.elapsed, kNoRow, 0});
+  restarts.push_back(restart);
+  if (has(inputs, fog::Input::input_rate)) {
+    input_rate.push_back({means.input_rate, means.input_rate});
+  }
+  if ((inputs & fog::kAllExtensionInputs) != 0) extension.push_back(means.extension);
+}
+
+double SignalSeries::Run::input_rate_dph(std::size_t block) const {
+  return input_rate.empty() ? 0 : input_rate[block].dph;
 }
 
 // Not clamped, the temperature of the signals is that of their block.
@@ -50,7 +52,7 @@ SignalSeries::Signals SignalSeries::Run::signals(std::size_t block, Reading read
   const Seen& seen = smooth ? smoothed[block] : kept.seen;
   Signals signals{seen.temperature, seen.temperature_rate, {}};
   signals.block.temperature = seen.temperature;
-  signals.block.input_rate = kept.input_rate_before_dph;
+  if (!input_rate.empty()) signals.block.input_rate = input_rate[block].before_dph;
   signals.block.elapsed = kept.elapsed;
   if (!extension.empty()) signals.block.extension = extension[block];
   return signals;
@@ -82,7 +84,7 @@ class SignalSeries::Recorder {
 
 void SignalSeries::add(const BlockSeries& series) {
   require_inputs(model_, series);
-  runs_.push_back({series.block_s, {}, {}, {}});
+  runs_.push_back({series.block_s, series.inputs, {}, {}, {}, {}, {}});
   runs_.back().blocks.reserve(series.blocks.size() + 1);
   RowAverager rows(series, model_.average_s, rows_);
   if (phase_ == Phase::board) {
@@ -95,18 +97,16 @@ void SignalSeries::add(const BlockSeries& series) {
 
 void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows) {
   Run& run = runs_.back();
-  const bool has_extension = (series.inputs & fog::kAllExtensionInputs) != 0;
   run.smoothed.reserve(series.blocks.size() + 1);
   Recorder smooth_recorder(model_, series.block_s, [&](const Signals& signals, bool) {
     run.smoothed.push_back({signals.temperature, signals.temperature_rate});
   });
   walk_smoothed(series, rules::kSmoothing * model_.derivative_tau_s, smooth_recorder);
-  Recorder recorder(model_, series.block_s, [&](const Signals& signals, bool restart) {
-    run.keep(signals, restart, has_extension);
-  });
+  Recorder recorder(model_, series.block_s,
+                    [&](const Signals& signals, bool restart) { run.keep(signals, restart); });
   walk_blocks(series, recorder, [&](const BlockSeries::Block& block) {
     Block& current = run.blocks.back();
-    current.input_rate_dph = block.means.input_rate;
+    if (!run.input_rate.empty()) run.input_rate.back().dph = block.means.input_rate;
     current.row = rows.take(block, run.signals(run.blocks.size() - 1, Reading::of_sensor));
     current.samples = block.samples;
   });
@@ -114,11 +114,10 @@ void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows
 
 void SignalSeries::add_without_delay(const BlockSeries& series, RowAverager& rows) {
   const ZeroPhaseSignals seen = zero_phase_signals(series, model_.derivative_tau_s);
-  const bool has_extension = (series.inputs & fog::kAllExtensionInputs) != 0;
   for (std::size_t i = 0; i < series.blocks.size(); ++i) {
     const BlockSeries::Block& block = series.blocks[i];
     const Signals signals{block.means.temperature, seen.temperature_rate[i], block.means};
-    runs_.back().keep(signals, seen.restart[i], has_extension);
+    runs_.back().keep(signals, seen.restart[i]);
     runs_.back().blocks.back().row = rows.take(block, signals);
     runs_.back().blocks.back().samples = block.samples;
   }
@@ -139,8 +138,8 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
     for (std::size_t i = 0; i < run.blocks.size(); ++i) {
       const Block& block = run.blocks[i];
       Signals signals = run.signals(i, reading);
-      if (follows_rate) signals.block.input_rate = block.input_rate_dph;
-      if (block.restart) part.reset(signals);
+      if (follows_rate) signals.block.input_rate = run.input_rate_dph(i);
+      if (run.restarts[i]) part.reset(signals);
       part.step(signals, values.data());
       if (block.row == kNoRow) continue;
       const double weight = block.samples;

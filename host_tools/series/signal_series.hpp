@@ -62,24 +62,29 @@ class SignalSeries {
     double temperature_rate = 0;
   };
   using Extension = decltype(fog::BlockMeans<model::RealNumbers>::extension);
+  struct InputRate {
+    double before_dph = 0;  ///< of the block that the signals are means of
+    double dph = 0;         ///< while the signals hold
+  };
   // The state of the thermal stage during one block.
   struct Block {
     Seen seen;
-    double input_rate_before_dph = 0;  ///< of the block that the signals are means of
     double elapsed = 0;
-    double input_rate_dph = 0;  ///< while the signals hold
     std::int32_t row = kNoRow;  // none where the board's drift is not valid
     std::uint32_t samples = 0;
-    bool restart = false;
   };
   struct Run {
     double block_s = 0;
+    fog::InputMask inputs = 0;  ///< of the recording
     std::vector<Block> blocks;
-    std::vector<Extension> extension;  ///< per block; none where the recording has no such input
-    std::vector<Seen> smoothed;        ///< per block; none in Phase::zero
+    std::vector<bool> restarts;         ///< per block
+    std::vector<InputRate> input_rate;  ///< per block; none where the recording has no such input
+    std::vector<Extension> extension;   ///< the same
+    std::vector<Seen> smoothed;         ///< per block; none in Phase::zero
 
-    void keep(const Signals& signals, bool restart, bool has_extension);
+    void keep(const Signals& signals, bool restart);
     Signals signals(std::size_t block, Reading reading) const;
+    double input_rate_dph(std::size_t block) const;
   };
   template <class Keep>
   class Recorder;
