@@ -11,7 +11,7 @@
 namespace fogcomp::batch {
 namespace {
 
-constexpr const char* kTitle = "fogcomp-batch 2";
+constexpr const char* kTitle = "fogcomp-batch 3";
 constexpr const char* kEnd = "end";
 
 // In the shortest form that reads back to the same bits.
@@ -56,6 +56,7 @@ void save_result(const GyroResult& result, const std::string& folder) {
   for (const auto& [name, value] : result.figures) {
     text += "figure " + name + " " + digits_of(value) + "\n";
   }
+  for (const std::string& note : result.notes) text += "note " + displayable(note) + "\n";
   for (const auto& [name, fingerprint] : result.outputs) {
     text += "output " + fingerprint + " " + name + "\n";
   }
@@ -76,6 +77,8 @@ std::optional<GyroResult> load_result(const std::string& gyro, const std::string
       result.fingerprint = rest;
     } else if (key == "error") {
       result.error = rest;
+    } else if (key == "note") {
+      result.notes.push_back(rest);
     } else if (key == "output") {
       const std::size_t end = std::min(rest.find(' '), rest.size() - 1);
       result.outputs.emplace_back(rest.substr(end + 1), rest.substr(0, end));

@@ -14,6 +14,7 @@ struct GyroResult {
   std::string fingerprint;  ///< of recordings and options
   std::string error;        ///< one line; "" where there are figures
   std::vector<std::pair<std::string, double>> figures;
+  std::vector<std::string> notes{};  ///< what has to be known of it, a sentence each
   /// What was written beside it: name and fingerprint of each file.
   std::vector<std::pair<std::string, std::string>> outputs{};
 

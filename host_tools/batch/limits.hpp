@@ -12,6 +12,10 @@ struct Limit {
   std::string figure;
   bool is_most = true;  ///< else it is the least
   double value = 0;
+
+  bool keeps(double figure_value) const {
+    return is_most ? figure_value <= value : figure_value >= value;
+  }
 };
 
 /// Reads a limits file: `FIGURE <= NUMBER` or `FIGURE >= NUMBER` a line, `#` comments. Throws

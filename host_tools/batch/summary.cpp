@@ -36,8 +36,27 @@ std::size_t Summary::count(Outcome outcome) const {
       gyros.begin(), gyros.end(), [outcome](const Gyro& gyro) { return gyro.outcome == outcome; }));
 }
 
-Summary summarise(std::vector<GyroResult> results, std::vector<Limit> limits) {
-  Summary summary{{}, std::move(limits), {}};
+std::string Summary::Gyro::why() const {
+  std::vector<std::string> sentences = result.notes;
+  if (diagnosis) sentences.push_back(diagnosis->sentence);
+  return join(sentences, "; ");
+}
+
+std::string Summary::stands_out(const std::string& gyro) const {
+  std::vector<std::string> figures_off;
+  for (const Outlier& outlier : lot.outliers) {
+    if (outlier.gyro != gyro) continue;
+    figures_off.push_back(figures_off.empty() ? outlier_words(lot, outlier) : outlier.figure);
+  }
+  if (figures_off.size() < 2) return join(figures_off, "");
+  const std::string worst = figures_off.front();
+  figures_off.erase(figures_off.begin());
+  return worst + "; also " + join(figures_off, ", ");
+}
+
+Summary summarise(std::vector<GyroResult> results, std::vector<Limit> limits,
+                  const std::vector<std::string>& compared) {
+  Summary summary{{}, std::move(limits), {}, compare_lot(results, compared)};
   for (GyroResult& result : results) {
     for (const auto& [name, value] : result.figures) {
       auto& names = summary.figures;
@@ -63,11 +82,14 @@ std::string headline(const Summary& summary) {
 }
 
 std::string csv_text(const Summary& summary) {
-  std::string text = "gyro,outcome,reason";
+  std::string text = "gyro,outcome,reason,why,stands_out";
   for (const std::string& name : summary.figures) text += "," + name;
   for (const Summary::Gyro& gyro : summary.gyros) {
-    text +=
-        "\n" + quoted(gyro.result.gyro) + "," + name_of(gyro.outcome) + "," + quoted(gyro.reason);
+    text += "\n" + quoted(gyro.result.gyro) + "," + name_of(gyro.outcome);
+    for (const std::string& cell :
+         {gyro.reason, gyro.why(), summary.stands_out(gyro.result.gyro)}) {
+      text += "," + quoted(cell);
+    }
     for (const std::string& name : summary.figures) {
       const auto value = gyro.result.figure(name);
       text += "," + (value ? format("%.7g", *value) : "");

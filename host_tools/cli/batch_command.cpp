@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "batch/fingerprint.hpp"
 #include "batch/limits.hpp"
 #include "batch/process_pool.hpp"
 #include "batch/summary.hpp"
@@ -85,7 +86,7 @@ void calibrate_alone(const Batch& batch, const GyroFolder& gyro) {
   GyroResult result{gyro.name, "", "", {}};
   try {
     make_folder(folder);
-    for (const char* name : {"result.txt", "fog_model.h", "report.html"}) {
+    for (const char* name : {"result.txt", "fog_model.h", "report.html", "diagnosis.txt"}) {
       fs::remove(fs::path(folder) / name);
     }
     fs::remove(fs::path(folder) / (gyro.name + ".model"));
@@ -148,6 +149,15 @@ std::vector<GyroFolder> find_work(const Batch& batch, Work& work) {
   return to_do;
 }
 
+// What a signal has ended goes on with the same command.
+void end_by(int signal_number, std::size_t done, std::size_t gyros) {
+  if (signal_number == 0) return;
+  std::fprintf(stderr, "\ninterrupted: %zu of %s done; the same command goes on there\n", done,
+               counted(gyros, "gyro").c_str());
+  std::signal(signal_number, SIG_DFL);
+  std::raise(signal_number);
+}
+
 Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
   Work work;
   const std::vector<GyroFolder> to_do = find_work(batch, work);
@@ -169,12 +179,7 @@ Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
   };
   const int signal_number = batch::run_in_processes(
       to_do.size(), settings, [&](std::size_t job) { calibrate_alone(batch, to_do[job]); }, events);
-  if (signal_number != 0) {
-    std::fprintf(stderr, "\ninterrupted: %zu of %s done; the same command goes on there\n",
-                 work.already + work.done, counted(batch.gyros.size(), "gyro").c_str());
-    std::signal(signal_number, SIG_DFL);
-    std::raise(signal_number);
-  }
+  end_by(signal_number, work.already + work.done, batch.gyros.size());
   return work;
 }
 
@@ -193,11 +198,75 @@ GyroResult result_of(const Batch& batch, const GyroFolder& gyro, const Work& wor
   return missing;
 }
 
+// Of the result and of the places that the command in it names.
+std::string diagnosis_fingerprint(const Batch& batch, const GyroFolder& gyro,
+                                  const GyroResult& result) {
+  batch::Fingerprint fingerprint;
+  for (const std::string& word : {result.fingerprint, batch.input, batch.folder_of(gyro)}) {
+    fingerprint.add(word);
+  }
+  return fingerprint.text();
+}
+
+// In a process of its own.
+void diagnose_alone(const Batch& batch, const GyroFolder& gyro, const std::string& fingerprint) {
+  const std::string folder = batch.folder_of(gyro);
+  batch::GyroDiagnosis diagnosis;
+  try {
+    if (std::freopen((folder + "/log.txt").c_str(), "a", stderr) == nullptr) {
+      throw InputError(folder, "cannot be written");
+    }
+    diagnosis = diagnose(gyro, batch.request, folder, batch.options.recording.given_words());
+  } catch (const std::exception& error) {
+    diagnosis.sentence = std::string("not diagnosed: ") + error.what();
+  }
+  diagnosis.fingerprint = fingerprint;
+  batch::save_diagnosis(diagnosis, folder);
+}
+
+// Of the gyros that fail: what has been found already stays.
+void diagnose_failing(const Batch& batch, const batch::PoolSettings& settings,
+                      batch::Summary& summary) {
+  const auto fingerprint = [&](std::size_t i) {
+    return diagnosis_fingerprint(batch, batch.gyros[i], summary.gyros[i].result);
+  };
+  const auto found = [&](std::size_t i) {
+    return batch::load_diagnosis(batch.folder_of(batch.gyros[i]), fingerprint(i));
+  };
+  std::vector<std::size_t> to_do;
+  for (std::size_t i = 0; i < summary.gyros.size(); ++i) {
+    batch::Summary::Gyro& gyro = summary.gyros[i];
+    if (gyro.outcome != Outcome::fail) continue;
+    gyro.diagnosis = found(i);
+    if (!gyro.diagnosis) to_do.push_back(i);
+  }
+  Progress progress("diagnosing");
+  std::size_t done = 0;
+  batch::PoolEvents events;
+  events.ended = [&](std::size_t job, const std::string& death) {
+    batch::GyroDiagnosis diagnosis = found(to_do[job]).value_or(batch::GyroDiagnosis{});
+    if (!death.empty()) diagnosis.sentence = "not diagnosed: " + death;
+    summary.gyros[to_do[job]].diagnosis = std::move(diagnosis);
+    progress.update(static_cast<double>(++done) / static_cast<double>(to_do.size()));
+  };
+  events.tick = [] {};
+  const int signal_number = batch::run_in_processes(
+      to_do.size(), settings,
+      [&](std::size_t job) {
+        diagnose_alone(batch, batch.gyros[to_do[job]], fingerprint(to_do[job]));
+      },
+      events);
+  end_by(signal_number, summary.gyros.size() - to_do.size() + done, summary.gyros.size());
+}
+
 batch::Summary write_table(const Batch& batch, const Work& work,
-                           const std::vector<batch::Limit>& limits) {
+                           const std::vector<batch::Limit>& limits,
+                           const batch::PoolSettings& settings) {
   std::vector<GyroResult> results;
   for (const GyroFolder& gyro : batch.gyros) results.push_back(result_of(batch, gyro, work));
-  batch::Summary summary = summarise(std::move(results), limits);
+  batch::Summary summary =
+      summarise(std::move(results), limits, workflow::compared_figures(batch.request.fit));
+  diagnose_failing(batch, settings, summary);
   write_file(batch.output + kTables[0], csv_text(summary));
   return summary;
 }
@@ -265,7 +334,7 @@ int BatchCommand::run() const {
                 counted(work.done, "gyro").c_str(), work.already, work.errors);
     return work.errors == 0 ? 0 : 1;
   }
-  const batch::Summary summary = write_table(batch, work, kept);
+  const batch::Summary summary = write_table(batch, work, kept, settings);
   const findings::Document document =
       findings::batch_findings(summary, batch.input, batch.output, batch.reports);
   write_file(batch.output + kTables[1], report::page(document));

@@ -5,10 +5,13 @@
 #include "batch/fingerprint.hpp"
 #include "cli/watch.hpp"
 #include "findings/compare_findings.hpp"
+#include "findings/compare_words.hpp"
+#include "findings/diagnosis_words.hpp"
 #include "model/model_file.hpp"
 #include "model/serial_number.hpp"
 #include "report/page.hpp"
 #include "support/output_file.hpp"
+#include "workflow/diagnose.hpp"
 
 namespace fogcomp::cli {
 
@@ -52,10 +55,49 @@ batch::GyroResult calibrate(const batch::GyroFolder& gyro, workflow::Calibration
   };
   const workflow::CalibrationOutcome outcome = calibrate(request, events, on_stderr());
   result.figures = outcome.figures;
+  for (const findings::Text& sentence : findings::turn_on_sentences(outcome.turn_on))
+    result.notes.push_back(sentence.plain());
   write_file(folder + "/fog_model.h", outcome.board.header);
   add_output(result, folder, model_name);
   add_output(result, folder, "fog_model.h");
   return result;
+}
+
+namespace {
+
+batch::GyroDiagnosis answer_to(const workflow::DiagnoseRequest& question,
+                               const findings::DiagnosedFiles& files) {
+  const diagnosis::Ladder ladder = workflow::diagnose(question, on_stderr()).ladder;
+  const findings::BriefDiagnosis brief = findings::in_brief(ladder.first, ladder.next);
+  return {"",
+          name_of(ladder.first.verdict),
+          brief.effects,
+          brief.size_dph,
+          brief.probability,
+          brief.sentence,
+          words_of(ladder.first, ladder.next, files).command};
+}
+
+}  // namespace
+
+batch::GyroDiagnosis diagnose(const batch::GyroFolder& gyro,
+                              const workflow::CalibrationRequest& request,
+                              const std::string& folder, const std::vector<std::string>& reading) {
+  workflow::DiagnoseRequest question;
+  question.model = folder + "/" + gyro.name + ".model";
+  question.runs = gyro.recordings;
+  question.reading = request.fit.reading;
+  question.hold_outs = gyro.holdouts;
+  const batch::GyroDiagnosis found =
+      answer_to(question, {question.model, gyro.recordings, gyro.holdouts, reading});
+  if (found.verdict != name_of(diagnosis::Verdict::none) || gyro.holdouts.empty()) return found;
+  question.runs = gyro.holdouts;
+  question.hold_outs.clear();
+  batch::GyroDiagnosis on_hold_outs = answer_to(question, {});
+  if (on_hold_outs.verdict == found.verdict) return found;
+  on_hold_outs.sentence = "on the holdouts " + on_hold_outs.sentence;
+  on_hold_outs.next.clear();
+  return on_hold_outs;
 }
 
 }  // namespace fogcomp::cli

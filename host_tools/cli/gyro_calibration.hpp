@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "batch/gyro_diagnosis.hpp"
 #include "batch/gyro_folders.hpp"
 #include "batch/gyro_result.hpp"
 #include "cli/board_options.hpp"
@@ -30,5 +31,12 @@ struct CalibrationOptions : OptionGroup {
 /// Returns the figures. Throws InputError as workflow::calibrate() does.
 batch::GyroResult calibrate(const batch::GyroFolder& gyro, workflow::CalibrationRequest request,
                             const std::string& folder, bool page);
+
+/// What the model in `folder` lacks, by the recordings that it was fitted to; where these show
+/// nothing, by the hold-outs. What is proposed next is never fitted to a hold-out. `reading`: the
+/// options of reading as they were given. Throws InputError as workflow::diagnose() does.
+batch::GyroDiagnosis diagnose(const batch::GyroFolder& gyro,
+                              const workflow::CalibrationRequest& request,
+                              const std::string& folder, const std::vector<std::string>& reading);
 
 }  // namespace fogcomp::cli

@@ -15,23 +15,31 @@ struct Delay {
   Eigen::VectorXd weights;
 };
 
+struct Drift {
+  std::vector<double> time_s;
+  double row_s;
+  Eigen::VectorXd weights;
+  Eigen::VectorXd dph;
+};
+
+// One after the other: the signals of a long recording are large.
+Drift drift_of(const model::Model& model, const RunInBlocks& run, series::Phase phase) {
+  series::SignalSeries series(model, phase);
+  series.add(run.blocks);
+  const series::Rows& rows = series.rows();
+  return {rows.time_s, rows.row_s, rows.weights, series.drift_dph(model.terms)};
+}
+
 // After a start or a gap the two have different rows, which are matched by their time.
 Delay delay_of(const model::Model& model, const RunInBlocks& run) {
-  series::SignalSeries board(model);
-  series::SignalSeries coil(model, series::Phase::zero);
-  board.add(run.blocks);
-  coil.add(run.blocks);
-  const Eigen::VectorXd exact = coil.drift_dph(model.terms);
-  const series::Rows& rows = board.rows();
-  Delay delay{board.drift_dph(model.terms), rows.weights};
-  Eigen::Index at = 0;
-  for (Eigen::Index row = 0; row < rows.size(); ++row) {
-    const double time_s = rows.time_s[static_cast<std::size_t>(row)];
-    while (at + 1 < exact.size() &&
-           coil.rows().time_s[static_cast<std::size_t>(at)] < time_s - rows.row_s / 2) {
-      ++at;
-    }
-    delay.drift_dph[row] -= exact[at];
+  const Drift coil = drift_of(model, run, series::Phase::zero);
+  const Drift board = drift_of(model, run, series::Phase::board);
+  Delay delay{board.dph, board.weights};
+  std::size_t at = 0;
+  for (std::size_t row = 0; row < board.time_s.size(); ++row) {
+    const double middle_s = board.time_s[row] - board.row_s / 2;
+    while (at + 1 < coil.time_s.size() && coil.time_s[at] < middle_s) ++at;
+    delay.drift_dph[static_cast<Eigen::Index>(row)] -= coil.dph[static_cast<Eigen::Index>(at)];
   }
   return delay;
 }

@@ -18,11 +18,22 @@ struct ModelOnRun {
 /// Throws InputError where the run lacks a column that the model needs.
 ModelOnRun try_model(const model::Model& model, const RunInBlocks& run);
 
+/// The bias of a run beside that of another, with the drift that a model describes refitted to all
+/// of them: what a gyro does from one power-on to the next (fit/turn_on_bias.hpp).
+struct TurnOnBias {
+  std::string run;
+  std::string reference;
+  double above_dph = 0;
+  double sigma_dph = 0;
+  bool certain = false;  ///< noise does not explain it
+};
+
 /// One model on every run, in the order of the command line.
 struct ModelOnRuns {
   std::string file;
   model::Model model;
   std::vector<ModelOnRun> runs;
+  std::vector<TurnOnBias> turn_on{};  ///< of the second run, the third, ...; where the runs tell it
 };
 
 /// Whether the noise floor lies above the residual by more than its own uncertainty.

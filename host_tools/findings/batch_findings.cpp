@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
+#include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {
@@ -41,29 +43,64 @@ Text limits_of(const std::string& figure, const std::vector<Limit>& limits) {
   return text.empty() ? Text("-") : verbatim(text);
 }
 
-// What an engineer would do with the first that fails.
-void add_next(Document& document, const Summary& summary, const std::string& input,
-              const std::string& output) {
-  const auto failing =
-      std::find_if(summary.gyros.begin(), summary.gyros.end(),
-                   [](const Summary::Gyro& gyro) { return gyro.outcome == Outcome::fail; });
-  if (failing == summary.gyros.end()) return;
-  const std::string& name = failing->result.gyro;
-  document.next_line("ask which effect " + verbatim(name) + " has that the others have not",
-                     "fogcomp diagnose " + output + "/" + name + "/" + name + ".model " + input +
-                         "/" + name + "/*");
+// What an engineer would do with the first that fails and for which there is something to do.
+void add_next(Document& document, const Summary& summary) {
+  for (const Summary::Gyro& gyro : summary.gyros) {
+    if (!gyro.diagnosis || gyro.diagnosis->next.empty()) continue;
+    document.next_line("give " + verbatim(gyro.result.gyro) +
+                           " the effect that it has and the model has not; it is kept only if it "
+                           "helps out of sample",
+                       gyro.diagnosis->next);
+    return;
+  }
 }
 
 void add_rejected(Document& document, const Summary& summary, bool reports) {
   Table table;
-  table.columns = {"gyro", "outcome", "reason"};
+  table.columns = {"gyro", "outcome", "reason", "why"};
   for (const Summary::Gyro& gyro : summary.gyros) {
     if (gyro.outcome == Outcome::pass) continue;
-    table.rows.push_back(
-        {verbatim(gyro.result.gyro), name_of(gyro.outcome), verbatim(gyro.reason)});
+    table.rows.push_back({verbatim(gyro.result.gyro), name_of(gyro.outcome), verbatim(gyro.reason),
+                          words(gyro.why(), {gyro.result.gyro})});
     table.rows.back().link = link_of(gyro, reports);
   }
   document.heading("Not passed");
+  document.table(std::move(table));
+}
+
+// Gyros that are not like the others, limits or not.
+void add_outliers(Document& document, const Summary& summary) {
+  const batch::Lot& lot = summary.lot;
+  document.heading("Unlike the others");
+  if (lot.figures.empty()) {
+    document.sentence(words(format(
+        "fewer than %zu gyros have figures: none is compared with the others", batch::kMinLot)));
+    return;
+  }
+  document.sentence(words(format(
+      "of %s each, a gyro is named from %.1f spreads off the median on (spread: 1.4826 times the "
+      "median distance); a lot without outliers has one in 1 of 100 cases",
+      counted(lot.figures.size(), "figure").c_str(), lot.bound)));
+  Table table;
+  table.columns = {"gyro", "figure that is off"};
+  for (const Summary::Gyro& gyro : summary.gyros) {
+    const std::string text = summary.stands_out(gyro.result.gyro);
+    if (!text.empty()) table.rows.push_back({verbatim(gyro.result.gyro), words(text)});
+  }
+  if (table.rows.empty()) document.sentence("no gyro is");
+  document.table(std::move(table));
+}
+
+void add_notes(Document& document, const Summary& summary) {
+  Table table;
+  table.columns = {"gyro", "note"};
+  for (const Summary::Gyro& gyro : summary.gyros) {
+    if (gyro.outcome == Outcome::fail) continue;  // there it is part of why
+    for (const std::string& note : gyro.result.notes)
+      table.rows.push_back({verbatim(gyro.result.gyro), words(note)});
+  }
+  if (table.rows.empty()) return;
+  document.heading("Passed, with a note");
   document.table(std::move(table));
 }
 
@@ -94,55 +131,161 @@ void add_spread(Document& document, const Summary& summary) {
   document.table(std::move(table), Shown::on_page);
 }
 
-// What is worth a plot: what is limited, else what a line looks at first.
+// What is limited, then what gyros are compared by; else what a line looks at first.
 std::vector<std::string> plotted_figures(const Summary& summary) {
-  std::vector<std::string> wanted{"holdout_drift_dph", "fit_drift_dph"};
-  if (!summary.limits.empty()) wanted.clear();
-  for (const Limit& limit : summary.limits) {
-    if (std::find(wanted.begin(), wanted.end(), limit.figure) == wanted.end()) {
-      wanted.push_back(limit.figure);
-    }
-  }
+  std::vector<std::string> wanted;
+  const auto want = [&](const std::string& figure) {
+    if (std::find(wanted.begin(), wanted.end(), figure) == wanted.end()) wanted.push_back(figure);
+  };
+  for (const Limit& limit : summary.limits) want(limit.figure);
+  for (const char* figure : {"holdout_drift_dph", "fit_drift_dph"}) want(figure);
+  for (const batch::LotFigure& figure : summary.lot.figures) want(figure.name);
   return wanted;
 }
 
+struct Place {
+  double value = 0;
+  std::string gyro;
+  bool named = false;  ///< breaks a limit of this figure, or is an outlier by it
+};
+
+std::vector<Place> places_of(const Summary& summary, const std::string& figure) {
+  std::vector<Place> places;
+  for (const Summary::Gyro& gyro : summary.gyros) {
+    const auto value = gyro.result.figure(figure);
+    if (!value) continue;
+    const bool breaks = std::any_of(
+        summary.limits.begin(), summary.limits.end(),
+        [&](const Limit& limit) { return limit.figure == figure && !limit.keeps(*value); });
+    const auto& outliers = summary.lot.outliers;
+    const bool is_off =
+        std::any_of(outliers.begin(), outliers.end(), [&](const batch::Outlier& outlier) {
+          return outlier.figure == figure && outlier.gyro == gyro.result.gyro;
+        });
+    places.push_back({*value, gyro.result.gyro, breaks || is_off});
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.value < b.value; });
+  return places;
+}
+
 // Whether one gyro is so far off that the others would lie on one line.
-bool has_outlier(const std::vector<double>& sorted) {
+bool has_far_outlier(const std::vector<Place>& places) {
   constexpr double kFarOff = 20;
-  return sorted.front() > 0 && sorted.back() > kFarOff * median_of(sorted);
+  return places.front().value > 0 &&
+         places.back().value > kFarOff * places[places.size() / 2].value;
+}
+
+// Width of a bin by Scott's rule, of the spread that a few outliers do not widen.
+double bin_width(std::vector<double> values) {
+  const double middle = values[values.size() / 2];
+  for (double& value : values) value -= middle;
+  const double gyros = static_cast<double>(values.size());
+  const double width = 3.49 * sigma_by_median(std::move(values)) / std::cbrt(gyros);
+  return width > 0 ? width : 1;
+}
+
+// How many of the values up to each one, which are rising, lie in the same bin.
+std::vector<double> heights_of(const std::vector<double>& values) {
+  const double width = bin_width(values);
+  std::vector<double> heights;
+  double bin_before = -1;
+  for (const double value : values) {
+    const double bin = std::floor((value - values.front()) / width);
+    heights.push_back(bin == bin_before ? heights.back() + 1 : 1);
+    bin_before = bin;
+  }
+  return heights;
+}
+
+// A histogram of dots, a gyro each, so that every one has its name.
+Plot histogram(const std::vector<Place>& places, const Text& label) {
+  Plot plot;
+  if (has_far_outlier(places)) plot.kind = Plot::Kind::log_x;
+  std::vector<double> drawn_at;
+  for (const Place& place : places) {
+    plot.x.push_back(place.value);
+    plot.names.push_back(verbatim(place.gyro));
+    drawn_at.push_back(plot.kind == Plot::Kind::log_x ? std::log(place.value) : place.value);
+  }
+  const std::vector<double> heights = heights_of(drawn_at);
+  Curve gyros{"gyros", "residual", heights};
+  Curve named{"beyond a limit, or unlike the others", "mark", heights};
+  gyros.look = named.look = Look::points;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    (places[i].named ? gyros : named).y[i] = kNothing;
+  }
+  plot.title = label + ".";
+  plot.x_label = label;
+  plot.y_label = "gyros";
+  plot.is_small = true;
+  plot.curves = {std::move(gyros)};
+  if (std::any_of(places.begin(), places.end(), [](const Place& one) { return one.named; }))
+    plot.curves.push_back(std::move(named));
+  return plot;
+}
+
+std::string names_of(const std::vector<Place>& places) {
+  constexpr std::size_t kMostNamed = 8;
+  std::vector<std::string> names;
+  for (const Place& place : places) {
+    if (place.named) names.push_back(place.gyro + " " + significant(place.value).plain());
+  }
+  const std::size_t more = names.size() > kMostNamed ? names.size() - kMostNamed : 0;
+  names.resize(names.size() - more);
+  return join(names, ", ") + (more > 0 ? format(" and %zu more", more) : "");
+}
+
+// Whether an axis on which it is shown still tells the gyros apart.
+bool is_near(double limit, const std::vector<Place>& places) {
+  constexpr double kSpansBeyond = 2;
+  const double span = places.back().value - places.front().value;
+  return limit > places.front().value - kSpansBeyond * span &&
+         limit < places.back().value + kSpansBeyond * span;
+}
+
+// Where what lies beyond the limit ends: at the last gyro, but not so near that it is not seen.
+double end_of_band(const Limit& limit, const std::vector<Place>& places, Plot::Kind kind) {
+  constexpr double kSeen = 0.05;  // of the axis
+  const double least = std::min(limit.value, places.front().value);
+  const double most = std::max(limit.value, places.back().value);
+  const double sign = limit.is_most ? 1 : -1;
+  const double seen = kind == Plot::Kind::log_x && least > 0
+                          ? limit.value * std::pow(most / least, sign * kSeen)
+                          : limit.value + sign * kSeen * (most - least);
+  return limit.is_most ? std::max(places.back().value, seen) : std::min(places.front().value, seen);
+}
+
+// A place without a dot.
+void show_on_axis(double value, Plot& plot) {
+  const auto at = std::lower_bound(plot.x.begin(), plot.x.end(), value) - plot.x.begin();
+  plot.x.insert(plot.x.begin() + at, value);
+  plot.names.insert(plot.names.begin() + at, Text());
+  for (Curve& curve : plot.curves) curve.y.insert(curve.y.begin() + at, kNothing);
+}
+
+void add_histogram(Document& document, const Summary& summary, const std::string& figure) {
+  const std::vector<Place> places = places_of(summary, figure);
+  if (places.empty()) return;
+  const Text label = figure_label(figure).empty() ? verbatim(figure) : figure_label(figure);
+  Plot plot = histogram(places, label);
+  plot.caption = "Median " + significant(places[places.size() / 2].value) + ".";
+  const std::string named = names_of(places);
+  if (!named.empty()) plot.caption += " " + verbatim(named) + ".";
+  for (const Limit& limit : summary.limits) {
+    if (limit.figure != figure) continue;
+    const double end = end_of_band(limit, places, plot.kind);
+    if (is_near(limit.value, places)) show_on_axis(end, plot);
+    plot.bands.push_back(
+        {"beyond the limit", std::min(limit.value, end), std::max(limit.value, end), "mark"});
+    plot.caption += words(format(" Limit: %s %g.", limit.is_most ? "≤" : "≥", limit.value));
+  }
+  document.plot(std::move(plot));
 }
 
 void add_plots(Document& document, const Summary& summary) {
-  for (const std::string& figure : plotted_figures(summary)) {
-    const std::vector<double> sorted = values_of(summary, figure);
-    if (sorted.empty()) continue;
-    const Text label = figure_label(figure).empty() ? verbatim(figure) : figure_label(figure);
-    Curve curve{label, "residual", {}};
-    curve.look = Look::points;
-    Plot plot;
-    std::string worst;
-    for (std::size_t i = 0; i < summary.gyros.size(); ++i) {
-      const GyroResult& gyro = summary.gyros[i].result;
-      plot.x.push_back(static_cast<double>(i + 1));
-      plot.x_names.push_back(verbatim(gyro.gyro));
-      curve.y.push_back(gyro.figure(figure).value_or(kNothing));
-      if (curve.y.back() == sorted.back()) worst = gyro.gyro;
-    }
-    plot.title = label + ".";
-    plot.x_label = "gyro";
-    plot.y_label = label;
-    plot.caption = "Median " + significant(median_of(sorted)) + "; largest: " + verbatim(worst) +
-                   ", " + significant(sorted.back()) + ".";
-    plot.curves.push_back(std::move(curve));
-    for (const Limit& limit : summary.limits) {
-      if (limit.figure == figure) plot.levels.push_back({"limit", limit.value});
-    }
-    const bool limits_are_positive = std::all_of(plot.levels.begin(), plot.levels.end(),
-                                                 [](const Level& level) { return level.y > 0; });
-    if (has_outlier(sorted) && limits_are_positive) plot.kind = Plot::Kind::log_y;
-    plot.group = "gyros";
-    document.plot(plot);
-  }
+  for (const std::string& figure : plotted_figures(summary))
+    add_histogram(document, summary, figure);
 }
 
 void add_all(Document& document, const Summary& summary, bool reports) {
@@ -175,9 +318,11 @@ void add_all(Document& document, const Summary& summary, bool reports) {
 Document batch_findings(const Summary& summary, const std::string& input, const std::string& output,
                         bool reports) {
   Document document("fogcomp batch " + input + " -o " + output, words(headline(summary)));
-  add_next(document, summary, input, output);
+  add_next(document, summary);
   add_rejected(document, summary, reports);
+  add_notes(document, summary);
   if (!summary.figures.empty()) {
+    add_outliers(document, summary);
     add_spread(document, summary);
     add_plots(document, summary);
   }

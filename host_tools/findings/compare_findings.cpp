@@ -65,6 +65,7 @@ Document compare_findings(const std::vector<compare::ModelOnRuns>& models) {
     document.next("nothing above the noise floor is left on these runs: make the board's header",
                   {"fogcomp", "export", best.file, "-o", "fog_model.h"});
   }
+  for (const Text& sentence : turn_on_sentences(best.turn_on)) document.sentence(sentence);
   for (std::size_t run = 0; run < first.runs.size(); ++run) {
     add_run(document, ranked, run, Shown::everywhere);
   }

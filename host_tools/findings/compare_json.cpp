@@ -165,10 +165,22 @@ Json model_json(const compare::ModelOnRuns& model, Json object) {
     rows += run_rows;
   }
   object.set("runs", std::move(runs)).set("extrapolated_fraction", rows > 0 ? outside / rows : 0);
+  object.set("turn_on_bias", turn_on_json(model.turn_on));
   return object;
 }
 
 }  // namespace
+
+Json turn_on_json(const std::vector<compare::TurnOnBias>& turn_on) {
+  return json_array(turn_on, [](const compare::TurnOnBias& run) {
+    return Json::object()
+        .set("file", run.run)
+        .set("reference", run.reference)
+        .set("above_dph", run.above_dph)
+        .set("sigma_dph", run.sigma_dph)
+        .set("certain", run.certain);
+  });
+}
 
 Json compare_json(const std::vector<compare::ModelOnRuns>& models) {
   Json result = model_json(models[0], Json::object());

@@ -1,6 +1,7 @@
 #include "findings/compare_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "compare/decision_rules.hpp"
@@ -107,6 +108,22 @@ std::vector<std::string> range_warnings(const compare::Comparison& comparison,
               "that time",
               time.most));
   return warnings;
+}
+
+std::vector<Text> turn_on_sentences(const std::vector<compare::TurnOnBias>& turn_on) {
+  std::vector<Text> sentences;
+  for (const compare::TurnOnBias& run : turn_on) {
+    if (!run.certain) continue;
+    // As many decimals as two digits of the uncertainty have.
+    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(run.sigma_dph))));
+    const std::vector<std::string> names = short_names({run.run, run.reference});
+    sentences.push_back(
+        "turn-on bias: " + verbatim(names[0]) +
+        words(format(" is %.*f +- %.*f deg/h %s ", decimals, std::abs(run.above_dph), decimals,
+                     run.sigma_dph, run.above_dph > 0 ? "above" : "below")) +
+        verbatim(names[1]));
+  }
+  return sentences;
 }
 
 }  // namespace fogcomp::findings

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compare/model_on_runs.hpp"
+#include "findings/text.hpp"
 
 namespace fogcomp::findings {
 
@@ -17,6 +18,10 @@ std::string structure_words(const compare::ModelOnRun& run);
 /// What has to be known with the figures, a half sentence each: rows left out, what the board's
 /// delay makes of the residual, a noise floor that cannot be right.
 std::vector<std::string> remarks(const compare::ModelOnRun& run);
+
+/// A sentence for each run whose bias certainly differs from the first one's: "turn-on bias: b.csv
+/// is 0.120 +- 0.012 deg/h above a.csv".
+std::vector<Text> turn_on_sentences(const std::vector<compare::TurnOnBias>& turn_on);
 
 /// A sentence for each kind of rows that the model never saw in training.
 std::vector<std::string> range_warnings(const compare::Comparison& comparison,

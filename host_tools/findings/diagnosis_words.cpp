@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "compare/comparison.hpp"
 #include "findings/figures.hpp"
 #include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"
@@ -129,13 +130,20 @@ std::string as_given_words(const diagnosis::Diagnosis& diagnosis) {
          compare::delay_words(given);
 }
 
+// nullptr where these effects are no set that competes.
+const diagnosis::Diagnosis::Explanation* find_explanation(const diagnosis::Diagnosis& diagnosis,
+                                                          const std::vector<std::string>& effects) {
+  const auto set = std::find_if(
+      diagnosis.explanations.begin(), diagnosis.explanations.end(),
+      [&](const diagnosis::Diagnosis::Explanation& one) { return one.effects == effects; });
+  return set == diagnosis.explanations.end() ? nullptr : &*set;
+}
+
 // What only together lowers the error.
 std::string together_words(const diagnosis::Diagnosis& diagnosis,
                            const std::vector<std::string>& together) {
-  const auto set = std::find_if(
-      diagnosis.explanations.begin(), diagnosis.explanations.end(),
-      [&](const diagnosis::Diagnosis::Explanation& one) { return one.effects == together; });
-  if (set == diagnosis.explanations.end()) return "";
+  const auto* set = find_explanation(diagnosis, together);
+  if (set == nullptr) return "";
   return joined(together, "and") + " together explain " + percent(set->explained_fraction) +
          format(" of what is above the noise (probability %.2f); each alone hardly helps",
                 set->probability);
@@ -334,6 +342,47 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
     }
   }
   return words;
+}
+
+BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next) {
+  const double left_dph = diagnosis.residual_rms_dph;
+  BriefDiagnosis brief;
+  brief.size_dph = compare::floor_removed(left_dph, diagnosis.noise_floor_dph);
+  if (diagnosis.verdict == diagnosis::Verdict::none) {
+    brief.sentence = "no effect is missing: " + rounded(left_dph) +
+                     " deg/h rms is left, noise alone is " + rounded(diagnosis.noise_floor_dph);
+    return brief;
+  }
+  if (!next.together.empty()) {
+    brief.effects = next.together;
+    if (const auto* set = find_explanation(diagnosis, next.together)) {
+      brief.probability = set->probability;
+    }
+    brief.sentence = joined(next.together, "and") + " are missing together";
+  } else if (const diagnosis::CandidateFinding* named = diagnosis.find(diagnosis.effect)) {
+    brief.effects = {diagnosis.effect};
+    brief.size_dph = compare::floor_removed(left_dph, named->rms_after_dph);
+    brief.probability = named->probability;
+    const bool is_there =
+        std::any_of(diagnosis.terms.begin(), diagnosis.terms.end(),
+                    [&](const model::EffectTerm& term) { return term.name == diagnosis.effect; });
+    brief.sentence = is_there ? "the model's " + diagnosis.effect + " is incomplete"
+                              : diagnosis.effect + " is missing";
+  } else if (!diagnosis.confusable.empty()) {
+    brief.effects = diagnosis.confusable;
+    brief.sentence =
+        joined(diagnosis.confusable, "or") + " is missing, these recordings cannot tell which";
+  } else {
+    std::string what = fast_words(diagnosis);
+    if (what.empty() && !diagnosis.variable.empty()) {
+      what = "it depends most on " + diagnosis.variable;
+    }
+    brief.sentence = "something is missing that no effect of the catalogue explains";
+    if (!what.empty()) brief.sentence += " (" + what + ")";
+  }
+  brief.sentence += ": " + rounded(brief.size_dph) + " deg/h rms";
+  if (brief.probability) brief.sentence += format(", probability %.2f", *brief.probability);
+  return brief;
 }
 
 std::string step_words(const diagnosis::Ladder::Step& step) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,15 @@ struct DiagnosisWords {
 
 DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
                         const DiagnosedFiles& files);
+
+/// A diagnosis in one line, and the figures in it.
+struct BriefDiagnosis {
+  std::vector<std::string> effects;  ///< missing: all of them together, or one of them
+  double size_dph = 0;               ///< of these, or of all that is above the noise, rms
+  std::optional<double> probability;
+  std::string sentence;
+};
+BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next);
 
 /// A step of the loop: "+ temperature_rate (or shupe)".
 std::string step_words(const diagnosis::Ladder::Step& step);

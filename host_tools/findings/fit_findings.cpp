@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "findings/compare_words.hpp"
 #include "findings/figures.hpp"
 #include "findings/network_words.hpp"
 #include "findings/run_section.hpp"
@@ -62,6 +63,17 @@ void add_steps(Document& document, const FitOutcome& fit) {
   if (fit.searched_steps && identified.steps.empty()) {
     document.sentence("no bias step stands out of the noise (chi^2 above 60)");
   }
+}
+
+// What changes from one power-on to the next, which no model of a board can know.
+void add_turn_on(Document& document, const FitOutcome& fit) {
+  const std::vector<Text> sentences = turn_on_sentences(fit.turn_on);
+  for (const Text& sentence : sentences) document.sentence(sentence);
+  if (sentences.empty()) return;
+  document.sentence(fit.result.identified.run_offsets_dph.empty()
+                        ? "one bias is fitted to all recordings; --run-offsets gives each its own, "
+                          "of which a board has the first"
+                        : "each recording has a bias of its own here; a board has the first");
 }
 
 void add_model(Document& document, const FitOutcome& fit) {
@@ -129,6 +141,7 @@ Document fit_findings(const FitOutcome& fit, const compare::ModelOnRuns& model) 
   }
   add_rows(document, fit);
   add_steps(document, fit);
+  add_turn_on(document, fit);
   add_model(document, fit);
   add_ladder(document, fit);
   for (std::size_t run = 0; run < model.runs.size(); ++run) {

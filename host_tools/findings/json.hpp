@@ -35,6 +35,9 @@ Json add_json(const fit::Addition& addition, const std::string& written);
 
 Json paper_json(const std::vector<research::Study>& studies);
 
+/// Of the second run, the third, ... beside the first, certain or not.
+Json turn_on_json(const std::vector<compare::TurnOnBias>& turn_on);
+
 /// `output`: folder of the results. `calibrated`, `already_done`: gyros, now and before.
 Json batch_json(const batch::Summary& summary, const std::string& output, std::size_t calibrated,
                 std::size_t already_done);

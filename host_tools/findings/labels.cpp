@@ -35,6 +35,8 @@ constexpr Label kFigures[] = {
     {"holdout_drift_dph", "drift left, holdout, deg/h"},
     {"holdout_offset_dph", "constant offset, holdout, deg/h"},
     {"holdout_outside", "part of a holdout outside the trained temperatures"},
+    {"turn_on_bias_dph", "largest difference of the bias between runs, deg/h"},
+    {"turn_on_sigma_dph", "its standard deviation, deg/h"},
     {"quantization_error_dph", "board's rounding error, deg/h"},
     {"network_error_dph", "board's rounding error of the network, deg/h"},
 };

@@ -44,21 +44,22 @@ struct Band {
 struct Plot {
   enum class Kind : std::uint8_t {
     linear,
-    log_y,  ///< x linear
+    log_x,  ///< y linear
     log_log,
     stacked
   };
   Text title;
   Text x_label;  ///< with the unit, as "time, h"
   Text y_label;
-  std::vector<Curve> curves;    ///< later ones lie on top
-  std::vector<double> x{};      ///< rising; of all curves that have none of their own
-  std::vector<Text> x_names{};  ///< of x = 1, 2, ... instead of numbers
+  std::vector<Curve> curves;  ///< later ones lie on top
+  std::vector<double> x{};    ///< rising; of all curves that have none of their own
+  std::vector<Text> names{};  ///< of what lies at each x, told where a reader points; or none
   std::vector<Level> levels{};
   std::vector<Band> bands{};
   Text caption{};       ///< what is to be seen
   std::string group{};  ///< plots of one group share cursor and zoom in x
   Kind kind = Kind::linear;
+  bool is_small = false;  ///< two stand side by side where there is room
 };
 
 }  // namespace fogcomp::findings

@@ -25,6 +25,10 @@ constexpr double kRangeMarginDegc = 1;
 /// time constant 300 s would become 277 s, at a quarter of it 300 s. physical_lags_test.
 constexpr double kSharperDerivative = 4;
 
+/// Chance at which runs of one gyro that differ by noise alone are said to differ in their bias: of
+/// every kind of finding the tests at 1 % are the project's. turn_on_bias_test.
+constexpr double kFalseTurnOn = 0.01;
+
 // ---- What the recordings do not determine -----------------------------------------------------
 /// Lengths of the longest recording after which time_s does not seem to be since power-on, and degC
 /// within which a temperature stands still: they choose the words of a refusal. undetermined_test.

@@ -18,6 +18,17 @@ class LineNumbers {
 
   bool empty() const { return marks_.empty(); }
 
+  /// Of the rows from this one on, counted from 0.
+  LineNumbers from(std::size_t row) const {
+    LineNumbers rest;
+    if (empty()) return rest;
+    rest.marks_.push_back({0, line_of(row)});
+    for (const Mark& mark : marks_) {
+      if (mark.row > row) rest.marks_.push_back({mark.row - row, mark.line});
+    }
+    return rest;
+  }
+
   std::size_t line_of(std::size_t row) const {
     const auto after = std::upper_bound(marks_.begin(), marks_.end(), row,
                                         [](std::size_t r, const Mark& m) { return r < m.row; });

@@ -35,6 +35,26 @@ std::vector<std::size_t> breaks_of(const Recording& part) {
   return breaks;
 }
 
+// Some rows as they would have come by themselves: the name of their segment with the first.
+Recording rows_of(const Recording& whole, const RowRange& rows) {
+  Recording part;
+  part.file = whole.file;
+  part.power_on_unknown = whole.power_on_unknown;
+  for (const ColumnInfo& info : kColumns) {
+    const std::vector<double>& column = whole[info.column];
+    if (column.empty()) continue;
+    part[info.column].assign(column.begin() + static_cast<std::ptrdiff_t>(rows.first),
+                             column.begin() + static_cast<std::ptrdiff_t>(rows.end));
+  }
+  for (const Recording::Label& label : whole.labels) {
+    if (label.first_row >= rows.end) break;
+    const std::size_t row = std::max(label.first_row, rows.first) - rows.first;
+    if (row == 0) part.labels.clear();
+    part.labels.push_back({row, label.text});
+  }
+  return part;
+}
+
 }  // namespace
 
 LongRecording::LongRecording(const ReadOptions& options, std::size_t least_rows)
@@ -52,6 +72,25 @@ void LongRecording::take(Recording& part, LineNumbers& lines, const std::string&
   }
   rows_per_mean_ = std::max<std::size_t>(rows_per_mean_, 1);
   part_rows_ = rules::kPartRows;
+  if (part.rows() <= part_rows_) {
+    take_part(part, lines);
+    for (const ColumnInfo& info : kColumns) part[info.column].clear();
+    part.labels.clear();
+    lines = {};
+    return;
+  }
+  std::size_t first = 0;
+  for (; first + part_rows_ <= part.rows(); first += part_rows_) {
+    Recording slice = rows_of(part, {first, first + part_rows_});
+    take_part(slice, lines.from(first));
+  }
+  Recording rest = rows_of(part, {first, part.rows()});
+  for (const ColumnInfo& info : kColumns) part[info.column] = std::move(rest[info.column]);
+  part.labels = std::move(rest.labels);
+  lines = lines.from(first);
+}
+
+void LongRecording::take_part(Recording& part, const LineNumbers& lines) {
   read_rows_ += part.rows();
   if (leave_out_refused(part, lines)) {
     find_stretches(part);
@@ -62,9 +101,6 @@ void LongRecording::take(Recording& part, LineNumbers& lines, const std::string&
     while (means_.rows() > rules::kMaxMeanRows) halve();
   }
   means_.power_on_unknown = part.power_on_unknown;
-  for (const ColumnInfo& info : kColumns) part[info.column].clear();
-  part.labels.clear();
-  lines = {};
 }
 
 // Counted for the whole file; false where nothing is left of this part.

@@ -24,13 +24,16 @@ class LongRecording {
   /// Whether means are kept.
   bool begun() const { return rows_per_mean_ > 0; }
   std::size_t rows_taken() const { return read_rows_; }
-  /// Takes the rows of `part`, which is left without any, with the lines that they come from.
-  /// `where`: of the last, for messages. Throws InputError where every row has to be kept.
+  /// Takes the rows of `part` with the lines that they come from; of more than a part's (a pipe,
+  /// whose length shows too late) as if each part had come by itself, and what is left of the last
+  /// one stays in `part`, which else is left without any. `where`: of the last row, for messages.
+  /// Throws InputError where every row has to be kept.
   void take(Recording& part, LineNumbers& lines, const std::string& where);
   /// The means. To be called once, after the last part.
   Recording finish(const std::string& file);
 
  private:
+  void take_part(Recording& part, const LineNumbers& lines);
   bool leave_out_refused(Recording& part, const LineNumbers& lines);
   void match_columns(const Recording& part);
   void add_means(const Recording& part, std::size_t first, std::size_t end);

@@ -220,7 +220,7 @@ class PageWriter {
     begin();
     const std::string caption = escaped(plot.caption);
     body_ +=
-        "<figure class=\"plot\">\n" +
+        format("<figure class=\"plot%s\">\n", plot.is_small ? " small" : "") +
         element("figcaption", "<strong>" + escaped(plot.title) + "</strong> " + caption) +
         format("<div class=\"canvas\" data-plot=\"%zu\" role=\"img\" aria-label=\"%s\"></div>\n",
                number, (escaped(plot.title) + " " + caption).c_str()) +

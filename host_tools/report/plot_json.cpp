@@ -52,8 +52,8 @@ const char* name_of(Plot::Kind kind) {
   switch (kind) {
     case Plot::Kind::linear:
       return "linear";
-    case Plot::Kind::log_y:
-      return "log_y";
+    case Plot::Kind::log_x:
+      return "log_x";
     case Plot::Kind::log_log:
       return "log_log";
     case Plot::Kind::stacked:
@@ -65,8 +65,8 @@ const char* name_of(Plot::Kind kind) {
 }  // namespace
 
 Json plot_json(const Plot& plot) {
-  const bool log_x = plot.kind == Plot::Kind::log_log;
-  const bool log_y = log_x || plot.kind == Plot::Kind::log_y;
+  const bool log_y = plot.kind == Plot::Kind::log_log;
+  const bool log_x = log_y || plot.kind == Plot::Kind::log_x;
   Json curves = Json::array();
   for (const Curve& curve : plot.curves) {
     Json one = Json::object();
@@ -86,11 +86,11 @@ Json plot_json(const Plot& plot) {
         .set("to", band.to)
         .set("colour", band.colour);
   });
-  Json names = json_array(plot.x_names, [](const Text& name) { return Json(name.typeset()); });
+  Json names = json_array(plot.names, [](const Text& name) { return Json(name.typeset()); });
   Json json = Json::object();
   json.set("kind", name_of(plot.kind)).set("group", plot.group);
   json.set("x_label", plot.x_label.typeset()).set("y_label", plot.y_label.typeset());
-  json.set("x", rounded(plot.x, log_x)).set("x_names", std::move(names));
+  json.set("x", rounded(plot.x, log_x)).set("names", std::move(names));
   json.set("curves", std::move(curves)).set("levels", std::move(levels));
   json.set("bands", std::move(bands));
   return json;

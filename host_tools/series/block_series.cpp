@@ -87,6 +87,9 @@ BlockSeries make_blocks(const recording::Recording& recording) {
   const double earlier = recording.time_s[0] / series.block_s;
   series.first = means_of_row(recording, 0);
   series.first.elapsed = earlier;
+  const std::int64_t blocks =
+      sample_number(recording, recording.rows() - 1) / series.samples_per_block + 1;
+  series.blocks.reserve(std::min(recording.rows(), static_cast<std::size_t>(blocks)));
   for (std::size_t row = 0; row < recording.rows(); ++row) {
     const std::int64_t number = sample_number(recording, row) / series.samples_per_block;
     if (series.blocks.empty() || series.blocks.back().number != number) {

@@ -12,19 +12,63 @@
 #include "series/zero_phase.hpp"
 
 namespace fogcomp::series {
+namespace {
 
-// Stands where walk_blocks expects a drift model, and keeps what one would see.
+// As with a sensor of less noise. The temperatures alone are kept: the blocks are much more.
+template <class DriftModel>
+void walk_smoothed(const BlockSeries& series, double tau_s, DriftModel& model) {
+  const std::vector<double> temperatures = smooth_temperatures(series, tau_s);
+  const auto means_with = [](fog::BlockMeans<model::RealNumbers> means, double temperature) {
+    means.temperature = temperature;
+    return means;
+  };
+  const auto smooth = [&](std::size_t i) {
+    return means_with(series.blocks[i].means, temperatures[i]);
+  };
+  walk_blocks(series, means_with(series.first, temperatures.front()), smooth, model,
+              [](const BlockSeries::Block&) {});
+}
+
+}  // namespace
+
+void SignalSeries::Run::keep(const Signals& signals, bool restart) {
+  const fog::BlockMeans<model::RealNumbers>& means = signals.block;
+  blocks.push_back({{signals.temperature, signals.temperature_rate}, means.elapsed, kNoRow, 0});
+  restarts.push_back(restart);
+  if (has(inputs, fog::Input::input_rate)) {
+    input_rate.push_back({means.input_rate, means.input_rate});
+  }
+  if ((inputs & fog::kAllExtensionInputs) != 0) extension.push_back(means.extension);
+}
+
+double SignalSeries::Run::input_rate_dph(std::size_t block) const {
+  return input_rate.empty() ? 0 : input_rate[block].dph;
+}
+
+// Not clamped, the temperature of the signals is that of their block.
+SignalSeries::Signals SignalSeries::Run::signals(std::size_t block, Reading reading) const {
+  const Block& kept = blocks[block];
+  const bool smooth = reading == Reading::smoothed && !smoothed.empty();
+  const Seen& seen = smooth ? smoothed[block] : kept.seen;
+  Signals signals{seen.temperature, seen.temperature_rate, {}};
+  signals.block.temperature = seen.temperature;
+  if (!input_rate.empty()) signals.block.input_rate = input_rate[block].before_dph;
+  signals.block.elapsed = kept.elapsed;
+  if (!extension.empty()) signals.block.extension = extension[block];
+  return signals;
+}
+
+// Stands where walk_blocks expects a drift model, and keeps what one would see by calling
+// keep(signals, whether it starts anew).
+template <class Keep>
 class SignalSeries::Recorder {
  public:
-  Recorder(const model::Model& model, Run& run)
-      : thermal_(unclamped(model::thermal_parameters(model, run.block_s))), run_(run) {}
+  Recorder(const model::Model& model, double block_s, Keep keep)
+      : thermal_(unclamped(model::thermal_parameters(model, block_s))), keep_(std::move(keep)) {}
 
-  void start(const model::RealBlock& block) { keep(thermal_.reset(block), true); }
-  void step(const model::RealBlock& block) { keep(thermal_.step(block), false); }
-  void see_rate(double input_rate_dph) { current().input_rate_dph = input_rate_dph; }
-
-  /// The block that the signals kept last are valid for.
-  Block& current() { return run_.blocks.back(); }
+  void start(const model::RealBlock& block) { keep_(thermal_.reset(block), true); }
+  void step(const model::RealBlock& block) { keep_(thermal_.step(block), false); }
+  void see_rate(double) {}
 
  private:
   static fog::ThermalParameters<model::RealNumbers> unclamped(
@@ -33,17 +77,15 @@ class SignalSeries::Recorder {
     p.most = std::numeric_limits<double>::infinity();
     return p;
   }
-  void keep(const fog::Signals<model::RealNumbers>& signals, bool restart) {
-    run_.blocks.push_back({signals, restart, signals.block.input_rate, kNoRow, 0});
-  }
 
   fog::ThermalState<model::RealNumbers> thermal_;
-  Run& run_;
+  Keep keep_;
 };
 
 void SignalSeries::add(const BlockSeries& series) {
   require_inputs(model_, series);
-  runs_.push_back({series.block_s, {}, {}});
+  runs_.push_back({series.block_s, series.inputs, {}, {}, {}, {}, {}});
+  runs_.back().blocks.reserve(series.blocks.size() + 1);
   RowAverager rows(series, model_.average_s, rows_);
   if (phase_ == Phase::board) {
     add_as_the_board(series, rows);
@@ -54,15 +96,18 @@ void SignalSeries::add(const BlockSeries& series) {
 }
 
 void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows) {
-  Run smoothed{series.block_s, {}, {}};
-  Recorder smooth_recorder(model_, smoothed);
-  walk_blocks(with_smooth_temperature(series, rules::kSmoothing * model_.derivative_tau_s),
-              smooth_recorder, [](const BlockSeries::Block&) {});
-  for (const Block& block : smoothed.blocks) runs_.back().smoothed.push_back(block.signals);
-  Recorder recorder(model_, runs_.back());
+  Run& run = runs_.back();
+  run.smoothed.reserve(series.blocks.size() + 1);
+  Recorder smooth_recorder(model_, series.block_s, [&](const Signals& signals, bool) {
+    run.smoothed.push_back({signals.temperature, signals.temperature_rate});
+  });
+  walk_smoothed(series, rules::kSmoothing * model_.derivative_tau_s, smooth_recorder);
+  Recorder recorder(model_, series.block_s,
+                    [&](const Signals& signals, bool restart) { run.keep(signals, restart); });
   walk_blocks(series, recorder, [&](const BlockSeries::Block& block) {
-    Block& current = recorder.current();
-    current.row = rows.take(block, current.signals);
+    Block& current = run.blocks.back();
+    if (!run.input_rate.empty()) run.input_rate.back().dph = block.means.input_rate;
+    current.row = rows.take(block, run.signals(run.blocks.size() - 1, Reading::of_sensor));
     current.samples = block.samples;
   });
 }
@@ -71,8 +116,10 @@ void SignalSeries::add_without_delay(const BlockSeries& series, RowAverager& row
   const ZeroPhaseSignals seen = zero_phase_signals(series, model_.derivative_tau_s);
   for (std::size_t i = 0; i < series.blocks.size(); ++i) {
     const BlockSeries::Block& block = series.blocks[i];
-    runs_.back().blocks.push_back({seen.signals[i], seen.restart[i], block.means.input_rate,
-                                   rows.take(block, seen.signals[i]), double(block.samples)});
+    const Signals signals{block.means.temperature, seen.temperature_rate[i], block.means};
+    runs_.back().keep(signals, seen.restart[i]);
+    runs_.back().blocks.back().row = rows.take(block, signals);
+    runs_.back().blocks.back().samples = block.samples;
   }
 }
 
@@ -88,16 +135,16 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
       values.resize(static_cast<Eigen::Index>(part.size()));
       sums.setZero(rows_.size(), values.size());
     }
-    const bool smoothed = reading == Reading::smoothed && !run.smoothed.empty();
     for (std::size_t i = 0; i < run.blocks.size(); ++i) {
       const Block& block = run.blocks[i];
-      fog::Signals<model::RealNumbers> signals = smoothed ? run.smoothed[i] : block.signals;
-      if (follows_rate) signals.block.input_rate = block.input_rate_dph;
-      if (block.restart) part.reset(signals);
+      Signals signals = run.signals(i, reading);
+      if (follows_rate) signals.block.input_rate = run.input_rate_dph(i);
+      if (run.restarts[i]) part.reset(signals);
       part.step(signals, values.data());
       if (block.row == kNoRow) continue;
-      sums.row(block.row) += block.samples * values.transpose();
-      samples[block.row] += block.samples;
+      const double weight = block.samples;
+      sums.row(block.row) += weight * values.transpose();
+      samples[block.row] += weight;
     }
   }
   return samples.cwiseInverse().asDiagonal() * sums;
@@ -132,9 +179,9 @@ model::SignalRanges SignalSeries::signal_ranges() const {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     ranges[i] = {kInfinite, -kInfinite};
     for (const Run& run : runs_) {
-      for (const Block& block : run.blocks) {
-        const double value =
-            model::value_of(static_cast<fog::Input>(i), block.signals, run.block_s);
+      for (std::size_t block = 0; block < run.blocks.size(); ++block) {
+        const double value = model::value_of(static_cast<fog::Input>(i),
+                                             run.signals(block, Reading::of_sensor), run.block_s);
         ranges[i] = {std::min(ranges[i].least, value), std::max(ranges[i].most, value)};
       }
     }

@@ -55,19 +55,38 @@ class SignalSeries {
 
  private:
   static constexpr std::int32_t kNoRow = -1;
+  using Signals = fog::Signals<model::RealNumbers>;
+  // Blocks are what a long recording costs: of each only what cannot be had from the others.
+  struct Seen {
+    double temperature = 0;
+    double temperature_rate = 0;
+  };
+  using Extension = decltype(fog::BlockMeans<model::RealNumbers>::extension);
+  struct InputRate {
+    double before_dph = 0;  ///< of the block that the signals are means of
+    double dph = 0;         ///< while the signals hold
+  };
   // The state of the thermal stage during one block.
   struct Block {
-    fog::Signals<model::RealNumbers> signals;
-    bool restart = false;
-    double input_rate_dph = 0;  ///< while the signals hold, not before
+    Seen seen;
+    double elapsed = 0;
     std::int32_t row = kNoRow;  // none where the board's drift is not valid
-    double samples = 0;
+    std::uint32_t samples = 0;
   };
   struct Run {
     double block_s = 0;
+    fog::InputMask inputs = 0;  ///< of the recording
     std::vector<Block> blocks;
-    std::vector<fog::Signals<model::RealNumbers>> smoothed;  ///< per block; none in Phase::zero
+    std::vector<bool> restarts;         ///< per block
+    std::vector<InputRate> input_rate;  ///< per block; none where the recording has no such input
+    std::vector<Extension> extension;   ///< the same
+    std::vector<Seen> smoothed;         ///< per block; none in Phase::zero
+
+    void keep(const Signals& signals, bool restart);
+    Signals signals(std::size_t block, Reading reading) const;
+    double input_rate_dph(std::size_t block) const;
   };
+  template <class Keep>
   class Recorder;
 
   void add_as_the_board(const BlockSeries& series, RowAverager& rows);

@@ -98,26 +98,27 @@ ZeroPhaseSignals zero_phase_signals(const BlockSeries& series, double derivative
     for (std::size_t i = first; i < end; ++i) {
       const BlockSeries::Block& block = series.blocks[i];
       const auto at = static_cast<std::size_t>(block.number - series.blocks[first].number);
-      result.signals.push_back({block.means.temperature, rate[at], block.means});
+      result.temperature_rate.push_back(rate[at]);
       result.restart.push_back(i == first);
     }
   });
   return result;
 }
 
-BlockSeries with_smooth_temperature(BlockSeries series, double tau_s) {
+std::vector<double> smooth_temperatures(const BlockSeries& series, double tau_s) {
   const std::size_t beyond = run_in(series.block_s, tau_s);
+  std::vector<double> temperatures;
+  temperatures.reserve(series.blocks.size());
   each_stretch(series, [&](std::size_t first, std::size_t end) {
     const std::vector<double> smooth =
         smoothed(bridged(series, first, end), beyond, series.block_s, tau_s);
     for (std::size_t i = first; i < end; ++i) {
-      BlockSeries::Block& block = series.blocks[i];
-      const auto at = static_cast<std::size_t>(block.number - series.blocks[first].number);
-      block.means.temperature = smooth[beyond + at];
+      const auto at =
+          static_cast<std::size_t>(series.blocks[i].number - series.blocks[first].number);
+      temperatures.push_back(smooth[beyond + at]);
     }
   });
-  if (!series.blocks.empty()) series.first.temperature = series.blocks[0].means.temperature;
-  return series;
+  return temperatures;
 }
 
 }  // namespace fogcomp::series

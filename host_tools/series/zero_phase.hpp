@@ -2,16 +2,15 @@
 
 #include <vector>
 
-#include "core/thermal/signals.hpp"
 #include "series/block_series.hpp"
 
 namespace fogcomp::series {
 
-/// What the coil saw during each block, without the board's delay: temperature as measured, its
-/// rate from a filter that looks both ways.
+/// What the coil saw during each block beside the temperature as measured: its rate without the
+/// board's delay, from a filter that looks both ways.
 struct ZeroPhaseSignals {
-  std::vector<fog::Signals<model::RealNumbers>> signals;  ///< one per block of the series
-  std::vector<bool> restart;                              ///< the first block, and after long gaps
+  std::vector<double> temperature_rate;  ///< degC/min, one per block of the series
+  std::vector<bool> restart;             ///< the first block, and after long gaps
 };
 
 /// The board's derivative is late by two time constants and a block, which is nothing against a
@@ -21,8 +20,8 @@ struct ZeroPhaseSignals {
 /// so that a ramp goes on as a ramp; gaps that the board would hold over are bridged by a line.
 ZeroPhaseSignals zero_phase_signals(const BlockSeries& series, double derivative_tau_s);
 
-/// The recording as it would be with a sensor of less noise: temperatures through such lags,
+/// Per block, degC: what a sensor of less noise would have seen, the temperature through such lags,
 /// forward and backward.
-BlockSeries with_smooth_temperature(BlockSeries series, double tau_s);
+std::vector<double> smooth_temperatures(const BlockSeries& series, double tau_s);
 
 }  // namespace fogcomp::series

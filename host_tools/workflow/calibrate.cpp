@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fit/training_runs.hpp"
+#include "fit/turn_on_bias.hpp"
 #include "model/catalogue.hpp"
 #include "support/units.hpp"
 #include "workflow/fit_presets.hpp"
@@ -89,16 +90,23 @@ void add_board_figures(Figures& figures, const ExportOutcome& board) {
   }
 }
 
-compare::ModelOnRuns on_hold_outs(const CalibrationRequest& request, const FitOutcome& fit,
-                                  const Observer& observer) {
+std::vector<compare::RunInBlocks> read_hold_outs(const CalibrationRequest& request,
+                                                 const FitOutcome& fit, const Observer& observer) {
   const recording::ReadOptions reading = reading_for(fit.model, request.fit.reading, observer);
-  compare::ModelOnRuns model{request.model_file, fit.model, {}};
-  const fit::Holdouts hold_outs =
+  fit::Holdouts hold_outs =
       fit::read_holdouts(request.hold_outs, reading, fit.model.average_s, fit.runs);
   observer.say(hold_outs.notes);
-  for (const compare::RunInBlocks& run : hold_outs.runs)
-    model.runs.push_back(compare::try_model(fit.model, run));
-  return model;
+  return std::move(hold_outs.runs);
+}
+
+// The largest difference between runs of this gyro, as far as they tell it.
+void add_turn_on_figures(Figures& figures, const std::vector<compare::TurnOnBias>& turn_on) {
+  const auto largest = std::max_element(
+      turn_on.begin(), turn_on.end(),
+      [](const auto& a, const auto& b) { return std::fabs(a.above_dph) < std::fabs(b.above_dph); });
+  if (largest == turn_on.end()) return;
+  figures.emplace_back("turn_on_bias_dph", std::fabs(largest->above_dph));
+  figures.emplace_back("turn_on_sigma_dph", largest->sigma_dph);
 }
 
 }  // namespace
@@ -109,11 +117,17 @@ CalibrationOutcome calibrate(const CalibrationRequest& request, const Calibratio
   outcome.fit = fit(request.fit, observer);
   const model::Model& model = outcome.fit.model;
   if (events.fitted) events.fitted(model);
-  outcome.hold_outs = on_hold_outs(request, outcome.fit, observer);
+  std::vector<compare::RunInBlocks> runs = read_hold_outs(request, outcome.fit, observer);
+  outcome.hold_outs = {request.model_file, model, {}};
+  for (const compare::RunInBlocks& run : runs)
+    outcome.hold_outs.runs.push_back(compare::try_model(model, run));
   if (events.judged) events.judged(outcome.hold_outs);
   outcome.board = board_header(model, request.model_file, request.board, false);
   add_fit_figures(outcome.figures, outcome.fit);
   add_hold_out_figures(outcome.figures, outcome.hold_outs);
+  runs.insert(runs.begin(), outcome.fit.runs.begin(), outcome.fit.runs.end());
+  outcome.turn_on = fit::turn_on_biases(model, runs);
+  add_turn_on_figures(outcome.figures, outcome.turn_on);
   add_board_figures(outcome.figures, outcome.board);
   add_coefficients(outcome.figures, model);
   return outcome;
@@ -129,6 +143,8 @@ std::vector<std::string> figure_names(const FitRequest& fit) {
                                  "fit_misfit",
                                  "fit_outliers",
                                  "network_hidden",
+                                 "turn_on_bias_dph",
+                                 "turn_on_sigma_dph",
                                  "quantization_error_dph",
                                  "network_error_dph"};
   for (const HoldOutFigure& figure : kHoldOutFigures) names.emplace_back(figure.name);
@@ -136,6 +152,18 @@ std::vector<std::string> figure_names(const FitRequest& fit) {
     const model::TermInfo info = model::info_of(term);
     for (const auto& parameter : info.parameters) names.push_back(term.name + "." + parameter.name);
     for (const auto& coefficient : info.coefficients) {
+      names.push_back(term.name + "." + coefficient.symbol);
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> compared_figures(const FitRequest& fit) {
+  std::vector<std::string> names{"noise_dprh",       "fit_raw_std_dph", "fit_rms_dph",
+                                 "fit_floor_dph",    "fit_misfit",      "holdout_rms_dph",
+                                 "holdout_floor_dph"};
+  for (const model::EffectTerm& term : wanted_terms(fit)) {
+    for (const auto& coefficient : model::info_of(term).coefficients) {
       names.push_back(term.name + "." + coefficient.symbol);
     }
   }

@@ -30,6 +30,8 @@ struct CalibrationOutcome {
   ExportOutcome board;
   /// What a line watches from gyro to gyro, by name.
   std::vector<std::pair<std::string, double>> figures;
+  /// Of every run but the first, those to fit to and then the hold-outs.
+  std::vector<compare::TurnOnBias> turn_on;
 };
 
 /// Throws InputError as fit(), read_holdouts() and export_header() do.
@@ -39,5 +41,8 @@ CalibrationOutcome calibrate(const CalibrationRequest& request,
 /// Every figure that a gyro can have with such a fit, for limits. Throws InputError as check() does
 /// for its effects.
 std::vector<std::string> figure_names(const FitRequest& fit);
+
+/// Those by which gyros of a lot are compared: noise, residual and the coefficients of the drift.
+std::vector<std::string> compared_figures(const FitRequest& fit);
 
 }  // namespace fogcomp::workflow

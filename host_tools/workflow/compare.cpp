@@ -1,5 +1,8 @@
 #include "workflow/compare.hpp"
 
+#include <utility>
+
+#include "fit/turn_on_bias.hpp"
 #include "model/model_file.hpp"
 #include "recording/data_hash.hpp"
 #include "support/input_error.hpp"
@@ -22,6 +25,13 @@ std::vector<compare::ModelOnRuns> load_models(const CompareRequest& request) {
   return models;
 }
 
+// In the rows of the comparison.
+std::vector<compare::TurnOnBias> turn_on_biases(model::Model model, double row_s,
+                                                const std::vector<compare::RunInBlocks>& runs) {
+  model.average_s = row_s;
+  return fit::turn_on_biases(model, runs);
+}
+
 }  // namespace
 
 std::vector<compare::ModelOnRuns> compare(const CompareRequest& request, const Observer& observer) {
@@ -29,10 +39,11 @@ std::vector<compare::ModelOnRuns> compare(const CompareRequest& request, const O
   const double row_s = request.average_s.value_or(models[0].model.average_s);
   const recording::ReadOptions reading = reading_for(models[0].model, request.reading, observer);
   recording::KnownRows known;
+  std::vector<compare::RunInBlocks> runs;
   for (std::size_t i = 0; i < request.runs.size(); ++i) {
     const std::string& file = request.runs[i];
     observer.tell("comparing", static_cast<double>(i) / static_cast<double>(request.runs.size()));
-    const compare::RunInBlocks run =
+    compare::RunInBlocks run =
         compare::run_in_blocks(recording::read_recording(file, reading), row_s);
     const std::string same = known.file_with(run.rows_hash);
     if (!same.empty()) {
@@ -43,7 +54,10 @@ std::vector<compare::ModelOnRuns> compare(const CompareRequest& request, const O
     observer.say(run.notes);
     for (compare::ModelOnRuns& model : models)
       model.runs.push_back(compare::try_model(model.model, run));
+    runs.push_back(std::move(run));
   }
+  for (compare::ModelOnRuns& model : models)
+    model.turn_on = turn_on_biases(model.model, row_s, runs);
   return models;
 }
 

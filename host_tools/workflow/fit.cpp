@@ -5,6 +5,7 @@
 #include "compare/board_delay.hpp"
 #include "fit/network_inputs.hpp"
 #include "fit/training_runs.hpp"
+#include "fit/turn_on_bias.hpp"
 #include "recording/recording_writer.hpp"
 #include "support/text.hpp"
 #include "workflow/fit_presets.hpp"
@@ -109,6 +110,7 @@ compare::ModelOnRuns FitOutcome::on_its_runs(const std::string& file) const {
   compare::ModelOnRuns judged{file, model, {}};
   for (const compare::RunInBlocks& run : runs)
     judged.runs.push_back(compare::try_model(model, run));
+  judged.turn_on = turn_on;
   return judged;
 }
 
@@ -127,17 +129,21 @@ FitOutcome fit(const FitRequest& request, const Observer& observer) {
   observer.say(training.notes);
   observer.say(training.doubts);
   model.noise_dph_rthz = training.noise_dph_rthz;
-  series::SignalSeries series(model);
-  for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
-  outcome.rows = series.rows().size();
-  outcome.row_s = series.rows().row_s;
-  if (wanted.order_by_validation) choose_order(model.terms, series.rows());
-  observer.tell(kFittingEffects, 0);
-  listen(settings, observer);
-  outcome.result = fit::fit_model(model, series, settings);
+  {
+    // Gone before the judges below build theirs: a long recording has one of them in memory.
+    series::SignalSeries series(model);
+    for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
+    outcome.rows = series.rows().size();
+    outcome.row_s = series.rows().row_s;
+    if (wanted.order_by_validation) choose_order(model.terms, series.rows());
+    observer.tell(kFittingEffects, 0);
+    listen(settings, observer);
+    outcome.result = fit::fit_model(model, series, settings);
+  }
   observer.goes_on("judging", 0);  // whoever ended the training still gets what it came to
   outcome.delay_rms_dph = compare::delay_error_dph(model, training.runs);
   outcome.physical_lags = fit::physical_lags(model, training.runs, settings.identify.run_offsets);
+  outcome.turn_on = fit::turn_on_biases(model, training.runs);
   for (const fit::FoundStep& step : outcome.result.identified.steps) {
     const compare::RunInBlocks& run = training.runs[step.run];
     outcome.step_places.push_back(run.file + ", " + segment_at(run, step.time_s));

@@ -49,6 +49,7 @@ struct FitOutcome {
   std::vector<std::string> step_places;  ///< of each step found: recording and segment
   bool searched_steps = false;
   std::vector<fit::PhysicalLag> physical_lags;
+  std::vector<compare::TurnOnBias> turn_on;  ///< of the second run, the third, ...
 
   std::size_t refused_rows() const;  ///< of all recordings
   /// Only lm knows; nothing without a network.

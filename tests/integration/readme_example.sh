@@ -11,6 +11,8 @@ cd "$scratch"
 mkdir bin
 ln -s "$fogcomp" bin/fogcomp
 PATH=$PWD/bin:$PATH
+docs=$(dirname "$readme")/docs # the README's own recordings
+[[ ! -d $docs ]] || ln -s "$docs" docs
 
 awk '/^```console/ { inside = 1; next } /^```/ { inside = 0 } inside' "$readme" >example
 grep -c '^\$ ' example >commands.txt || fail "no example in the README"

@@ -212,8 +212,7 @@
   const size_of = (holder, plot) => {
     const width = root.dataset.printing ? printed_width : holder.clientWidth;
     const square = plot.kind === "log_log" || plot.curves.some((curve) => curve.look === "cloud");
-    const names = 7 * Math.max(0, ...plot.x_names.map((name) => name.length)); // they stand upright
-    return { width, height: Math.round(Math.min(square ? 400 : 280, Math.max(220, 0.7 * width))) + names };
+    return { width, height: Math.round(Math.min(square ? 400 : 280, Math.max(220, 0.7 * width))) };
   };
 
   const axis = (label, extra) => ({
@@ -235,25 +234,9 @@
     if (stroke) row.querySelector(".u-marker").style.background = stroke();
   });
 
-  // Names below an axis of 1, 2, ..., every one or every second, third... as there is room.
-  const name_axis = (names) => {
-    const wide = Math.max(...names.map((name) => name.length));
-    return {
-      splits: (u, i, least, most) => {
-        const stride = Math.max(1, Math.ceil((most - least) * 18 / u.width));
-        return names.map((name, n) => n + 1).filter((n) => n >= least && n <= most && (n - 1) % stride === 0);
-      },
-      values: (u, splits) => splits.map((n) => names[n - 1]),
-      rotate: -90,
-      size: 20 + 7 * wide,
-      gap: 4,
-      grid: { show: false },
-    };
-  };
-
   const draw = (holder, plot) => {
-    const log_x = plot.kind === "log_log";
-    const log_y = log_x || plot.kind === "log_y";
+    const log_y = plot.kind === "log_log";
+    const log_x = log_y || plot.kind === "log_x";
     const { data, series, bands } = plot.kind === "stacked" ? stacked(plot) : unstacked(plot);
     const y_range = (u, least, most) => {
       if (least == null) return [0, 1];
@@ -266,19 +249,17 @@
     };
     const values = (logarithmic) => (logarithmic ? (u, splits) => splits.map(significant)
       : (u, splits, a, space, step) => splits.map((v) => v.toFixed(decimals(step))));
-    const by_name = plot.x_names.length > 0;
-    const x_value = (self, v) =>
-      (by_name ? plot.x_names[v - 1] || "" : significant(v) + segment_at(plot, v));
+    const named = (i) => (plot.names[i] ? `${plot.names[i]}: ` : "");
+    const x_value = (self, v, s, i) => named(i) + significant(v) + segment_at(plot, v);
     const peers = groups.get(plot.group) || [];
     const u = new uPlot({
       ...size_of(holder, plot),
       scales: {
-        x: { time: false, distr: log_x ? 3 : 1,
-             ...(by_name ? { range: (u, least, most) => [least - 0.5, most + 0.5] } : {}) },
+        x: { time: false, distr: log_x ? 3 : 1 },
         y: log_y ? { distr: 3 } : { range: y_range },
       },
       axes: [
-        axis(plot.x_label, by_name ? name_axis(plot.x_names) : { values: values(log_x), size: 34 }),
+        axis(plot.x_label, { values: values(log_x), size: 34 }),
         axis(plot.y_label, {
           values: values(log_y),
           // The same for plots below each other, unless a figure needs more.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "model/effect_list.hpp"
 #include "support/text.hpp"
 
@@ -45,6 +47,44 @@ TEST(DiagnosisWords, OfASetAddAllOfIt) {
   const DiagnosisWords words = words_of(only_together(), next, kFiles);
   EXPECT_EQ(words.verdict, "several effects together are missing: thermal_lag and aging");
   EXPECT_EQ(words.command, "fogcomp add x.model thermal_lag aging run.csv -o NEW.model");
+}
+
+TEST(DiagnosisWords, InBriefAreOneSentenceWithEffectSizeAndProbability) {
+  diagnosis::Diagnosis found = only_together();
+  found.noise_floor_dph = 9.7;
+  diagnosis::NextStep next;
+  next.together = {"thermal_lag", "aging"};
+  BriefDiagnosis brief = in_brief(found, next);
+  EXPECT_EQ(brief.sentence,
+            "thermal_lag and aging are missing together: 907.0 deg/h rms, probability 0.83");
+  EXPECT_EQ(brief.effects, next.together);
+
+  found.candidates = {finding_of("aging", 0.66, 400)};
+  found.candidates[0].probability = 0.97;
+  brief = in_brief(found, {});
+  EXPECT_EQ(brief.sentence, "aging is missing: 814.1 deg/h rms, probability 0.97");
+  EXPECT_NEAR(brief.size_dph, std::sqrt(907.1 * 907.1 - 400 * 400), 1e-9);
+  found.terms = model::parse_effects("bias,aging");
+  EXPECT_EQ(in_brief(found, {}).sentence,
+            "the model's aging is incomplete: 814.1 deg/h rms, probability 0.97");
+
+  found.effect.clear();
+  found.verdict = diagnosis::Verdict::ambiguous;
+  found.confusable = {"aging", "warm_up"};
+  brief = in_brief(found, {});
+  EXPECT_EQ(brief.sentence,
+            "aging or warm_up is missing, these recordings cannot tell which: 907.0 deg/h rms");
+  EXPECT_FALSE(brief.probability);
+
+  found.confusable.clear();
+  found.verdict = diagnosis::Verdict::unknown;
+  found.variable = "input_rate_dph";
+  EXPECT_EQ(in_brief(found, {}).sentence,
+            "something is missing that no effect of the catalogue explains (it depends most on "
+            "input_rate_dph): 907.0 deg/h rms");
+  found.verdict = diagnosis::Verdict::none;
+  EXPECT_EQ(in_brief(found, {}).sentence,
+            "no effect is missing: 907.1 deg/h rms is left, noise alone is 9.700");
 }
 
 TEST(DiagnosisWords, SayOfADescriptionThatItIsNoCause) {

@@ -416,6 +416,28 @@ TEST(ForeignFiles, AreSettledByTheMapOfColumns) {
             std::vector<double>{1});
 }
 
+// The recipe of the README.
+TEST(ForeignFiles, OfARosBagAreReadWithTheMapThatTheReadmeGives) {
+  std::string text =
+      "%time,field.header.seq,field.header.frame_id,field.angular_velocity.z,field.temperature\n";
+  for (int row = 0; row < kRows; ++row) {
+    text += format("%lld,%d,imu,%.17g,%.17g\n", 1700000000000000000 + row * 500000000LL, row,
+                   true_rate_dph(row) / 206264.80624709636, true_temperature_degc(row));
+  }
+  ReadOptions options;
+  options.columns =
+      "time=time[ns],rate=field.angular_velocity.z[rad/s],temperature=field.temperature";
+  const Recording recording = read_recording(temporary_file("bag.csv", text), options);
+  ASSERT_EQ(recording.rows(), static_cast<std::size_t>(kRows));
+  EXPECT_TRUE(recording.power_on_unknown);
+  for (int row = 0; row < kRows; ++row) {
+    const auto at = static_cast<std::size_t>(row);
+    EXPECT_NEAR(recording.time_s[at], 0.5 * row, 1e-6);
+    EXPECT_NEAR(recording.rate_dph[at], true_rate_dph(row), 1e-9);
+    EXPECT_NEAR(recording.temperature_degc[at], true_temperature_degc(row), 1e-9);
+  }
+}
+
 TEST(ForeignFiles, AreRefusedWhereTheMapOfColumnsIsWrong) {
   const std::string content = "time_s,temperature_degc,Gyro [rad/s],x [V]\n0,20,1,2\n";
   const auto said = [&](const char* columns) {

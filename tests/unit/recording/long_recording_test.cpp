@@ -58,6 +58,39 @@ TEST(LongRecording, KeepsMeansOfNeighboursOfAllRowsInBoundedMemory) {
       << said;
 }
 
+TEST(LongRecording, OfAPipeIsThatOfTheFile) {
+  std::string said;
+  const ReadOptions options = heard_in(said);
+  LongRecording from_pipe(options, 0);
+  LongRecording from_file(options, kMostRows + 1);
+  const std::size_t rows = 2 * rules::kPartRows + 1000;
+  Recording whole = rows_from(0, rows);
+  whole.labels = {{0, "soak"}, {rules::kPartRows + 10, "ramp"}};
+  LineNumbers lines;
+  for (std::size_t row = 0; row < rows; ++row) lines.add(row, row + 2 + row / rules::kPartRows);
+  from_pipe.take(whole, lines, "-");
+  ASSERT_EQ(whole.rows(), 1000U);  // the beginning of the next part
+  EXPECT_EQ(whole.time_s[0], rows_from(2 * rules::kPartRows, 1).time_s[0]);
+  EXPECT_EQ(lines.line_of(0), 2 * rules::kPartRows + 4);
+  ASSERT_EQ(whole.labels.size(), 1U);
+  EXPECT_EQ(whole.labels[0].text, "ramp");
+  from_pipe.take(whole, lines, "-");
+  for (std::size_t first = 0; first < rows; first += rules::kPartRows) {
+    Recording part = rows_from(first, std::min(rules::kPartRows, rows - first));
+    part.labels = {{0, first == 0 ? "soak" : "ramp"}};
+    if (first == rules::kPartRows) part.labels = {{0, "soak"}, {10, "ramp"}};
+    LineNumbers none;
+    from_file.take(part, none, "long.csv");
+  }
+  const Recording of_pipe = from_pipe.finish("-");
+  const Recording of_file = from_file.finish("long.csv");
+  EXPECT_EQ(of_pipe.rows_per_row, of_file.rows_per_row);
+  EXPECT_EQ(of_pipe.time_s, of_file.time_s);
+  EXPECT_EQ(of_pipe.rate_dph, of_file.rate_dph);
+  ASSERT_EQ(of_pipe.labels.size(), of_file.labels.size());
+  EXPECT_EQ(of_pipe.labels[1].first_row, of_file.labels[1].first_row);
+}
+
 TEST(LongRecording, TakesNoMeanAcrossAGapOrTheEndOfASegment) {
   const ReadOptions options;
   LongRecording recording(options, kMostRows + 1);
@@ -66,6 +99,7 @@ TEST(LongRecording, TakesNoMeanAcrossAGapOrTheEndOfASegment) {
   for (std::size_t row = 1001; row < part.rows(); ++row) part.time_s[row] += 500;
   part.labels = {{0, "warm"}, {3001, "cold"}};
   recording.take(part, lines, "long.csv:1");
+  recording.take(part, lines, "long.csv:1");  // what is left of the last part
   const Recording means = recording.finish("long.csv");
   EXPECT_EQ(means.rows_per_row, 2U);
   EXPECT_NEAR(means.time_s[500], kPeriodS * 1000, 1e-9);  // alone before the gap
@@ -101,6 +135,7 @@ TEST(LongRecording, BeginsWithMeansOnlyWhereTheFileIsSurelyTooLong) {
   Recording part = rows_from(0, rules::kMaxMeanRows + 2);
   LineNumbers lines;
   recording.take(part, lines, "long.csv:1");
+  recording.take(part, lines, "long.csv:1");  // what is left of the last part
   EXPECT_EQ(recording.finish("long.csv").rows_per_row, 2U);
 }
 

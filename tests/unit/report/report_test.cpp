@@ -51,7 +51,7 @@ Document full_document(const std::string& name) {
   plot.title = plot.x_label = plot.y_label = plot.caption = text;
   plot.curves = {{text, "model", {1, 2}}};
   plot.x = {0, 1};
-  plot.x_names = {text};
+  plot.names = {text};
   plot.levels = {{text, 1}};
   plot.bands = {{text, 0, 1, "heating"}};
   document.plot(plot);
@@ -213,17 +213,17 @@ TEST(PlotJson, RoundsEachValueOfALogarithmicAxisByItself) {
       << plot_json(plot).text();
 }
 
-TEST(PlotJson, HasTheSegmentsAndTheNamesOfAnAxis) {
+TEST(PlotJson, HasTheSegmentsOfItsAxisAndTheNamesOfItsPoints) {
   Plot plot;
-  plot.kind = Plot::Kind::log_y;
+  plot.kind = Plot::Kind::log_x;
   plot.bands = {{"soak 20", 0, 1.5}, {"ramp 20..-40", 1.5, 2, "cooling"}};
-  plot.x_names = {verbatim("SN 0042")};
+  plot.names = {verbatim("SN 0042")};
   const std::string json = plot_json(plot).text();
   EXPECT_NE(json.find(R"({"label":"ramp 20..-40","from":1.5,"to":2,"colour":"cooling"})"),
             std::string::npos)
       << json;
-  EXPECT_NE(json.find(R"("x_names":["SN 0042"])"), std::string::npos) << json;
-  EXPECT_NE(json.find(R"("kind":"log_y")"), std::string::npos) << json;
+  EXPECT_NE(json.find(R"("names":["SN 0042"])"), std::string::npos) << json;
+  EXPECT_NE(json.find(R"("kind":"log_x")"), std::string::npos) << json;
 }
 
 }  // namespace

@@ -23,16 +23,15 @@ TEST(ZeroPhase, IsExactInARampUpToItsEnds) {
   const auto seen =
       zero_phase_signals(series_of(100, [](double time_s) { return 20 + time_s / 60; }), 30);
   // Beyond its ends the ramp is continued for ten time constants.
-  for (const auto& signals : seen.signals) EXPECT_NEAR(signals.temperature_rate, 1, 1e-3);
+  for (const double rate : seen.temperature_rate) EXPECT_NEAR(rate, 1, 1e-3);
 }
 
 TEST(ZeroPhase, TurnsWhereTheTemperatureTurns) {
   const auto seen = zero_phase_signals(
       series_of(201, [](double time_s) { return std::abs(time_s - 1000) / 60; }), 30);
-  EXPECT_NEAR(seen.signals[100].temperature_rate, 0, 1e-9);
+  EXPECT_NEAR(seen.temperature_rate[100], 0, 1e-9);
   for (std::size_t i = 1; i <= 50; ++i) {
-    EXPECT_NEAR(seen.signals[100 - i].temperature_rate, -seen.signals[100 + i].temperature_rate,
-                1e-9);
+    EXPECT_NEAR(seen.temperature_rate[100 - i], -seen.temperature_rate[100 + i], 1e-9);
   }
 }
 
@@ -46,21 +45,21 @@ TEST(ZeroPhase, StartsAnewAfterALongGap) {
   EXPECT_TRUE(seen.restart[0]);
   EXPECT_TRUE(seen.restart[20]);
   EXPECT_FALSE(seen.restart[21]);
-  for (const auto& signals : seen.signals) EXPECT_NEAR(signals.temperature_rate, 0, 1e-9);
+  for (const double rate : seen.temperature_rate) EXPECT_NEAR(rate, 0, 1e-9);
 }
 
 TEST(ZeroPhase, SmoothsATemperatureAndLeavesARampAsItIs) {
   const auto ramp = series_of(300, [](double time_s) { return 20 + time_s / 60; });
   const auto noisy = series_of(
       300, [](double time_s) { return 20 + time_s / 60 + 0.03 * std::sin(2.4 * time_s); });
-  const auto smooth_ramp = with_smooth_temperature(ramp, 60);
-  const auto smooth = with_smooth_temperature(noisy, 60);
+  const auto smooth_ramp = smooth_temperatures(ramp, 60);
+  const auto smooth = smooth_temperatures(noisy, 60);
   for (std::size_t i = 0; i < 300; ++i) {
     const double degc = ramp.blocks[i].means.temperature;
-    EXPECT_NEAR(smooth_ramp.blocks[i].means.temperature, degc, 1e-3) << i;
+    EXPECT_NEAR(smooth_ramp[i], degc, 1e-3) << i;
     // The point at which a stretch is reflected keeps its noise.
     const double left = i > 30 && i < 270 ? 0.003 : 0.03;
-    EXPECT_NEAR(smooth.blocks[i].means.temperature, degc, left) << i;
+    EXPECT_NEAR(smooth[i], degc, left) << i;
   }
 }
 

@@ -1,0 +1,72 @@
+#include "fit/turn_on_bias.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "model/effect_list.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+namespace fogcomp::fit {
+namespace {
+
+// Two runs of one gyro in rows of a minute, the bias of the second one so much higher.
+std::vector<compare::RunInBlocks> two_runs(std::uint64_t seed, double above_dph) {
+  std::vector<compare::RunInBlocks> runs;
+  for (const double bias_dph : {0.0, above_dph}) {
+    recording::Recording recording = fog::test::thinned(
+        fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, seed++), 6);
+    recording.file = runs.empty() ? "first.csv" : "second.csv";
+    for (double& rate_dph : recording.rate_dph) rate_dph += bias_dph;
+    runs.push_back(compare::run_in_blocks(recording, 60));
+  }
+  return runs;
+}
+
+model::Model in_minutes(model::Model model) {
+  model.average_s = 60;
+  return model;
+}
+
+TEST(TurnOnBias, OfTwoRunsIsSaidWithItsUncertainty) {
+  const auto found = turn_on_biases(in_minutes(fog::test::truth()), two_runs(1, 0.12));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found[0].certain);
+  EXPECT_EQ(found[0].run, "second.csv");
+  EXPECT_EQ(found[0].reference, "first.csv");
+  EXPECT_NEAR(found[0].above_dph, 0.12, 3 * found[0].sigma_dph);
+  EXPECT_LT(found[0].sigma_dph, 0.02);
+}
+
+TEST(TurnOnBias, IsHardlyEverSaidOfRunsThatDifferByNoise) {
+  int said = 0;
+  for (std::uint64_t seed = 1; seed <= 80; seed += 2) {
+    said += turn_on_biases(in_minutes(fog::test::truth()), two_runs(seed, 0))[0].certain ? 1 : 0;
+  }
+  EXPECT_LE(said, 3);  // of 40, at 1 %
+}
+
+TEST(TurnOnBias, IsNotSaidOfADriftThatTheModelLacks) {
+  const model::Model lacking =
+      in_minutes(fog::test::model_of(model::parse_effects("bias,bias_temperature")));
+  std::vector<compare::RunInBlocks> runs = two_runs(1, 0);
+  // The second run is the first ramp alone: what the model lacks is a constant there.
+  const auto ramp = runs[1].blocks.blocks.begin() + 60;
+  runs[1].blocks.blocks.erase(ramp + 80, runs[1].blocks.blocks.end());
+  runs[1].blocks.blocks.erase(runs[1].blocks.blocks.begin(), ramp);
+  const auto found = turn_on_biases(lacking, runs);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_FALSE(found[0].certain) << found[0].above_dph << " +- " << found[0].sigma_dph;
+  EXPECT_GT(std::abs(found[0].above_dph), 0.02);  // which noise alone would not make
+}
+
+TEST(TurnOnBias, OfOneRunIsNotAsked) {
+  std::vector<compare::RunInBlocks> runs = two_runs(1, 0.12);
+  runs.pop_back();
+  EXPECT_TRUE(turn_on_biases(in_minutes(fog::test::truth()), runs).empty());
+}
+
+}  // namespace
+}  // namespace fogcomp::fit
