@@ -157,6 +157,7 @@ Comparison compare_with(const model::Model& model, const RunInBlocks& run) {
   ModelledRows modelled = modelled_rows(model, run, parts.size());
   Comparison comparison;
   comparison.file = run.file;
+  comparison.files = run.files;
   comparison.noise_floor_dph = run.noise_floor_dph;
   comparison.rows = std::move(modelled.rows);
   comparison.modelled_dph = std::move(modelled.drift_dph);

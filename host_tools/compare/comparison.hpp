@@ -33,9 +33,10 @@ struct Comparison {
     std::vector<double> values;  ///< of each row, in the input's unit
   };
   std::string file;
-  series::Rows rows;             ///< of this run alone
-  Eigen::VectorXd modelled_dph;  ///< drift of each row
-  std::vector<bool> outlier;     ///< rows that count in no figure (outlier_rows.hpp)
+  std::vector<std::string> files;  ///< that it was joined from; one else
+  series::Rows rows;               ///< of this run alone
+  Eigen::VectorXd modelled_dph;    ///< drift of each row
+  std::vector<bool> outlier;       ///< rows that count in no figure (outlier_rows.hpp)
   std::size_t outliers = 0;
   std::vector<SegmentError> segments;
   SegmentError whole;

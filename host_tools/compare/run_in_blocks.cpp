@@ -56,8 +56,9 @@ RunInBlocks run_in_blocks(const recording::Recording& recording, double average_
   recording::require_moving_rate(recording);
   RunInBlocks run;
   run.file = recording.file;
+  run.files = {recording.file};
   run.refused_rows = recording.refused_rows;
-  run.rows_hash = recording::rows_hash(recording);
+  run.rows_hashes = {recording::rows_hash(recording)};
   run.blocks = series::make_blocks(recording);
   run.segments = recording::find_segments(recording);
   run.average_s = average_s;

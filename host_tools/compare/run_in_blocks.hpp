@@ -16,9 +16,10 @@ namespace fogcomp::compare {
 /// how quiet its rows could be. A two-hundredth of a 200 Hz recording's memory, so that many runs
 /// can be held at once.
 struct RunInBlocks {
-  std::string file;
-  std::size_t refused_rows = 0;  ///< left out of it because the board would refuse them
-  std::uint64_t rows_hash = 0;   ///< of the recording (recording/data_hash.hpp)
+  std::string file;  ///< `a.csv + b.csv` where it was joined from several (joined_runs.hpp)
+  std::vector<std::string> files;          ///< these; one else
+  std::vector<std::uint64_t> rows_hashes;  ///< of each (recording/data_hash.hpp)
+  std::size_t refused_rows = 0;            ///< left out because the board would refuse them
   series::BlockSeries blocks;
   std::vector<recording::Segment> segments;  ///< of the recording, in order of time, all of it
   double average_s = 0;                      ///< wanted length of a row

@@ -98,7 +98,7 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
   for (const model::EffectTerm& one : addition.model.terms) names.push_back(one.name);
   std::vector<std::string> runs;
   for (const fit::Addition::RunError& run : addition.runs) {
-    if (!run.holdout) runs.push_back(run.file);
+    if (!run.holdout) runs.insert(runs.end(), run.before.files.begin(), run.before.files.end());
   }
   Document document(
       "fogcomp add " + model + " " + join(addition.names(), " ") + " " + join(runs, " "),

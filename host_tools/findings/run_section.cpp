@@ -283,7 +283,9 @@ void add_autocorrelation(Document& document, const Models& models, std::size_t r
 
 std::vector<std::string> run_files(const compare::ModelOnRuns& model) {
   std::vector<std::string> files;
-  for (const compare::ModelOnRun& run : model.runs) files.push_back(run.comparison.file);
+  for (const compare::ModelOnRun& run : model.runs) {
+    files.insert(files.end(), run.comparison.files.begin(), run.comparison.files.end());
+  }
   return files;
 }
 

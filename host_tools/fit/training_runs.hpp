@@ -23,7 +23,8 @@ struct TrainingRuns {
 };
 
 /// Reads `files` one after another; of each only the blocks stay in memory. A file with the rows of
-/// one before it is left out. `average_s`: rows of the fit, seconds. Throws InputError as
+/// one before it is left out; one that goes on where another ends belongs to its run
+/// (compare/joined_runs.hpp). `average_s`: rows of the fit, seconds. Throws InputError as
 /// read_recording() does.
 TrainingRuns read_training_runs(const std::vector<std::string>& files,
                                 const recording::ReadOptions& options, double average_s);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "recording/recording.hpp"
 
@@ -20,6 +21,9 @@ std::uint64_t rows_hash(const Recording& recording);
 class KnownRows {
  public:
   void add(std::uint64_t rows_hash, const std::string& file) { files_[rows_hash] = file; }
+  void add(const std::vector<std::uint64_t>& rows_hashes, const std::vector<std::string>& files) {
+    for (std::size_t i = 0; i < files.size(); ++i) add(rows_hashes[i], files[i]);
+  }
   /// The file that had these rows; "" where none had.
   std::string file_with(std::uint64_t rows_hash) const {
     const auto found = files_.find(rows_hash);

@@ -74,6 +74,17 @@ std::uint32_t samples_per_block(double period_s) {
   return one_block_each ? 1U : static_cast<std::uint32_t>(std::lround(1 / period_s));
 }
 
+void widen(model::InputRanges& ranges, const model::InputRanges& by) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (!by[i]) continue;
+    if (!ranges[i]) ranges[i] = by[i];
+    model::InputRange& range = *ranges[i];
+    range.range.least = std::min(range.range.least, by[i]->range.least);
+    range.range.most = std::max(range.range.most, by[i]->range.most);
+    range.step = std::max(range.step, by[i]->step);
+  }
+}
+
 BlockSeries make_blocks(const recording::Recording& recording) {
   BlockSeries series;
   series.file = recording.file;

@@ -41,4 +41,7 @@ std::uint32_t samples_per_block(double period_s);
 
 BlockSeries make_blocks(const recording::Recording& recording);
 
+/// Makes `ranges` those of two recordings together.
+void widen(model::InputRanges& ranges, const model::InputRanges& others);
+
 }  // namespace fogcomp::series

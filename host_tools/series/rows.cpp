@@ -28,17 +28,6 @@ void add_weighted(double weight, const Signals& signals, Signals& sum) {
   add_weighted(weight, signals.block, sum.block);
 }
 
-void widen(model::InputRanges& ranges, const model::InputRanges& by) {
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
-    if (!by[i]) continue;
-    if (!ranges[i]) ranges[i] = by[i];
-    model::InputRange& range = *ranges[i];
-    range.range.least = std::min(range.range.least, by[i]->range.least);
-    range.range.most = std::max(range.range.most, by[i]->range.most);
-    range.step = std::max(range.step, by[i]->step);
-  }
-}
-
 }  // namespace
 
 std::vector<recording::RowRange> Rows::runs() const {

@@ -45,12 +45,12 @@ std::vector<compare::ModelOnRuns> compare(const CompareRequest& request, const O
     observer.tell("comparing", static_cast<double>(i) / static_cast<double>(request.runs.size()));
     compare::RunInBlocks run =
         compare::run_in_blocks(recording::read_recording(file, reading), row_s);
-    const std::string same = known.file_with(run.rows_hash);
+    const std::string same = known.file_with(run.rows_hashes[0]);
     if (!same.empty()) {
       observer.say({recording::same_rows_words(run.file, same)});
       continue;
     }
-    known.add(run.rows_hash, run.file);
+    known.add(run.rows_hashes[0], run.file);
     observer.say(run.notes);
     for (compare::ModelOnRuns& model : models)
       model.runs.push_back(compare::try_model(model.model, run));

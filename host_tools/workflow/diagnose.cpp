@@ -51,7 +51,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observe
   compare::BoardError as_given;  // as compare has it
   for (const compare::RunInBlocks& run : judging.training.runs) {
     as_given.add(compare::board_error(model, run, compare::compare_with(model, run)));
-    outcome.runs.push_back(run.file);
+    outcome.runs.insert(outcome.runs.end(), run.files.begin(), run.files.end());
   }
   if (outcome.model->average_s == model.average_s) {
     for (const compare::RunInBlocks& run : judging.training.runs) outcome.data.add(run);

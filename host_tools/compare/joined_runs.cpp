@@ -1,0 +1,111 @@
+#include "compare/joined_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "recording/decision_rules.hpp"
+
+namespace fogcomp::compare {
+namespace {
+
+using series::BlockSeries;
+
+double first_time_s(const BlockSeries& series) {
+  const BlockSeries::Block& block = series.blocks.front();
+  return block.time_s - (block.samples - 1) * series.period_s / 2;
+}
+double last_time_s(const BlockSeries& series) {
+  const BlockSeries::Block& block = series.blocks.back();
+  return block.time_s + (block.samples - 1) * series.period_s / 2;
+}
+
+// Whether `next` goes on where `run` ends.
+bool goes_on(const BlockSeries& run, const BlockSeries& next) {
+  constexpr double kSamePeriod = 0.01;
+  if (run.blocks.empty() || next.blocks.empty() || run.inputs != next.inputs ||
+      run.samples_per_block != next.samples_per_block ||
+      std::abs(next.period_s - run.period_s) > kSamePeriod * run.period_s) {
+    return false;
+  }
+  const double gap_s = first_time_s(next) - last_time_s(run);
+  return gap_s > 0 && gap_s <= std::max(recording::rules::kMaxSpacing * run.period_s,
+                                        recording::rules::kMaxDropoutS);
+}
+
+void append(BlockSeries& run, const BlockSeries& next) {
+  const auto elapsed = std::llround((first_time_s(next) - first_time_s(run)) / run.block_s);
+  const std::int64_t offset =
+      std::max<std::int64_t>(elapsed, run.blocks.back().number + 1 - next.blocks.front().number);
+  for (BlockSeries::Block block : next.blocks) {
+    block.number += offset;
+    run.blocks.push_back(block);
+  }
+  series::widen(run.input_ranges, next.input_ranges);
+  run.rounding_dph = std::max(run.rounding_dph, next.rounding_dph);
+}
+
+// A soak that the files share is one; other names become unique.
+void append(std::vector<recording::Segment>& segments, std::vector<recording::Segment> next) {
+  for (recording::Segment& segment : next) {
+    const std::string name = segment.name;
+    recording::Segment* const before = segments.empty() ? nullptr : &segments.back();
+    if (&segment == &next.front() && before != nullptr &&
+        segment.kind == recording::SegmentKind::soak && before->kind == segment.kind &&
+        before->name == name) {
+      before->end_s = segment.end_s;
+      continue;
+    }
+    const auto is_taken = [&](const recording::Segment& other) {
+      return other.name == segment.name;
+    };
+    for (int i = 2; std::any_of(segments.begin(), segments.end(), is_taken); ++i) {
+      segment.name = name + " (" + std::to_string(i) + ")";
+    }
+    segments.push_back(std::move(segment));
+  }
+}
+
+double weight_of(const RunInBlocks& run) {
+  return run.noise_floor_dph ? static_cast<double>(run.blocks.blocks.size()) : 0;
+}
+
+void append(RunInBlocks& run, RunInBlocks next) {
+  const double own = weight_of(run);
+  const double others = weight_of(next);
+  if (others > 0) {
+    run.noise_floor_dph = std::sqrt((own * std::pow(run.noise_floor_dph.value_or(0), 2) +
+                                     others * std::pow(*next.noise_floor_dph, 2)) /
+                                    (own + others));
+  }
+  append(run.blocks, next.blocks);
+  append(run.segments, std::move(next.segments));
+  run.file += " + " + next.file;
+  run.files.insert(run.files.end(), next.files.begin(), next.files.end());
+  run.rows_hashes.insert(run.rows_hashes.end(), next.rows_hashes.begin(), next.rows_hashes.end());
+  run.notes.insert(run.notes.end(), next.notes.begin(), next.notes.end());
+  run.refused_rows += next.refused_rows;
+}
+
+}  // namespace
+
+std::vector<RunInBlocks> join_continued(std::vector<RunInBlocks> runs,
+                                        std::vector<std::string>& notes) {
+  for (std::size_t i = 0; i < runs.size();) {
+    const auto next = std::find_if(runs.begin(), runs.end(), [&](const RunInBlocks& run) {
+      return &run != &runs[i] && goes_on(runs[i].blocks, run.blocks);
+    });
+    if (next == runs.end()) {
+      ++i;
+      continue;
+    }
+    notes.push_back(next->file + ": goes on where " + runs[i].file + " ends; taken as one run");
+    append(runs[i], std::move(*next));
+    const auto place = static_cast<std::size_t>(next - runs.begin());
+    runs.erase(next);
+    if (place < i) --i;
+  }
+  return runs;
+}
+
+}  // namespace fogcomp::compare
