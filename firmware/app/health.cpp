@@ -6,7 +6,6 @@
 #include "build_identity.h"
 #include "core/frames/health_request.hpp"
 #include "core/frames/kvh_command.hpp"
-#include "hal/memory_map.hpp"
 #include "hal/processor.hpp"
 #include "hal/rate_sink.hpp"
 #include "hal/request_source.hpp"
@@ -17,13 +16,6 @@ namespace fog::app {
 namespace {
 
 SampleCounts counted;
-
-// The last word of the image, as a little-endian number.
-std::uint32_t seal_of_image() {
-  std::uint32_t seal = 0;
-  __builtin_memcpy(&seal, hal::memory_map().image_end - sizeof seal, sizeof seal);
-  return seal;
-}
 
 // What is not counted is looked up when somebody asks; in the order of the words.
 HealthRecord health_now() {

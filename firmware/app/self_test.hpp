@@ -8,6 +8,9 @@
 
 namespace fog::app {
 
+/// The last word of the image, as a little-endian number: no other image has the same.
+std::uint32_t seal_of_image();
+
 /// The built-in test of image, constants and memory: all of it at the start, then again and again,
 /// a bounded piece a sample. What it finds while running it answers with a restart, after which the
 /// test at the start says whether it was for once or for good.
