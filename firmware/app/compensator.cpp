@@ -28,7 +28,7 @@ namespace {
   line.text("firmware " FOG_BUILD_VERSION " ").hex(FOG_BUILD_SOURCES).text(", processor");
   for (const std::uint32_t word : hal::processor_number()) line.text(" ").hex(word);
   line.text("\r\nmodel ").hex(used.parameters.provenance);
-  if (used.error == ModelError::none) line.text(" of ").text(Model::serial());
+  if (used.error == ModelError::none) line.text(" of ").text(used.serial());
   hal::write_console(line.text(": ").text(describe(used.error)).text("\r\n").c_str());
 }
 

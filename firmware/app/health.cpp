@@ -37,7 +37,7 @@ HealthRecord health_now() {
        FOG_BUILD_VERSION_NUMBER, FOG_BUILD_SOURCES, processor[0], processor[1], processor[2]},
       {}};
   if (used.error == ModelError::none) {
-    __builtin_memcpy(&record[HealthWord::serial], Model::serial(), 4 * kSerialWords);
+    __builtin_memcpy(&record[HealthWord::serial], used.serial(), 4 * kSerialWords);
   }
   const char* cause = describe(hal::reset_report().cause);
   for (std::size_t i = 0; i + 1 < record.reset_cause.size() && cause[i] != '\0'; ++i) {
@@ -47,6 +47,11 @@ HealthRecord health_now() {
 }
 
 constexpr bool kKvhCommands = (FOG_MODEL_OUTPUT_OPTIONS & kAnswersKvhCommands) != 0;
+
+// A model that is loaded has chosen itself.
+[[maybe_unused]] bool answers_kvh_commands() {
+  return !ModelTable::is_loaded || (model().parameters.output_options & kAnswersKvhCommands) != 0U;
+}
 
 KvhSettings kvh_settings() {
   const ModelParameters& parameters = model().parameters;
@@ -63,6 +68,7 @@ KvhSettings kvh_settings() {
 
 void answer_kvh_command(std::uint8_t byte) {
   if constexpr (kKvhCommands) {
+    if (!answers_kvh_commands()) return;
     std::array<std::uint8_t, KvhCommands::kMostAnswer> answer;
     const std::size_t size = kvh_commands().feed(byte, answer.data());
     if (size > 0) hal::write_output_stream(answer.data(), size);
@@ -72,7 +78,7 @@ void answer_kvh_command(std::uint8_t byte) {
 }  // namespace
 
 bool sends_frames() {
-  if constexpr (kKvhCommands) return !kvh_commands().configuring();
+  if constexpr (kKvhCommands) return !answers_kvh_commands() || !kvh_commands().configuring();
   return true;
 }
 

@@ -8,6 +8,12 @@ namespace {
 
 [[gnu::section(".noinit")]] KeptWords<Pipeline::kMostStateWords> kept;
 
+// No other image has this, nor the same with another model.
+std::uint32_t owner() {
+  if constexpr (ModelTable::is_loaded) return seal_of_image() ^ model().key();
+  return seal_of_image();
+}
+
 constexpr unsigned bit_of(hal::ResetCause cause) {
   return 1U << static_cast<unsigned>(cause);
 }
@@ -24,7 +30,7 @@ bool keep_state_if_due() {
   static bool block_ended = false;
   const bool due = block_ended;
   block_ended = pipeline().ended_block();
-  if (due) kept.seal(pipeline().keep(kept.words()), seal_of_image());
+  if (due) kept.seal(pipeline().keep(kept.words()), owner());
   return due;
 }
 
@@ -34,7 +40,7 @@ void forget_state() {
 
 void resume_state(hal::ResetCause cause) {
   const unsigned bit = bit_of(cause);
-  if ((bit & kPowerWasLost) == 0 && kept.are_intact(seal_of_image())) {
+  if ((bit & kPowerWasLost) == 0 && kept.are_intact(owner())) {
     pipeline().resume(kept.words(), (bit & kOfItself) != 0);
   } else {
     forget_state();

@@ -49,9 +49,9 @@ std::uint32_t seal_of_image() {
   return seal;
 }
 
-SelfTest::SelfTest(Span<const std::uint8_t> constants, std::uint32_t sample_period_us,
-                   ImageProof& proof)
-    : sealed_(image(), constants),
+SelfTest::SelfTest(Span<const std::uint8_t> constants, const ModelTable& table,
+                   std::uint32_t sample_period_us, ImageProof& proof)
+    : sealed_(table.sealed(image(), constants)),
       memory_(ram()),
       proof_(proof),
       bytes_a_step_(sealed_.size() / samples_in(kImagePassUs, sample_period_us) + 1) {}

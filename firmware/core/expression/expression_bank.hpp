@@ -41,7 +41,9 @@ class ExpressionBank {
   bool history_known() const { return history_known_; }
 
   void carry(StateCarrier& state) {
-    if constexpr (has(Op::lag) || has(Op::play)) state(states_);
+    if constexpr (has(Op::lag) || has(Op::play)) {
+      if (parameters_.program.size > 0) state(states_);
+    }
   }
 
   /// What the last run gave, for the host's check of the export.

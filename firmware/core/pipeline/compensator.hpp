@@ -3,12 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "core/acquisition/calibration.hpp"
 #include "core/acquisition/extension_monitor.hpp"
 #include "core/acquisition/sample_monitor.hpp"
 #include "core/compensation/drift_model.hpp"
 #include "core/denoise/denoiser.hpp"
+#include "core/denoise/optional_denoiser.hpp"
 #include "core/frames/compact_frame.hpp"
 #include "core/frames/delta_angle.hpp"
 #include "core/frames/kvh_frame.hpp"
@@ -65,7 +67,7 @@ class Compensator {
   static constexpr ModelShape room{kEffects,
                                    kExpressions,
                                    kNetworkInputs,
-                                   kTaps,
+                                   filters_of(kTaps),
                                    kLevels,
                                    effect_fits<kEffects>,
                                    expression_check<kExpressions>(),
@@ -337,7 +339,9 @@ class Compensator {
   Status input_missing_ = Status::none;
   Drift drift_model_;
   std::uint32_t catch_up_steps_;
-  Denoiser<kTaps, kLevels> denoiser_;
+  std::conditional_t<(kTaps > kOrNone), OptionalDenoiser<kTaps % kOrNone, kLevels>,
+                     Denoiser<kTaps, kLevels>>
+      denoiser_;
   DenoiserOutput denoised_;
   std::size_t samples_after_refused_ = 0;
   bool ended_block_ = false;

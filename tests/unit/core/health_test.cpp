@@ -36,7 +36,8 @@ TEST(SealedScan, EndsIntactForEverySizeOfPieceAndOfParts) {
     const auto image = sealed(size, fog::kImageCrcStart, 1);
     const auto constants = sealed(37, fog::kIntactImage, 2);
     for (const std::size_t piece : {1U, 7U, 34U, 5000U}) {
-      fog::SealedScan scan({image.data(), image.size()}, {constants.data(), constants.size()});
+      fog::SealedScan<2> scan(
+          {{{image.data(), image.size()}, {constants.data(), constants.size()}}});
       for (int pass = 0; pass < 3; ++pass) {
         std::size_t steps = 1;
         volatile std::uint32_t crc = 0;
@@ -55,7 +56,8 @@ TEST(SealedScan, FindsEveryFlippedBitOfImageConstantsAndSeals) {
     for (std::size_t bit = 0; bit < 8 * part->size(); ++bit) {
       std::uint8_t& byte = (*part)[bit / 8];
       byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8)));
-      fog::SealedScan scan({image.data(), image.size()}, {constants.data(), constants.size()});
+      fog::SealedScan<2> scan(
+          {{{image.data(), image.size()}, {constants.data(), constants.size()}}});
       volatile std::uint32_t crc = 0;
       while (!scan.step(11, crc)) {
       }
