@@ -75,6 +75,17 @@ void answer_kvh_command(std::uint8_t byte) {
   }
 }
 
+// A template, so that an image with a table of its own has none of it.
+template <class Table>
+void answer_slots_request(std::uint8_t byte, const Table& table) {
+  if constexpr (Table::is_loaded) {
+    static RequestParser<kSlotsRequest> parser;
+    if (!parser.feed(byte)) return;
+    const SlotsResponse response = encode_slots_response(table.slots());
+    hal::write_output_stream(response.data(), response.size());
+  }
+}
+
 }  // namespace
 
 bool sends_frames() {
@@ -92,6 +103,7 @@ void answer_requests() {
   const std::size_t size = hal::read_requests(bytes.data(), bytes.size());
   for (std::size_t i = 0; i < size; ++i) {
     answer_kvh_command(bytes[i]);
+    if constexpr (ModelTable::is_loaded) answer_slots_request<ModelTable>(bytes[i], model());
     if (!parser.feed(bytes[i])) continue;
     const HealthResponse response = encode_health_response(health_now());
     hal::write_output_stream(response.data(), response.size());

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/frames/slots_record.hpp"
 #include "core/health/sealed_scan.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "core/pipeline/model_slot.hpp"
@@ -33,19 +34,35 @@ class ModelTable {
   }
   /// The gyro's serial number, ASCII; empty where the table has none. Only where there is a table.
   const char* serial() const {
-    return reinterpret_cast<const char*>(choice_.contents.table.data + kIdentityAt);
+    return reinterpret_cast<const char*>(choice_.used().table.data + kIdentityAt);
   }
   /// What the self-test goes over.
   Sealed sealed(Span<const std::uint8_t> image, Span<const std::uint8_t> constants) const {
-    return {image, choice_.contents.sealed, constants};
+    return {image, is_used() ? choice_.used().sealed : Span<const std::uint8_t>{}, constants};
   }
   /// What no other table has that this image could use.
-  std::uint32_t key() const {
-    const Span<const std::int32_t>& table = choice_.contents.table;
-    return table.size > 0 ? static_cast<std::uint32_t>(table[table.size - 1]) : 0;
+  std::uint32_t key() const { return is_used() ? table_crc(choice_.used()) : 0; }
+  /// For whoever asks the board.
+  SlotsRecord slots() const {
+    SlotsRecord record{static_cast<std::uint8_t>(choice_.slot), {}};
+    for (std::size_t i = 0; i < kModelSlots; ++i) record.slots[i] = record_of(choice_.slots[i]);
+    return record;
   }
 
  private:
+  bool is_used() const { return choice_.error == ModelError::none; }
+  static std::uint32_t table_crc(const SlotContents& slot) {
+    return static_cast<std::uint32_t>(slot.table[slot.table.size - 1]);
+  }
+  static SlotRecord record_of(const SlotContents& slot) {
+    SlotRecord record{static_cast<std::uint8_t>(slot.error), slot.sequence, 0, 0, {}};
+    if (slot.table.size <= kProcessorAt) return record;
+    record.model = static_cast<std::uint32_t>(slot.table[kIdentityAt - 1]);
+    record.table = table_crc(slot);
+    __builtin_memcpy(record.serial.data(), slot.table.data + kIdentityAt, sizeof record.serial);
+    return record;
+  }
+
   SlotChoice choice_;
 };
 

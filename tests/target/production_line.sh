@@ -50,5 +50,6 @@ ask() {
 }
 ask -device "loader,file=$table,addr=$slot,force-raw=on" | tee "$folder/health.json"
 grep -q "\"model_crc32\":\"$crc\",\"gyro_serial\":\"$serial\"" "$folder/health.json"
+grep -qE "\"slots\":\[\{\"finding\":\"good\",\"in_use\":true,\"sequence\":1,\"model_crc32\":\"$crc\",.*\{\"finding\":\"missing\",\"in_use\":false" "$folder/health.json"
 ask | tee "$folder/empty.json"
-grep -q '"model_finding":"missing"' "$folder/empty.json"
+grep -qE '"model_finding":"missing".*"slots":\[\{"finding":"missing","in_use":false' "$folder/empty.json"

@@ -46,16 +46,20 @@ SlotContents read_slot(SlotMemory memory) {
 SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const ModelShape& room,
                        const std::array<std::uint32_t, kProcessorWords>& processor,
                        ModelParameters& parameters) {
-  const std::array<SlotContents, kModelSlots> contents{read_slot(slots[0]), read_slot(slots[1])};
-  const std::size_t newest = is_newer(contents[0], contents[1]) ? 0 : 1;
   SlotChoice choice;
-  for (std::size_t i = 0; i < kModelSlots; ++i) {
-    const std::size_t slot = newest ^ i;
-    ModelError error = contents[slot].error;
-    if (error == ModelError::none) error = read_for(contents[slot], room, processor, parameters);
-    if (error == ModelError::none) return {error, slot, contents[slot]};
-    if (i == 0) choice.error = error;
+  choice.slots = {read_slot(slots[0]), read_slot(slots[1])};
+  const std::size_t newest = is_newer(choice.slots[0], choice.slots[1]) ? 0 : 1;
+  for (const std::size_t slot : {newest, newest ^ 1U}) {
+    ModelError& error = choice.slots[slot].error;
+    if (error == ModelError::none)
+      error = read_for(choice.slots[slot], room, processor, parameters);
+    if (error == ModelError::none) {
+      choice.error = error;
+      choice.slot = slot;
+      return choice;
+    }
   }
+  choice.error = choice.slots[newest].error;
   return choice;
 }
 

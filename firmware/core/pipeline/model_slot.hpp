@@ -41,7 +41,10 @@ SlotContents read_slot(SlotMemory memory);
 struct SlotChoice {
   ModelError error = ModelError::not_a_model;  ///< none: `slot` is used; else why the newest is not
   std::size_t slot = kModelSlots;
-  SlotContents contents;
+  /// What lies in each; its error is of the model too, as far as that was looked at.
+  std::array<SlotContents, kModelSlots> slots;
+
+  const SlotContents& used() const { return slots[slot % kModelSlots]; }  ///< where one is
 };
 
 /// The newest intact slot whose model an image with this `room` on this processor can have; it is

@@ -67,6 +67,29 @@ TEST(SealedScan, FindsEveryFlippedBitOfImageConstantsAndSeals) {
   }
 }
 
+// An image whose model is loaded, between it and its constants; or none.
+TEST(SealedScan, GoesOverASlotAsWell) {
+  const auto image = sealed(200, fog::kImageCrcStart, 5);
+  const auto constants = sealed(50, fog::kIntactImage, 6);
+  for (const bool loaded : {true, false}) {
+    auto slot = sealed(120, fog::kIntactImage, 7);
+    const std::size_t slot_size = loaded ? slot.size() : 0;
+    for (std::size_t bit = 0; bit <= 8 * slot_size; ++bit) {
+      const bool flipped = bit < 8 * slot_size;
+      if (flipped) slot[bit / 8] = static_cast<std::uint8_t>(slot[bit / 8] ^ (1U << (bit % 8)));
+      fog::SealedScan<3> scan({{{image.data(), image.size()},
+                                {slot.data(), slot_size},
+                                {constants.data(), constants.size()}}});
+      std::size_t steps = 1;
+      volatile std::uint32_t crc = 0;
+      while (!scan.step(13, crc)) ++steps;
+      EXPECT_EQ(crc == fog::kIntactImage, !flipped) << bit;
+      EXPECT_EQ(steps, (image.size() + slot_size + constants.size() + 12) / 13);
+      if (flipped) slot[bit / 8] = static_cast<std::uint8_t>(slot[bit / 8] ^ (1U << (bit % 8)));
+    }
+  }
+}
+
 bool next_is_intact(fog::ImageProof& proof) {
   proof.take();
   const bool for_status = proof.for_status() == fog::kIntactImage;

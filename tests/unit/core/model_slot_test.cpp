@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "board/model_slot.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/frames/health_request.hpp"
+#include "core/frames/slots_record.hpp"
 #include "support/sample_models.hpp"
 
 namespace {
@@ -95,6 +98,38 @@ TEST_F(ModelSlots, WhatTheSelfTestGoesOverComesToAnIntactImage) {
   const Memory memory = table(1);
   const fog::SlotContents slot = fog::read_slot({memory.data(), memory.size()});
   EXPECT_EQ(fog::crc32(slot.sealed.data, slot.sealed.size, fog::kIntactImage), fog::kIntactImage);
+}
+
+TEST(SlotsRecord, IsReadAsItWasSentAndNotWithAnyBitFlipped) {
+  fog::SlotsRecord record;
+  record.used = 1;
+  record.slots[0] = {3, 7, 0xAABBCCDD, 0x11223344, {0x30473031, 0, 0, 0}};
+  record.slots[1] = {0, 8, 1, 2, {0x31313131, 0x32323232, 0x33333333, 0x00343434}};
+  const fog::SlotsResponse good = fog::encode_slots_response(record);
+  fog::SlotsRecord read;
+  ASSERT_TRUE(fog::decode_slots_response(good.data(), read));
+  EXPECT_EQ(read.used, 1);
+  EXPECT_EQ(fog::encode_slots_response(read), good);
+  for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
+    fog::SlotsResponse bad = good;
+    bad[bit / 8] = static_cast<std::uint8_t>(bad[bit / 8] ^ (1U << (bit % 8)));
+    EXPECT_FALSE(fog::decode_slots_response(bad.data(), read)) << bit;
+  }
+}
+
+TEST(SlotsRecord, IsAskedForWithARightCrc) {
+  for (const fog::HealthRequest& request : {fog::kHealthRequest, fog::kSlotsRequest}) {
+    EXPECT_EQ(request[4] | request[5] << 8, fog::crc16(&request[1], 3));
+  }
+}
+
+TEST_F(ModelSlots, WhatIsWrongWithEachIsKnown) {
+  BoardSettings elsewhere;
+  elsewhere.processor = {3, 2, 1};
+  const SlotChoice choice = choose(table(1), table(2, elsewhere));
+  EXPECT_EQ(choice.slots[0].error, ModelError::none);
+  EXPECT_EQ(choice.slots[1].error, ModelError::other_board);
+  EXPECT_EQ(choose(erased(), table(2)).slots[0].error, ModelError::not_a_model);
 }
 
 }  // namespace
