@@ -13,6 +13,12 @@ if(NOT EXISTS "${FOG_MODEL_HEADER}")
 endif()
 configure_file("${FOG_MODEL_HEADER}" "${PROJECT_BINARY_DIR}/model/fog_model.h" COPYONLY)
 
+# The linker sees to it that an image whose model is loaded leaves the slots free.
+file(STRINGS "${FOG_MODEL_HEADER}" model_is_loaded REGEX "^#define FOG_MODEL_IN_SLOTS 1")
+if(model_is_loaded)
+  target_link_options(fog_model INTERFACE -Wl,--defsym=fog_model_is_loaded=1)
+endif()
+
 # KVH's commands come several in a row while a frame is sent, at the same bit rate: 64 bytes hold what comes meanwhile. A
 # request for the health record has 6.
 file(STRINGS "${FOG_MODEL_HEADER}" output_options REGEX "^#define FOG_MODEL_OUTPUT_OPTIONS 0x[8c]")

@@ -4,6 +4,7 @@
 
 #include "app/crash_line.hpp"
 #include "app/health.hpp"
+#include "app/kept_state.hpp"
 #include "app/own_temperature.hpp"
 #include "app/pipeline.hpp"
 #include "build_identity.h"
@@ -27,7 +28,7 @@ namespace {
   line.text("firmware " FOG_BUILD_VERSION " ").hex(FOG_BUILD_SOURCES).text(", processor");
   for (const std::uint32_t word : hal::processor_number()) line.text(" ").hex(word);
   line.text("\r\nmodel ").hex(used.parameters.provenance);
-  if (used.error == ModelError::none) line.text(" of ").text(Model::serial());
+  if (used.error == ModelError::none) line.text(" of ").text(used.serial());
   hal::write_console(line.text(": ").text(describe(used.error)).text("\r\n").c_str());
 }
 
@@ -74,7 +75,6 @@ using Frames = std::array<std::uint8_t, kMostOutputBytes>;
 void send(const Frames& frames, std::size_t size) {
   if (sends_frames()) hal::write_output_stream(frames.data(), size);
   count_health(pipeline().last());
-  test_on();
 }
 
 void send_compensated(std::uint8_t byte, SilenceClock& silence) {
@@ -83,6 +83,7 @@ void send_compensated(std::uint8_t byte, SilenceClock& silence) {
   if (size == 0) return;
   silence.restart(hal::milliseconds());
   send(frames, size);
+  if (!keep_state_if_due()) test_on();
 }
 
 // Bytes that are no frames may come at a bit rate that is not this board's.
@@ -92,8 +93,9 @@ void understand_the_line() {
   static std::uint32_t discarded = 0;
   if (++frames < kFramesBetweenTries) return;
   frames = 0;
-  if (pipeline().discarded_bytes() != discarded) hal::try_another_speed();
-  discarded = pipeline().discarded_bytes();
+  const std::uint32_t now = pipeline().discarded_bytes();
+  if (now != discarded) hal::try_another_speed();
+  discarded = now;
 }
 
 // Where time does not pass as it should nobody can say that samples are late. Out of line, as what
@@ -103,6 +105,8 @@ void understand_the_line() {
     if (!hal::clock_keeps_time()) continue;
     Frames frames;
     send(frames, pipeline().answer_silence(frames.data()));
+    forget_state();
+    test_on();
     understand_the_line();
   }
 }
@@ -131,10 +135,12 @@ void start() {
   hal::start_watchdog(hal::kWatchdogStartMs);
   platform::start_board();
   hal::kick_watchdog();
-  if (hal::reset_report().counts.faults >= kMostFaults) answer_without_samples();
+  const hal::ResetReport& reset = hal::reset_report();
+  if (reset.counts.faults >= kMostFaults) answer_without_samples();
   self_test().run_all();
   hal::kick_watchdog();
-  announce(platform::describe_board(), hal::reset_report());
+  announce(platform::describe_board(), reset);
+  resume_state(reset.cause);
   start_own_thermometer();
   hal::start_watchdog(hal::kWatchdogLoopMs);
 }

@@ -6,7 +6,6 @@
 #include "build_identity.h"
 #include "core/frames/health_request.hpp"
 #include "core/frames/kvh_command.hpp"
-#include "hal/memory_map.hpp"
 #include "hal/processor.hpp"
 #include "hal/rate_sink.hpp"
 #include "hal/request_source.hpp"
@@ -17,13 +16,6 @@ namespace fog::app {
 namespace {
 
 SampleCounts counted;
-
-// The last word of the image, as a little-endian number.
-std::uint32_t seal_of_image() {
-  std::uint32_t seal = 0;
-  __builtin_memcpy(&seal, hal::memory_map().image_end - sizeof seal, sizeof seal);
-  return seal;
-}
 
 // What is not counted is looked up when somebody asks; in the order of the words.
 HealthRecord health_now() {
@@ -45,7 +37,7 @@ HealthRecord health_now() {
        FOG_BUILD_VERSION_NUMBER, FOG_BUILD_SOURCES, processor[0], processor[1], processor[2]},
       {}};
   if (used.error == ModelError::none) {
-    __builtin_memcpy(&record[HealthWord::serial], Model::serial(), 4 * kSerialWords);
+    __builtin_memcpy(&record[HealthWord::serial], used.serial(), 4 * kSerialWords);
   }
   const char* cause = describe(hal::reset_report().cause);
   for (std::size_t i = 0; i + 1 < record.reset_cause.size() && cause[i] != '\0'; ++i) {
@@ -55,6 +47,11 @@ HealthRecord health_now() {
 }
 
 constexpr bool kKvhCommands = (FOG_MODEL_OUTPUT_OPTIONS & kAnswersKvhCommands) != 0;
+
+// A model that is loaded has chosen itself.
+[[maybe_unused]] bool answers_kvh_commands() {
+  return !ModelTable::is_loaded || (model().parameters.output_options & kAnswersKvhCommands) != 0U;
+}
 
 KvhSettings kvh_settings() {
   const ModelParameters& parameters = model().parameters;
@@ -71,16 +68,28 @@ KvhSettings kvh_settings() {
 
 void answer_kvh_command(std::uint8_t byte) {
   if constexpr (kKvhCommands) {
+    if (!answers_kvh_commands()) return;
     std::array<std::uint8_t, KvhCommands::kMostAnswer> answer;
     const std::size_t size = kvh_commands().feed(byte, answer.data());
     if (size > 0) hal::write_output_stream(answer.data(), size);
   }
 }
 
+// A template, so that an image with a table of its own has none of it.
+template <class Table>
+void answer_slots_request(std::uint8_t byte, const Table& table) {
+  if constexpr (Table::is_loaded) {
+    static RequestParser<kSlotsRequest> parser;
+    if (!parser.feed(byte)) return;
+    const SlotsResponse response = encode_slots_response(table.slots());
+    hal::write_output_stream(response.data(), response.size());
+  }
+}
+
 }  // namespace
 
 bool sends_frames() {
-  if constexpr (kKvhCommands) return !kvh_commands().configuring();
+  if constexpr (kKvhCommands) return !answers_kvh_commands() || !kvh_commands().configuring();
   return true;
 }
 
@@ -94,6 +103,7 @@ void answer_requests() {
   const std::size_t size = hal::read_requests(bytes.data(), bytes.size());
   for (std::size_t i = 0; i < size; ++i) {
     answer_kvh_command(bytes[i]);
+    if constexpr (ModelTable::is_loaded) answer_slots_request<ModelTable>(bytes[i], model());
     if (!parser.feed(bytes[i])) continue;
     const HealthResponse response = encode_health_response(health_now());
     hal::write_output_stream(response.data(), response.size());

@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "app/model_table.hpp"
 #include "app/self_test.hpp"
 #include "core/health/image_seal.hpp"
 #include "core/pipeline/compensator.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "fog_model.h"
-#include "hal/processor.hpp"
 
 namespace fog::app {
 
@@ -23,9 +23,8 @@ using Pipeline =
                 FOG_MODEL_OUTPUT_OPTIONS>;
 
 /// The image's weights, checked once, and sealed: they are in RAM, and must not change any more.
-struct Model {
-  Model() : error(read_model({fog_model, FOG_MODEL_WORDS}, Pipeline::room, parameters)) {
-    if constexpr (FOG_MODEL_BOUND != 0) refuse_another_board();
+struct Model : ModelTable {
+  Model() : error(read(Pipeline::room, parameters)) {
     seal = seal_of(crc32(bytes().data, bytes().size - seal.size(), kIntactImage));
   }
 
@@ -34,25 +33,13 @@ struct Model {
     return {start, static_cast<std::size_t>(seal.end() - start)};
   }
 
-  /// The gyro's serial number, ASCII; empty where the table has none. Where it was refused it may
-  /// have anything. Out of line: whoever contains it has a table of its own.
-  [[gnu::noinline]] static const char* serial() {
-    return reinterpret_cast<const char*>(&fog_model[kIdentityAt]);
-  }
-
   ModelParameters parameters;
   ModelError error;
   alignas(4) std::array<std::uint8_t, 4> seal{};  // last
-
- private:
-  void refuse_another_board() {
-    if (error != ModelError::none) return;
-    if (!is_bound_elsewhere(&fog_model[kProcessorAt], hal::processor_number())) return;
-    parameters = ModelParameters();
-    error = ModelError::other_board;
-  }
 };
-static_assert(sizeof(Model) == sizeof(ModelParameters) + 8, "nothing lies behind the seal");
+static_assert(sizeof(Model) ==
+                  sizeof(ModelParameters) + 8 + (ModelTable::is_loaded ? sizeof(ModelTable) : 0),
+              "nothing lies behind the seal");
 
 inline const Model& model() {
   static const Model instance;
@@ -68,7 +55,8 @@ inline Pipeline& pipeline() {
 }
 
 inline SelfTest& self_test() {
-  static SelfTest instance(model().bytes(), model().parameters.acquisition.sample_period_us,
+  static SelfTest instance(model().bytes(), model(),
+                           model().parameters.acquisition.sample_period_us,
                            pipeline().image_proof());
   return instance;
 }

@@ -2,11 +2,15 @@
 
 #include <cstdint>
 
+#include "app/model_table.hpp"
 #include "core/health/image_proof.hpp"
 #include "core/health/memory_scan.hpp"
 #include "core/health/sealed_scan.hpp"
 
 namespace fog::app {
+
+/// The last word of the image, as a little-endian number: no other image has the same.
+std::uint32_t seal_of_image();
 
 /// The built-in test of image, constants and memory: all of it at the start, then again and again,
 /// a bounded piece a sample. What it finds while running it answers with a restart, after which the
@@ -14,9 +18,10 @@ namespace fog::app {
 class SelfTest {
  public:
   /// `sample_period_us` sets the size of a piece: a pass over image and constants takes 2.5 s of
-  /// samples. `constants` are what in RAM must not change, with their seal.
-  /// What the checks come to goes to `proof`.
-  SelfTest(Span<const std::uint8_t> constants, std::uint32_t sample_period_us, ImageProof& proof);
+  /// samples. `constants` are what in RAM must not change, with their seal; a `table` that is not
+  /// part of the image is gone over as well. What the checks come to goes to `proof`.
+  SelfTest(Span<const std::uint8_t> constants, const ModelTable& table,
+           std::uint32_t sample_period_us, ImageProof& proof);
 
   /// As long as a proof must last for the next one to be there.
   static ImageProof new_proof(std::uint32_t sample_period_us);
@@ -37,7 +42,7 @@ class SelfTest {
  private:
   bool memory_step();
 
-  SealedScan sealed_;
+  SealedScan<ModelTable::sealed_parts> sealed_;
   MemoryScan<> memory_;
   ImageProof& proof_;
   std::size_t bytes_a_step_;

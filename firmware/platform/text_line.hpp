@@ -15,7 +15,7 @@ class TextLine {
   }
 
   TextLine& decimal(std::uint32_t value) {
-    std::array<char, 10> digits{};
+    std::array<char, 10> digits;
     std::size_t count = 0;
     do {
       digits[count++] = static_cast<char>('0' + value % 10U);
@@ -33,14 +33,17 @@ class TextLine {
     return *this;
   }
 
-  const char* c_str() const { return characters_.data(); }
+  const char* c_str() {
+    characters_[length_] = '\0';
+    return characters_.data();
+  }
 
  private:
   void append(char character) {
     if (length_ + 1 < characters_.size()) characters_[length_++] = character;
   }
 
-  std::array<char, 152> characters_{};  // zeroed, so always terminated
+  std::array<char, 152> characters_;  // as far as length_
   std::size_t length_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "board/header.hpp"
+#include "board/model_slot.hpp"
 #include "core/effects/registry.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
@@ -15,6 +16,8 @@ BoardSource::BoardSource(const std::string& path) : path_(path) {
   is_model_ = model::looks_like_model(text);
   if (is_model_) {
     model_ = model::parse_model(text, path);
+  } else if (looks_like_slot(text)) {
+    table_ = parse_slot(text, path);
   } else {
     table_ = parse_header(text, path);
   }

@@ -13,7 +13,7 @@ namespace fogcomp::board {
 /// The firmware's own pipeline with room for any model.
 using HostCompensator =
     fog::Compensator<fog::kAnyModel.effects, fog::kAnyModel.expressions,
-                     fog::kAnyModel.network_inputs, fog::kAnyModel.taps, fog::kAnyModel.levels>;
+                     fog::kAnyModel.network_inputs, fog::kAnyTaps, fog::kAnyModel.levels>;
 
 /// What a replay saw, beside the bytes.
 struct ReplaySummary {

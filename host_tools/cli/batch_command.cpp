@@ -13,6 +13,7 @@
 #include "batch/limits.hpp"
 #include "batch/process_pool.hpp"
 #include "batch/summary.hpp"
+#include "batch/tables.hpp"
 #include "cli/arguments.hpp"
 #include "cli/gyro_calibration.hpp"
 #include "findings/batch_findings.hpp"
@@ -284,6 +285,8 @@ struct BatchCommand : Command {
   Text part{this, {"shard", "I/N", "only every N-th gyro, from the I-th on; no table"}};
   Flag merge{this, "merge", "only table and page, of what is calibrated", kRare};
   Flag reports{this, "reports", "a page of plots for every gyro too (needs hold-outs)"};
+  Flag tables{this, "tables", "OUT/tables: one for every gyro that passes, and a sheet of them",
+              kRare};
   Flag json{this, "json", "one JSON object on stdout"};
   CalibrationOptions calibration{this};
 
@@ -335,6 +338,7 @@ int BatchCommand::run() const {
     return work.errors == 0 ? 0 : 1;
   }
   const batch::Summary summary = write_table(batch, work, kept, settings);
+  if (tables.given()) batch::write_tables(summary, batch.output);
   const findings::Document document =
       findings::batch_findings(summary, batch.input, batch.output, batch.reports);
   write_file(batch.output + kTables[1], report::page(document));

@@ -1,7 +1,8 @@
-// fogcomp export: model -> C header of weights.
+// fogcomp export: model -> C header of weights, or table for the generic image.
 
 #include <cstdio>
 
+#include "board/model_slot.hpp"
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
 #include "cli/gyro_limit_options.hpp"
@@ -15,11 +16,17 @@ namespace {
 
 using workflow::ExportOutcome;
 
-void print_json(const ExportOutcome& header, const std::string& output) {
+enum class Format : std::uint8_t { header, table };
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void print_json(const ExportOutcome& header, const std::string& output, bool is_table) {
   const board::QuantizationError& error = header.quantization;
   const board::NetworkError& network = header.network;
   Json result = Json::object();
-  result.set("header", output).set("words", header.words);
+  result.set(is_table ? "table" : "header", output).set("words", header.table.words.size());
   result.set("quantization_error_dph", error.worst_dph).set("blocks_compared", error.blocks);
   Json expressions = json_array(error.expressions, [&](const auto& expression) {
     return Json::object()
@@ -38,7 +45,7 @@ void print_text(const ExportOutcome& header, const std::string& output) {
   const board::QuantizationError& error = header.quantization;
   const board::NetworkError& network = header.network;
   std::printf("%s: %s; integers against double: at most %.5f deg/h over %s (limit %.5f)\n",
-              output.c_str(), counted(header.words, "word").c_str(), error.worst_dph,
+              output.c_str(), counted(header.table.words.size(), "word").c_str(), error.worst_dph,
               counted(error.blocks, "block").c_str(), board::kQuantizationLimitDph);
   for (const auto& expression : error.expressions) {
     std::printf("  %s: at most %.2g deg/h from double there, %.2g by its bound\n",
@@ -52,7 +59,19 @@ void print_text(const ExportOutcome& header, const std::string& output) {
 }
 
 struct ExportCommand : Command {
-  Text output{this, {"o", "HEADER", "header to write"}};
+  Text output{this, {"o", "FILE", "header or table to write"}};
+  Choice<Format> format{this,
+                        {"format", "KIND",
+                         "header, to build an image with; table, to load into the generic image: "
+                         "-o GYRO.bin or GYRO.hex",
+                         "header"},
+                        {{"header", Format::header}, {"table", Format::table}}};
+  Integer<std::uint32_t> sequence{
+      this,
+      {"sequence", "N", "of a table: of two in a board the higher is the newer", "1", kRare},
+      0,
+      INT32_MAX};
+  Integer<unsigned> slot{this, {"slot", "N", "of a GYRO.hex: 0 or 1", "0", kRare}, 0, 1};
   AllowErrorFlag allow_error{
       this, "write it even if the integers are too far off, or the fit too uncertain"};
   Flag json{this, "json", "one JSON object on stdout"};
@@ -64,7 +83,8 @@ struct ExportCommand : Command {
             kRare}};
 
   ExportCommand()
-      : Command("export", {"MODEL", 1, 1}, "the C header of weights for the firmware",
+      : Command("export", {"MODEL", 1, 1},
+                "a model for the firmware: the C header of weights, or a table",
                 "fogcomp export gyro.model -o fog_model.h --sample-rate 200") {
     needs = {{&output}};
   }
@@ -74,14 +94,25 @@ struct ExportCommand : Command {
     request.board.limits = limits.value();
     request.board.serial = serial.value();
     if (uid.given()) request.board.processor = board::parse_processor_number(uid.value());
+    const bool is_table = format.value() == Format::table;
+    const bool is_hex = ends_with(output.value(), ".hex");
+    if (is_table && !is_hex && !ends_with(output.value(), ".bin")) {
+      fail("-o " + output.value() + ": a table is a .bin or a .hex");
+    }
     const ExportOutcome exported = workflow::export_header(request);
-    write_file(output.value(), exported.header);
+    write_file(output.value(), is_table ? table_text(exported, is_hex) : exported.header);
     if (json.given()) {
-      print_json(exported, output.value());
+      print_json(exported, output.value(), is_table);
     } else {
       print_text(exported, output.value());
     }
     return 0;
+  }
+
+ private:
+  std::string table_text(const ExportOutcome& exported, bool is_hex) const {
+    const std::string bytes = board::slot_bytes(exported.table, sequence.value(), arguments[0]);
+    return is_hex ? board::slot_hex(bytes, slot.value()) : bytes;
   }
 };
 

@@ -114,6 +114,36 @@ Json as_json(const fog::HealthRecord& r) {
   return object;
 }
 
+std::string error_text(const fog::SlotRecord& slot) {
+  return fog::describe(static_cast<fog::ModelError>(slot.error));
+}
+
+void print_slots(const fog::SlotsRecord& record) {
+  for (std::size_t i = 0; i < record.slots.size(); ++i) {
+    const fog::SlotRecord& slot = record.slots[i];
+    const std::string serial = board::serial_text(slot.serial.data());
+    std::string text = error_text(slot);
+    if (slot.model != 0) {
+      text += format(", sequence %u, model CRC-32 %08x, table %08x", slot.sequence, slot.model,
+                     slot.table);
+    }
+    if (!serial.empty()) text += ", of gyro " + displayable(serial);
+    std::printf("slot %zu        %s%s\n", i, text.c_str(), i == record.used ? ": in use" : "");
+  }
+}
+
+Json slots_json(const fog::SlotsRecord& record) {
+  return json_array(record.slots, [&](const fog::SlotRecord& slot) {
+    return Json::object()
+        .set("finding", error_text(slot))
+        .set("in_use", record.used < record.slots.size() && &slot == &record.slots[record.used])
+        .set("sequence", static_cast<std::int64_t>(slot.sequence))
+        .set("model_crc32", format("%08x", slot.model))
+        .set("table_crc32", format("%08x", slot.table))
+        .set("gyro_serial", board::serial_text(slot.serial.data()));
+  });
+}
+
 struct HealthCommand : Command {
   Number timeout{this, {"timeout", "S", "seconds to wait for an answer", "3"}, {0.1, 600}};
   Flag json{this, "json", "print one JSON object"};
@@ -128,10 +158,14 @@ struct HealthCommand : Command {
     const double patience_s = timeout.value();
     board::BoardPort port(path);
     const fog::HealthRecord record = board::query_health(port, path, patience_s);
+    const std::optional<fog::SlotsRecord> slots = board::query_slots(port);
     if (json.given()) {
-      std::puts(as_json(record).text().c_str());
+      Json object = as_json(record);
+      if (slots) object.set("slots", slots_json(*slots));
+      std::puts(object.text().c_str());
     } else {
       print_words(record);
+      if (slots) print_slots(*slots);
     }
     return is_healthy(record) ? 0 : 1;
   }

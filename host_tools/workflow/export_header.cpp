@@ -102,8 +102,8 @@ ExportOutcome board_header(const model::Model& model, const std::string& file,
   const board::BoardTable table = board::make_board_table(model, board);
   const fog::ModelParameters parameters = board::read_board_table(table, file);
   const BoardErrors errors = verify_board(model, parameters, file, allow_error);
-  return {board::header_text(table, file_name(file), data_hash(model)), table.words.size(),
-          errors.quantization, errors.network, left_out(model, parameters)};
+  return {board::header_text(table, file_name(file), data_hash(model)), table, errors.quantization,
+          errors.network, left_out(model, parameters)};
 }
 
 ExportOutcome export_header(const ExportRequest& request) {

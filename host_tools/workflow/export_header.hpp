@@ -17,8 +17,8 @@ struct ExportRequest {
 
 /// A model as the firmware takes it, and how far its integers are from the model.
 struct ExportOutcome {
-  std::string header;     ///< C99 and C++17
-  std::size_t words = 0;  ///< of the table
+  std::string header;  ///< C99 and C++17
+  board::BoardTable table;
   board::QuantizationError quantization;
   board::NetworkError network;
   std::vector<std::string> notes;  ///< what the board does without, a sentence each

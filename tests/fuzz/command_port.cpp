@@ -5,6 +5,7 @@
 #include "core/bytes/crc.hpp"
 #include "core/frames/health_record.hpp"
 #include "core/frames/health_request.hpp"
+#include "core/frames/slots_record.hpp"
 #include "fuzzing.hpp"
 
 using fog::test::promise;
@@ -16,6 +17,16 @@ void read_answer(const std::uint8_t* bytes) {
   if (!fog::decode_health_response(bytes, record)) return;
   const fog::HealthResponse again = fog::encode_health_response(record);
   promise(std::equal(again.begin(), again.end(), bytes), "an answer is read as it was sent");
+}
+
+void read_slots(const std::uint8_t* bytes) {
+  fog::SlotsRecord record;
+  if (!fog::decode_slots_response(bytes, record)) return;
+  const fog::SlotsResponse again = fog::encode_slots_response(record);
+  const bool same = std::equal(again.begin(), again.end(), bytes);
+  // The three bytes behind each error are of no account.
+  promise(same || fog::load_le32(bytes + 4) > 0xFFU || fog::load_le32(bytes + 36) > 0xFFU,
+          "an answer is read as it was sent");
 }
 
 }  // namespace
@@ -30,6 +41,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     promise(parser.feed(data[i]) == is_request, "it answers requests, all of them, nothing else");
   }
   if (size < fog::kHealthResponseBytes) return 0;
+  read_slots(data);
   read_answer(data);
   // With the CRC that chance would hardly meet.
   fog::HealthResponse sealed;

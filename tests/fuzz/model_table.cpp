@@ -1,6 +1,7 @@
 // Model tables with a right CRC and any numbers in them: the firmware refuses them, or runs them on
 // any samples without one fixed-point operation leaving its range. The first two bytes say how many
 // words there are.
+#include <array>
 #include <vector>
 
 #include "board/replay.hpp"
@@ -54,6 +55,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       board.process(sample);
     }
   }
+  std::array<std::uint32_t, fogcomp::board::HostCompensator::kMostStateWords> state{};
+  const std::size_t kept = board.keep(state.data());
+  promise(kept <= state.size(), "what outlives a restart has room");
+  if (kept > 0) board.resume(state.data(), true);
   promise(fog::test::overflows() == 0, "no operation leaves its range");
   return 0;
 }

@@ -66,6 +66,25 @@ says '^1 calibrated now, 2 before'
 batch 0 gyros -o out --average 20
 says '^3 calibrated now, 0 before'
 
+# A table for each gyro that passes, of the very header, and a sheet of them; none that passed before stays.
+batch 1 gyros -o out --average 20 --tables --limits limits.txt
+[[ $(ls out/tables) == sheet.csv && $(wc -l <out/tables/sheet.csv) == 1 ]] || fail "tables: $(ls out/tables)"
+batch 0 gyros -o out --average 20 --tables
+[[ $(ls out/tables | tr '\n' ' ') == "A1.bin A1.hex A2.bin A2.hex A3.bin A3.hex sheet.csv " ]] || fail "tables: $(ls out/tables)"
+crc=$(sed -nE 's/.*CRC-32 ([0-9a-f]{8}),.*/\1/p' out/A2/fog_model.h)
+grep -qE "^\"A2\",A2,any,$crc,[0-9a-f]{8},\"A2.bin\",\"A2.hex\",\"\"$" out/tables/sheet.csv || fail "$(cat out/tables/sheet.csv)"
+"$fogcomp" export out/A2/A2.model --format table -o A2.bin >said.txt
+cmp A2.bin out/tables/A2.bin
+"$fogcomp" stream out/A2/fog_model.h gyros/A2/run.csv -o A2.in >said.txt
+"$fogcomp" replay out/A2/fog_model.h A2.in -o A2.expected >said.txt
+"$fogcomp" replay out/tables/A2.bin A2.in -o A2.out >said.txt
+cmp A2.expected A2.out
+printf 'noise_dprh <= 0\n' >strict.txt
+batch 1 gyros -o out --average 20 --tables --limits strict.txt
+[[ $(ls out/tables) == sheet.csv ]] || fail "a table of a gyro that fails: $(ls out/tables)"
+batch 2 gyros -o seven --levels 7 --tables
+grep -q 'denoisers of up to 6 levels, not 7' errors.txt || fail "$(cat errors.txt)"
+
 # A gyro is done as long as its files are there as they were written.
 batch 0 gyros -o out --average 20
 says '^0 calibrated now, 3 before'

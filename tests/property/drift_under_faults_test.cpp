@@ -73,6 +73,24 @@ const std::vector<FaultCase>& fault_cases() {
       {"100 Hz for 300 s", {at(Kind::sample_period, 0, 300, 10000)}, 250},
       {"206 Hz for 300 s", {at(Kind::sample_period, 0, 300, 4854)}, 250},
       {"gyro invalid for 60 s", {at(Kind::gyro_invalid, 0, 60)}, 1},
+      {"the watchdog's restart", {at(Kind::board_restart, 0, 0.3)}, 20},
+      {"a fault's restart in the middle of a block", {at(Kind::board_restart, 0.4, 0.06)}, 20},
+      {"restarts one upon the other",
+       {at(Kind::board_restart, 0, 0.2), at(Kind::board_restart, 0.21, 0.2),
+        at(Kind::board_restart, 5, 0.2)},
+       20},
+      {"a restart while the temperature is missing",
+       {at(Kind::board_restart, 20, 0.3), at(Kind::no_temperature, 0, 40)},
+       180},
+      {"a restart with the demodulator's",
+       {at(Kind::board_restart, 0, 0.3), at(Kind::restart, 0, 0.3, 31000)},
+       220},
+      {"a restart after 200 s without samples",
+       {at(Kind::no_samples, 0, 200), at(Kind::board_restart, 199, 0.3)},
+       220},
+      {"reset by the pin", {at(Kind::pin_reset, 0, 0.3)}, 220},
+      {"reset by the pin, held for 58 s", {at(Kind::pin_reset, 0, 58)}, 220},
+      {"reset by the pin, held for 350 s", {at(Kind::pin_reset, 0, 350)}, 220},
   };
   return all;
 }
@@ -128,6 +146,26 @@ TEST(DriftAfterAStart, IsRightOnceTheHistoryIsKnown) {
     EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
     EXPECT_GT(verdict.clean_since_s, off.to_s + 7 * 30) << "seed " << seed;
     EXPECT_LT(verdict.clean_since_s, 15'000) << "seed " << seed;
+  }
+}
+
+// What a restart of the board's own would take minutes to learn again, it keeps.
+TEST(DriftAfterARestart, IsThatOfABoardThatNeverStopped) {
+  const DriftUnderFaults board(
+      model_with({fog::test::natural_term("thermal_lag", {300}, {0.3}),
+                  fog::test::natural_term("thermal_hysteresis", {3, 10}, {0.3, 0.2}),
+                  fog::test::natural_term("warm_up", {3000}, {0.5}),
+                  fog::test::written_term("late = lag(T,200)-play(T,5)")}),
+      1);
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    std::vector<Fault> restarts;
+    for (double at_s = 9000; at_s < 12'000; at_s += 237.3) {
+      restarts.push_back({Kind::board_restart, at_s, at_s + 0.25});
+    }
+    const DriftVerdict verdict =
+        print("restarts every 4 minutes", board.run(restarts, 12'200, seed));
+    EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
+    EXPECT_LE(verdict.clean_since_s, restarts.back().to_s + 20) << "seed " << seed;
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -36,15 +37,15 @@ class DriftUnderFaults {
     FaultyLine line(faults, seed, most_degc_per_min_);
     Witness truth(parameters_, seed, most_degc_per_min_);
     Witness told(parameters_, seed, most_degc_per_min_);
-    HostBoard board = make_board(parameters_);
+    Board board(parameters_);
     Clock clock(seed + 2);
     Judge judge;
-    std::int64_t before_us = 0;
     while (static_cast<double>(line.time_us()) < duration_s * 1e6) {
-      for (const FaultyLine::Arrival& arrival : line.next()) {
-        if (starts_anew(faults, before_us, arrival.time_us)) board = make_board(parameters_);
-        before_us = arrival.time_us;
-        const OutputSample out = board->process(arrival.sample, clock.at(arrival.time_us));
+      board.be(reset_at(faults, static_cast<double>(line.time_us()) * 1e-6));
+      const auto arrivals = line.next();
+      if (arrivals.empty()) board.wait();
+      for (const FaultyLine::Arrival& arrival : arrivals) {
+        const OutputSample out = board.process(arrival.sample, clock.at(arrival.time_us));
         const bool believed = !any(out.status, Status::temperature_invalid);
         truth.advance_to(arrival.time_us, 0);
         told.advance_to(arrival.time_us,
@@ -60,14 +61,65 @@ class DriftUnderFaults {
  private:
   using HostBoard = std::unique_ptr<fogcomp::board::HostCompensator>;
 
-  // Whether the board's power came back between two times.
-  static bool starts_anew(const std::vector<Fault>& faults, std::int64_t from_us,
-                          std::int64_t to_us) {
-    return std::any_of(faults.begin(), faults.end(), [&](const Fault& fault) {
-      const auto back_us = static_cast<std::int64_t>(fault.to_s * 1e6);
-      return fault.kind == Fault::Kind::power_cycle && from_us < back_us && back_us <= to_us;
-    });
+  // What the board goes on with afterwards, if it is held in reset.
+  enum class Reset : std::uint8_t { none, keeps_state, keeps_state_of_unknown_age, forgets };
+  static Reset reset_at(const std::vector<Fault>& faults, double time_s) {
+    Reset worst = Reset::none;
+    for (const Fault& fault : faults) {
+      if (time_s < fault.from_s || time_s >= fault.to_s) continue;
+      if (fault.kind == Fault::Kind::board_restart) worst = std::max(worst, Reset::keeps_state);
+      if (fault.kind == Fault::Kind::pin_reset) {
+        worst = std::max(worst, Reset::keeps_state_of_unknown_age);
+      }
+      if (fault.kind == Fault::Kind::power_cycle) worst = std::max(worst, Reset::forgets);
+    }
+    return worst;
   }
+
+  // Pipeline and kept state, as the product's main loop has them (firmware/app).
+  class Board {
+   public:
+    explicit Board(const ModelParameters& parameters)
+        : parameters_(parameters), pipeline_(make_board(parameters)) {}
+
+    void be(Reset reset) {
+      if (reset != Reset::none) {
+        off_ = std::max(off_, reset);
+      } else if (off_ != Reset::none) {
+        restart();
+      }
+    }
+    OutputSample process(const SensorSample& sample, SampleTime time) {
+      silent_ = 0;
+      const OutputSample out = pipeline_->process(sample, time);
+      if (block_ended_) size_ = pipeline_->keep(state_.data());
+      block_ended_ = pipeline_->ended_block();
+      return out;
+    }
+    /// No sample has come in its time.
+    void wait() {
+      if (off_ == Reset::none && ++silent_ >= 2) size_ = 0;
+    }
+
+   private:
+    void restart() {
+      pipeline_ = make_board(parameters_);
+      block_ended_ = false;
+      silent_ = 0;
+      if (off_ == Reset::forgets) size_ = 0;
+      if (size_ > 0) pipeline_->resume(state_.data(), off_ == Reset::keeps_state);
+      off_ = Reset::none;
+    }
+
+    const ModelParameters& parameters_;
+    HostBoard pipeline_;
+    std::array<std::uint32_t, fogcomp::board::HostCompensator::kMostStateWords> state_{};
+    std::size_t size_ = 0;
+    bool block_ended_ = false;
+    int silent_ = 0;
+    Reset off_ = Reset::none;
+  };
+
   // It has no part in the drift, and costs most of the time.
   static fogcomp::model::Model without_denoiser(fogcomp::model::Model model) {
     model.denoise.levels = 0;

@@ -31,7 +31,9 @@ struct Fault {
     swapped,             ///< every fourth sample comes after its successor
     sparse,              ///< only every `value`th sample arrives
     gyro_invalid,
-    power_cycle,  ///< the board starts anew at the end
+    power_cycle,    ///< the board starts anew at the end
+    board_restart,  ///< the board restarts by itself: its memory is kept
+    pin_reset,      ///< the same by the reset pin, which may have been held for any time
   };
   Kind kind;
   double from_s;
@@ -177,6 +179,8 @@ class FaultyLine {
           now.sample.gyro_valid = false;
           break;
         case Kind::power_cycle:
+        case Kind::board_restart:
+        case Kind::pin_reset:
           arrives = false;
           break;
       }

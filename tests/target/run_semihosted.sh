@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# run_semihosted.sh MACHINE ELF DIR: runs an image that ends itself by semihosting on QEMU's MACHINE,
+# run_semihosted.sh MACHINE ELF DIR [QEMU OPTION...]: runs an image that ends itself by semihosting on QEMU's MACHINE,
 # with DIR as its folder, and passes its console on. The exit code is the image's own, or 124 after
 # FOG_QEMU_TIMEOUT_S (default 120).
 set -euo pipefail
-(($# == 3)) || { echo "usage: run_semihosted.sh MACHINE ELF DIR" >&2; exit 2; }
+(($# >= 3)) || { echo "usage: run_semihosted.sh MACHINE ELF DIR [OPTION...]" >&2; exit 2; }
 machine=$1
 elf=$(realpath "$2")
 cd "$3"
@@ -12,4 +12,4 @@ emulator=(qemu-system-arm -serial null -serial null)
 [[ $machine != virt ]] || emulator=(qemu-system-riscv32 -bios none)
 exec timeout --kill-after=1 "${FOG_QEMU_TIMEOUT_S:-120}" \
   "${emulator[@]}" -M "$machine" -display none -monitor none \
-  -semihosting-config enable=on,target=native -serial stdio -kernel "$elf" </dev/null
+  -semihosting-config enable=on,target=native -serial stdio "${@:4}" -kernel "$elf" </dev/null

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/fixed_point/fixed.hpp"
+#include "core/fixed_point/rounded_product.hpp"
 #include "core/signal/quantities.hpp"
 
 namespace fog {
@@ -15,8 +16,8 @@ struct CalibrationParameters {
 
 /// Counts of the demodulator as a rate, deg/h. Exact product (below 2^62), rounded once, clipped.
 inline Rate calibrated_rate(const CalibrationParameters& calibration, std::int32_t counts) {
-  const std::int64_t product = std::int64_t{counts} * calibration.multiplier;
-  return Rate::from_raw(saturate<std::int32_t>(round_shift(product, calibration.shift)));
+  return Rate::from_raw(
+      saturate<std::int32_t>(rounded_product(counts, calibration.multiplier, calibration.shift)));
 }
 
 }  // namespace fog

@@ -36,6 +36,11 @@ class ExtensionMonitor {
     return monitors_[number].use();
   }
 
+  /// Takes these for confirmed values, before the first one is judged.
+  void resume(const std::array<ExtensionValue, kExtensionInputs>& values) {
+    for (std::size_t i = 0; i < kExtensionInputs; ++i) monitors_[i].resume(values[i]);
+  }
+
   /// Lets so many samples pass.
   void advance(std::uint32_t samples) {
     for (std::uint32_t& elapsed : elapsed_) {
@@ -87,6 +92,7 @@ class ExtensionMonitor<0> {
                    std::uint32_t /*sample_period_us*/, std::uint32_t /*confirm_us*/) {}
 
   ReadingUse judge(const ExtensionRecord& /*record*/) { return ReadingUse::none; }
+  void resume(const std::array<ExtensionValue, kExtensionInputs>& /*values*/) {}
   void advance(std::uint32_t /*samples*/) {}
   bool confirmed() const { return true; }
 };

@@ -67,6 +67,9 @@ class ReadingMonitor : private Limits {
   /// demodulator says of it. Returns what speaks against it, as flags of a temperature.
   Status judge(Reading reading, bool sensor_valid, std::uint32_t elapsed);
 
+  /// Takes this for a confirmed reading, before the first one is judged.
+  void resume(Reading reading) { follow(reading, 0); }
+
   /// What the reading judged last may be used for.
   ReadingUse use() const { return use_; }
   /// Whether there was ever a confirmed one. Until then a drift may be computed and not be trusted.

@@ -42,6 +42,12 @@ class SampleMonitor {
   /// `measured` is the sample's calibrated rate; `now` is when it came.
   Verdict judge(const SensorSample& sample, Rate measured, SampleTime now = {});
 
+  /// What outlives a restart: where the samples' numbers stood, and that the temperature was this.
+  void carry(StateCarrier& state, Temperature temperature) {
+    sequence_.carry(state);
+    if (state.restores()) temperature_.resume(temperature);
+  }
+
  private:
   SequenceMonitor sequence_;
   SampleRateMonitor sample_rate_;

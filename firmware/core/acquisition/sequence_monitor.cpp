@@ -31,8 +31,7 @@ SequenceMonitor::SequenceMonitor(std::uint32_t sample_period_us)
     : samples_per_ms_((std::uint32_t{1000} << 20U) / sample_period_us) {}
 
 SequenceMonitor::Verdict SequenceMonitor::judge(std::uint16_t sequence, SampleTime now) {
-  const auto skipped =
-      static_cast<std::uint16_t>(static_cast<unsigned>(sequence) - newest_ - unsigned{!first_});
+  const auto skipped = static_cast<std::uint16_t>(sequence - newest_ - unsigned{!first_});
   Verdict verdict;
   if (!first_) {
     const bool clock = now.known && newest_time_.known;

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/acquisition/sample_time.hpp"
+#include "core/bytes/state_carrier.hpp"
 #include "core/signal/status.hpp"
 
 namespace fog {
@@ -26,12 +27,19 @@ class SequenceMonitor {
 
   Verdict judge(std::uint16_t sequence, SampleTime now = {});
 
+  /// After a first sample. What is read back has no time: the sequence alone says how much has
+  /// passed since.
+  void carry(StateCarrier& state) {
+    state(newest_);
+    first_ = false;
+  }
+
  private:
   std::int32_t samples_in(std::uint32_t passed_ms) const;
 
   std::uint32_t samples_per_ms_;  // * 2^20
   bool first_ = true;
-  std::uint16_t newest_ = 0;
+  std::uint32_t newest_ = 0;  // 16 bits
   SampleTime newest_time_;
   std::uint32_t late_samples_ = 0;  // in a row
 };

@@ -55,7 +55,7 @@ class DriftModel {
         network_(network),
         policy_(policy),
         bridge_(policy.hold_blocks),
-        settling_blocks_(policy.settle_blocks) {}
+        course_{policy.settle_blocks} {}
 
   /// What it can see beside the temperature.
   static constexpr InputMask inputs =
@@ -69,8 +69,8 @@ class DriftModel {
     network_.reset(signals);
     bridge_.start(block);
     started_ = true;
-    settling_blocks_ = policy_.settle_blocks;
-    held_blocks_ = since_good_ = 0;
+    course_.settling_blocks = policy_.settle_blocks;
+    course_.held_blocks = course_.since_good = 0;
     evaluate(signals);
     see_effects(block.input_rate);
   }
@@ -81,21 +81,21 @@ class DriftModel {
   /// The means of one more block. The model is stepped by catch_up(): once, and once more for each
   /// block before it that was held.
   void take(const BlockMeans<BoardNumbers>& block) {
-    if (!started_ || !bridge_.aim(block, since_good_)) return start(block);
-    since_good_ = 0;
+    if (!started_ || !bridge_.aim(block, course_.since_good)) return start(block);
+    course_.since_good = 0;
   }
 
   /// One step, if one is due; a drift that was held is held until the last.
   void catch_up() {
     if (!started_ || bridge_.left() == 0) return;
-    if (settling_blocks_ > 0) --settling_blocks_;
-    const auto held = now_;
+    if (course_.settling_blocks > 0) --course_.settling_blocks;
+    const auto held = course_.now;
     evaluate(thermal_.step(bridge_.next()));
     if (bridge_.left() > 0) {
-      now_ = held;
+      course_.now = held;
     } else {
-      settle_after(held_blocks_ - since_good_);
-      held_blocks_ = since_good_;
+      settle_after(course_.held_blocks - course_.since_good);
+      course_.held_blocks = course_.since_good;
     }
   }
 
@@ -108,8 +108,8 @@ class DriftModel {
 
   /// So many blocks without a trustworthy temperature or input: the drift stays.
   void hold(std::uint32_t blocks) {
-    held_blocks_ = held_after(held_blocks_, blocks);
-    since_good_ = held_after(since_good_, blocks);
+    course_.held_blocks = held_after(course_.held_blocks, blocks);
+    course_.since_good = held_after(course_.since_good, blocks);
   }
 
   /// The rate that is measured now. Effects that follow the input rate see it less the drift of the
@@ -117,26 +117,52 @@ class DriftModel {
   /// 5 ms between two samples make 0.02 deg/h.
   void see(Rate measured) {
     if constexpr (Effects::follows_rate) {
-      see_effects(BoardNumbers::saturating_difference(measured, now_.of_sample));
-      now_.of_sample = now_.drift;
+      see_effects(BoardNumbers::saturating_difference(measured, course_.now.of_sample));
+      course_.now.of_sample = course_.now.drift;
     }
   }
 
   /// What is to be subtracted now.
-  Rate drift() const { return now_.drift; }
+  Rate drift() const { return course_.now.drift; }
 
   Status status() const {
-    return flags_ | status_if(held_blocks_ > 0, Status::drift_held) |
-           status_if(held_blocks_ > policy_.accurate_blocks, Status::drift_outdated) |
-           status_if(!started_ || held_blocks_ > policy_.hold_blocks, Status::drift_given_up) |
-           status_if(settling_blocks_ > 0, Status::thermal_settling);
+    return course_.flags | status_if(course_.held_blocks > 0, Status::drift_held) |
+           status_if(course_.held_blocks > policy_.accurate_blocks, Status::drift_outdated) |
+           status_if(!started_ || course_.held_blocks > policy_.hold_blocks,
+                     Status::drift_given_up) |
+           status_if(course_.settling_blocks > 0, Status::thermal_settling);
   }
 
   bool started() const { return started_; }
 
+  /// Whether it has been stepped with all blocks so far, so that carry() has all of its state.
+  bool has_caught_up() const { return bridge_.left() == 0; }
+  /// The state of one that has caught up. What is read back belongs to the time when it was
+  /// written: the blocks since then are held(), like any that are lost.
+  void carry(StateCarrier& state) {
+    thermal_.carry(state);
+    effects_.carry(state);
+    expressions_.carry(state);
+    network_.carry(state);
+    bridge_.carry(state);
+    state(course_);
+    started_ = true;
+    if constexpr (Effects::follows_rate)
+      course_.now.is_new = course_.now.is_new || state.restores();
+  }
+  /// What was measured in the last good block.
+  const BlockMeans<BoardNumbers>& last_block() const { return bridge_.passed(); }
+
  private:
   using Effects = EffectBank<kEffects>;
   using RateDrift = BoardNumbers::RateDrift;
+  struct Course {
+    std::uint32_t settling_blocks;  // until it has settled
+    std::uint32_t held_blocks = 0;  // since the drift was that of its block; to hold_blocks + 1
+    std::uint32_t since_good = 0;   // of these, those after the last good block
+    Status flags = Status::none;    // of the last step
+    DriftNow<Effects::follows_rate> now{};
+  };
   static constexpr int kRateBits = RateDrift::fractional_bits - Rate::fractional_bits;
 
   // Up to one more than may be held.
@@ -149,7 +175,7 @@ class DriftModel {
     const std::uint32_t all = policy_.settle_blocks;
     const std::uint32_t unsure =
         bridged_blocks < all / kUnsureHolds ? kUnsureHolds * bridged_blocks : all;
-    if (bridged_blocks > 0 && settling_blocks_ < unsure) settling_blocks_ = unsure;
+    if (bridged_blocks > 0 && course_.settling_blocks < unsure) course_.settling_blocks = unsure;
   }
 
   void evaluate(const Signals<BoardNumbers>& signals) {
@@ -159,33 +185,33 @@ class DriftModel {
     if constexpr (Effects::follows_rate) {
       const auto held =
           clamp(drift, round_to<DriftSum>(Rate::lowest()), round_to<DriftSum>(Rate::highest()));
-      now_.of_block =
+      course_.now.of_block =
           round_to<RateDrift>(held) + RateDrift::from_raw(rounding_half<RateDrift::Raw>(kRateBits));
-      now_.signals = signals;
-      now_.is_new = true;
+      course_.now.signals = signals;
+      course_.now.is_new = true;
     } else {
-      now_.drift = saturate_to<Rate>(drift);
+      course_.now.drift = saturate_to<Rate>(drift);
     }
-    flags_ = status_if(temperature < limits_.least || temperature > limits_.most,
-                       Status::temperature_clamped) |
-             status_if(!effects_.history_known() || !expressions_.history_known(),
-                       Status::history_unknown);
+    course_.flags = status_if(temperature < limits_.least || temperature > limits_.most,
+                              Status::temperature_clamped) |
+                    status_if(!effects_.history_known() || !expressions_.history_known(),
+                              Status::history_unknown);
   }
 
   // The sum fits: held_within().
   void see_effects(Rate rate) {
     if constexpr (Effects::follows_rate) {
-      if (now_.is_new) set_effects();
-      const RateDrift sum = effects_.at(rate, now_.of_block);
-      now_.drift = Rate::from_raw(saturating_shift<kRateBits>(sum.raw()));
+      if (course_.now.is_new) set_effects();
+      const RateDrift sum = effects_.at(rate, course_.now.of_block);
+      course_.now.drift = Rate::from_raw(saturating_shift<kRateBits>(sum.raw()));
     }
   }
 
   // What they make of the block is worked out with the sample after it, which has less to do than
   // the one that ends a block.
   [[gnu::noinline]] void set_effects() {
-    effects_.set(now_.signals);
-    now_.is_new = false;
+    effects_.set(course_.now.signals);
+    course_.now.is_new = false;
   }
 
   ThermalState<BoardNumbers> thermal_;
@@ -197,11 +223,7 @@ class DriftModel {
   BlockBridge<BoardNumbers, inputs> bridge_;
 
   bool started_ = false;
-  std::uint32_t held_blocks_ = 0;  // since the drift was that of its block; to hold_blocks + 1
-  std::uint32_t since_good_ = 0;   // of these, those after the last good block
-  std::uint32_t settling_blocks_;  // until it has settled
-  Status flags_ = Status::none;    // of the last step
-  DriftNow<Effects::follows_rate> now_;
+  Course course_;
 };
 
 }  // namespace fog

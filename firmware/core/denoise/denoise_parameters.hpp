@@ -18,6 +18,17 @@ enum class ThresholdRule : std::int32_t {
 
 constexpr std::size_t kMostTaps = 30;            ///< coif5
 constexpr std::size_t kAnyTaps = kMostTaps + 1;  ///< as a template argument: chosen at run time
+constexpr std::size_t kOrNone = 64;              ///< added to it: or without a denoiser
+
+/// Bit n: filters of 2 n taps; bit 0: no denoiser.
+using FilterMask = std::uint32_t;
+/// Those that a denoiser with so many taps, a template argument, can be.
+constexpr FilterMask filters_of(std::size_t taps) {
+  if (taps == kAnyTaps) return ~FilterMask{0};
+  const FilterMask one = FilterMask{1} << (taps % kOrNone / 2);
+  return taps > kOrNone ? one | 1U : one;
+}
+
 constexpr std::size_t kMostLevels = 10;
 constexpr int kTapFraction = 31;           ///< of analysis taps
 constexpr int kSynthesisTapFraction = 15;  ///< of synthesis taps

@@ -53,6 +53,8 @@ class AxialGradient {
     regressors[1] = saturate_to<Regressor>(divide_by_power_of_two<5>(along));
   }
 
+  void carry(StateCarrier& state) { derivative_.carry(state); }
+
  private:
   static typename N::Temperature difference(const Signals<N>& signals) {
     return signals.block[Input::temperature2] - signals.block.temperature;

@@ -33,6 +33,10 @@
 
      bool history_known() const;                                    since then it has been put right
 
+   and, where it has a state at all, what a restart of the board carries over,
+
+     void carry(StateCarrier&);                                     its members, in any order
+
    board_constants runs on the host only and may use N's mathematics there (RealNumbers::decay).
    Drift = sum of coefficient * regressor over all effects, plus the network. Regressors are
    dimensionless and within +-8; the coefficients are identified on the host. */

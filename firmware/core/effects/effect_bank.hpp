@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/bytes/state_carrier.hpp"
 #include "core/effects/effect.hpp"
 #include "core/effects/registry.hpp"
 #include "core/fixed_point/fixed.hpp"
@@ -22,6 +23,13 @@ template <class Effect, class = void>
 struct HasHistory : std::false_type {};
 template <class Effect>
 struct HasHistory<Effect, std::void_t<decltype(std::declval<const Effect&>().history_known())>>
+    : std::true_type {};
+
+template <class Effect, class = void>
+struct HasState : std::false_type {};
+template <class Effect>
+struct HasState<Effect,
+                std::void_t<decltype(std::declval<Effect&>().carry(std::declval<StateCarrier&>()))>>
     : std::true_type {};
 
 }  // namespace detail
@@ -107,6 +115,14 @@ class EffectBank {
   RateDrift at(Rate rate, RateDrift drift) const {
     std::apply([&](const auto&... slots) { (add_at(slots, rate, drift), ...); }, slots_);
     return drift;
+  }
+
+  void carry(StateCarrier& state) {
+    for_each([&](auto& slot) {
+      if constexpr (detail::HasState<std::decay_t<decltype(slot.effect)>>::value) {
+        slot.effect.carry(state);
+      }
+    });
   }
 
   /// Whether no state depends on what was before the start any more.

@@ -50,6 +50,8 @@ class Shupe {
         saturate_to<typename N::Regressor>(divide_by_power_of_two<3>(rate - lag_.step(rate)));
   }
 
+  void carry(StateCarrier& state) { lag_.carry(state); }
+
  private:
   using State = typename FirstOrderLag<N>::State;
   static State in_state(const Signals<N>& signals) {

@@ -74,6 +74,11 @@ class ThermalHysteresis {
     if (two_) regressors[1] = saturate_to<Regressor>(second_.step(x) * per_radius_[1]);
   }
 
+  void carry(StateCarrier& state) {
+    first_.carry(state);
+    second_.carry(state);
+  }
+
  private:
   using Value = typename Play<N>::Value;
   static Value operand(const Signals<N>& signals) { return round_to<Value>(signals.temperature); }

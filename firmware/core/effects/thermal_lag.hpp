@@ -48,6 +48,8 @@ class ThermalLag {
         saturate_to<typename N::Regressor>(divide_by_power_of_two<2>(lag_.step(in_state(signals))));
   }
 
+  void carry(StateCarrier& state) { lag_.carry(state); }
+
  private:
   using State = typename FirstOrderLag<N>::State;
   static State in_state(const Signals<N>& signals) {

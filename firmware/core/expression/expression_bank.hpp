@@ -8,6 +8,7 @@
 #include "core/expression/expression_program.hpp"
 #include "core/fixed_point/exponential.hpp"
 #include "core/fixed_point/logistic.hpp"
+#include "core/fixed_point/rounded_product.hpp"
 #include "core/fixed_point/sine.hpp"
 #include "core/signal/weighted_sum.hpp"
 #include "core/thermal/first_order_lag.hpp"
@@ -38,6 +39,12 @@ class ExpressionBank {
 
   /// Whether no play depends on what was before the start any more.
   bool history_known() const { return history_known_; }
+
+  void carry(StateCarrier& state) {
+    if constexpr (has(Op::lag) || has(Op::play)) {
+      if (parameters_.program.size > 0) state(states_);
+    }
+  }
 
   /// What the last run gave, for the host's check of the export.
   const std::array<Regressor, kMostExpressions>& regressors() const { return regressors_; }
@@ -144,7 +151,7 @@ class ExpressionBank {
           x = narrow(std::int64_t{*--below} - x);
           break;
         case Op::multiply:
-          x = narrow(round_shift(std::int64_t{*--below} * x, bits));
+          x = narrow(rounded_product(*--below, x, bits));
           break;
         case Op::divide:
           if constexpr (has(Op::divide)) x = quotient(*--below, x, bits);
@@ -204,6 +211,7 @@ class ExpressionBank<0> {
   void reset(const Signals<BoardNumbers>& /*signals*/) {}
   DriftSum step(const Signals<BoardNumbers>& /*signals*/) { return {}; }
   bool history_known() const { return true; }
+  void carry(StateCarrier& /*state*/) {}
 };
 
 }  // namespace fog

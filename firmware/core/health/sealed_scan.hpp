@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -9,14 +10,21 @@
 
 namespace fog {
 
-/// Goes over the image, then over constants in RAM, again and again, a few bytes at a time. Both
-/// are sealed, so that the CRC is kIntactImage at the end of the one and of the other.
+/// Goes over the image, then over what else is not to change (constants in RAM, a model in flash),
+/// again and again, a few bytes at a time. All parts are sealed, so that the CRC is kIntactImage at
+/// the end of each.
+template <std::size_t kParts>
 class SealedScan {
  public:
-  SealedScan(Span<const std::uint8_t> image, Span<const std::uint8_t> constants)
-      : image_(image), constants_(constants) {}
+  using Parts = std::array<Span<const std::uint8_t>, kParts>;
 
-  std::size_t size() const { return image_.size + constants_.size; }
+  static_assert(kParts == 2 || kParts == 3);
+
+  explicit SealedScan(const Parts& parts) : parts_(parts) {}
+
+  std::size_t size() const {
+    return parts_[0].size + parts_[1].size + (kParts > 2 ? parts_[kParts - 1].size : 0);
+  }
 
   /// Takes the next `bytes` (>= 1), fewer at the end. Returns whether that was the end; `crc` is
   /// then that of the whole pass, and the next call begins anew. No finished CRC is kept: it could
@@ -31,20 +39,22 @@ class SealedScan {
   }
 
  private:
-  // Returns how many bytes it took, none of them from the second part before the first is over.
+  // Returns how many bytes it took, all of them from one part.
   std::size_t take(std::size_t bytes) {
-    const bool in_image = position_ < image_.size;
-    const Span<const std::uint8_t>& part = in_image ? image_ : constants_;
-    const std::size_t from = in_image ? position_ : position_ - image_.size;
-    const std::size_t left = part.size - from;
+    const bool in_first = position_ < parts_[0].size;
+    std::size_t from = in_first ? position_ : position_ - parts_[0].size;
+    const Span<const std::uint8_t>* part = in_first ? &parts_[0] : &parts_[1];
+    if constexpr (kParts > 2) {
+      if (!in_first && from >= part->size) from -= part++->size;
+    }
+    const std::size_t left = part->size - from;
     if (bytes > left) bytes = left;
-    crc_ = crc32(part.data + from, bytes, crc_);
+    crc_ = crc32(part->data + from, bytes, crc_);
     position_ += bytes;
     return bytes;
   }
 
-  Span<const std::uint8_t> image_;
-  Span<const std::uint8_t> constants_;
+  Parts parts_;
   std::size_t position_ = 0;
   std::uint32_t crc_ = kImageCrcStart;
 };

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/bytes/state_carrier.hpp"
 #include "core/signal/quantities.hpp"
 
 namespace fog {
@@ -14,25 +15,29 @@ class BlockClock {
 
   /// Lets `samples` (below 2^31) pass; returns how many blocks they completed.
   std::uint32_t advance(std::uint32_t samples) {
-    const std::uint32_t position = position_ + samples;
+    const std::uint32_t position = now_.position + samples;
     if (position < samples_per_block_) {
-      position_ = position;
+      now_.position = position;
       return 0;
     }
-    position_ = position % samples_per_block_;
+    now_.position = position % samples_per_block_;
     const std::uint32_t blocks = position / samples_per_block_;
     constexpr auto kMost = static_cast<std::uint32_t>(Elapsed::highest().raw());
-    elapsed_ = blocks < kMost - elapsed_ ? elapsed_ + blocks : kMost;
+    now_.elapsed = blocks < kMost - now_.elapsed ? now_.elapsed + blocks : kMost;
     return blocks;
   }
 
+  void carry(StateCarrier& state) { state(now_); }
+
   /// Blocks completed so far; stays at its highest value after 68 years.
-  Elapsed elapsed() const { return Elapsed::from_raw(static_cast<std::int32_t>(elapsed_)); }
+  Elapsed elapsed() const { return Elapsed::from_raw(static_cast<std::int32_t>(now_.elapsed)); }
 
  private:
   std::uint32_t samples_per_block_;
-  std::uint32_t position_ = 0;
-  std::uint32_t elapsed_ = 0;
+  struct {
+    std::uint32_t position = 0;  // in the block, samples
+    std::uint32_t elapsed = 0;   // blocks
+  } now_;
 };
 
 }  // namespace fog

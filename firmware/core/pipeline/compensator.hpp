@@ -3,12 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "core/acquisition/calibration.hpp"
 #include "core/acquisition/extension_monitor.hpp"
 #include "core/acquisition/sample_monitor.hpp"
 #include "core/compensation/drift_model.hpp"
 #include "core/denoise/denoiser.hpp"
+#include "core/denoise/optional_denoiser.hpp"
 #include "core/frames/compact_frame.hpp"
 #include "core/frames/delta_angle.hpp"
 #include "core/frames/kvh_frame.hpp"
@@ -59,11 +61,13 @@ template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNe
           std::size_t kTaps, std::size_t kLevels, OutputSelection kOutput = OutputSelection::both,
           OutputOptions kOptions = kAllOutputOptions>
 class Compensator {
+  using Drift = DriftModel<kEffects, kExpressions, kNetworkInputs>;
+
  public:
   static constexpr ModelShape room{kEffects,
                                    kExpressions,
                                    kNetworkInputs,
-                                   kTaps,
+                                   filters_of(kTaps),
                                    kLevels,
                                    effect_fits<kEffects>,
                                    expression_check<kExpressions>(),
@@ -111,15 +115,14 @@ class Compensator {
       case StreamParser::Found::sample:
         break;
     }
-    last_ = process(amend(parser_.sample()), clock());
+    process(amend(parser_.sample()), clock());
     return encode(last_, out);
   }
 
   /// Where no sample has come: writes frames that say so to `out` and returns their size. Nothing
   /// else changes; the time that has passed comes with the next sample.
   std::size_t answer_silence(std::uint8_t* out) {
-    proof_.take();
-    rotation_.stand();
+    begin_answer();
     last_.status |= fault_ | Status::no_samples | Status::rate_refused | Status::denoised_refused |
                     status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
     return encode(last_, out);
@@ -149,24 +152,49 @@ class Compensator {
   /// Bytes of the sensor stream that were part of no good frame, modulo 2^32.
   std::uint32_t discarded_bytes() const { return parser_.discarded_bytes(); }
 
+  /// Whether a block ended with the last sample: keep() has something new to write.
+  bool ended_block() const { return ended_block_; }
+
+  /// What a restart of the board must not lose: thermal state, history, time since power-on. Writes
+  /// it to `words`, room for kMostStateWords, and returns how many they are; 0 where there is
+  /// nothing worth it.
+  std::size_t keep(std::uint32_t* words) {
+    if (any(last_.status, Status::drift_given_up) || !drift_model_.has_caught_up()) return 0;
+    StateCarrier state(StateCarrier::Way::to_words, words);
+    carry(state);
+    return static_cast<std::size_t>(state.end() - words);
+  }
+  static constexpr std::size_t kMostStateWords =
+      (sizeof(Drift) + sizeof(BlockClock)) / sizeof(std::uint32_t) + 1;
+
+  /// Goes on where `words`, that keep() has written for this very model, left off; before the first
+  /// sample. The time since then is a gap in the samples' numbers like any other. Where it may have
+  /// been longer than these can show (`was_short` false) the thermal state starts anew, and only
+  /// the time since power-on goes on.
+  void resume(std::uint32_t* words, bool was_short) {
+    StateCarrier state(StateCarrier::Way::to_members, words);
+    carry(state);
+    if (!was_short) drift_model_.stop();
+    extension_monitor_.resume(drift_model_.last_block().extension);
+  }
+
   /// One sample, which came `now`, through all stages.
   OutputSample process(const SensorSample& sample, SampleTime now = {}) {
-    proof_.take();
-    rotation_.stand();
+    begin_answer();
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = prepare_drift_model(verdict, temperature, measured);
     if (!any(verdict.status, kRateInvalid)) drift_model_.see(measured);
 
-    OutputSample result;
+    OutputSample& result = last_;
     result.sequence = sample.sequence;
     result.drift = drift_model_.drift();
     result.status = fault_ | verdict.status | drift_model_.status() | input_missing_ |
                     status_if(!verdict.temperature_confirmed || !extension_monitor_.confirmed(),
                               Status::drift_given_up) |
                     status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
-    result.compensated = saturate_to<Rate>(difference(measured, result.drift));
+    result.compensated = BoardNumbers::saturating_difference(measured, result.drift);
 
     // A late sample is answered, but time stands: it has no place in what runs at the sample rate.
     const bool measured_well = !any(result.status, kRateInvalid);
@@ -194,8 +222,19 @@ class Compensator {
   }
 
  private:
-  using Drift = DriftModel<kEffects, kExpressions, kNetworkInputs>;
   using Collector = BlockCollector<Drift::inputs>;
+
+  void carry(StateCarrier& state) {
+    drift_model_.carry(state);
+    block_clock_.carry(state);
+    monitor_.carry(state, drift_model_.last_block().temperature);
+  }
+
+  void begin_answer() {
+    proof_.take();
+    rotation_.stand();
+    ended_block_ = false;
+  }
 
   void denoise(Rate compensated, bool measured_well) {
     denoised_ = denoiser_.step(compensated, measured_well);
@@ -228,11 +267,6 @@ class Compensator {
     }
   }
 
-  static Fixed<std::int64_t, Rate::fractional_bits> difference(Rate a, Rate b) {
-    using Wide = Fixed<std::int64_t, Rate::fractional_bits>;
-    return Wide::from_raw(a.raw()) - Wide::from_raw(b.raw());
-  }
-
   // Returns whether the sample's temperature may be used: without time there is no temperature
   // rate. Starts the model if it has to be, before a block is full: the sample's own values stand
   // for its means.
@@ -254,6 +288,7 @@ class Compensator {
   // elapsed - (blocks - 1). Its drift holds from the next sample on.
   void finish_blocks(std::uint32_t blocks) {
     if (blocks == 0) return;
+    ended_block_ = true;
     input_missing_ = status_if(!collector_.has_inputs(), Status::input_missing);
     if (collector_.has_temperature() && collector_.has_inputs()) {
       const auto later = Elapsed::from_raw(static_cast<std::int32_t>(blocks - 1));
@@ -304,9 +339,12 @@ class Compensator {
   Status input_missing_ = Status::none;
   Drift drift_model_;
   std::uint32_t catch_up_steps_;
-  Denoiser<kTaps, kLevels> denoiser_;
+  std::conditional_t<(kTaps > kOrNone), OptionalDenoiser<kTaps % kOrNone, kLevels>,
+                     Denoiser<kTaps, kLevels>>
+      denoiser_;
   DenoiserOutput denoised_;
   std::size_t samples_after_refused_ = 0;
+  bool ended_block_ = false;
   Temperature last_temperature_{};
   OutputSample last_;
   std::uint32_t frames_ = 0;

@@ -181,7 +181,7 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   if ((parameters.expressions.used & ~room.expressions) != 0U) return ModelError::not_in_image;
   if ((enabled & ~room.effects) != 0U || (parameters.network.used() & ~room.network_inputs) != 0U ||
       parameters.denoise.levels() > room.levels ||
-      (room.taps != kAnyTaps && parameters.denoise.taps() != room.taps) ||
+      (room.filters >> (parameters.denoise.taps() / 2) & 1U) == 0U ||
       (room.output != OutputSelection::both && parameters.output != room.output) ||
       (parameters.output_options & ~room.output_options) != 0U) {
     return ModelError::not_in_image;

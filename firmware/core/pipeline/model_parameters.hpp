@@ -35,7 +35,7 @@ struct ModelShape {
   EffectMask effects = 0;
   ExpressionMask expressions = 0;
   NetworkInputMask network_inputs = 0;
-  std::size_t taps = 0;    ///< exactly, or kAnyTaps
+  FilterMask filters = 0;  ///< lengths of which it has the denoiser
   std::size_t levels = 0;  ///< at most
   EffectCheck effect_fits = fog::effect_fits<kAllEffects>;
   ExpressionCheck expressions_fit = fog::expressions_fit;
@@ -44,8 +44,8 @@ struct ModelShape {
 };
 
 /// Room for any model.
-constexpr ModelShape kAnyModel{kAllEffects, kAllExpressions, kAllNetworkInputs, kAnyTaps,
-                               kMostLevels};
+constexpr ModelShape kAnyModel{kAllEffects, kAllExpressions, kAllNetworkInputs,
+                               filters_of(kAnyTaps), kMostLevels};
 
 /// Whose model it is, from word kIdentityAt of the table on: four words of the gyro's serial
 /// number, ASCII padded with 0, at least one; three of the number of the processor that it is bound

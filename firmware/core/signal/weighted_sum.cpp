@@ -1,5 +1,7 @@
 #include "core/signal/weighted_sum.hpp"
 
+#include "core/fixed_point/rounded_product.hpp"
+
 namespace fog {
 
 DriftSum weighted_sum(Span<const std::int32_t> coefficients, const Regressor* regressors,
@@ -7,8 +9,7 @@ DriftSum weighted_sum(Span<const std::int32_t> coefficients, const Regressor* re
   const int dropped = coefficient_fraction + Regressor::fractional_bits - DriftSum::fractional_bits;
   DriftSum sum{};
   for (const std::int32_t coefficient : coefficients) {
-    const std::int64_t product = std::int64_t{coefficient} * (regressors++)->raw();
-    sum += DriftSum::from_raw(round_shift(product, dropped));
+    sum += DriftSum::from_raw(rounded_product(coefficient, (regressors++)->raw(), dropped));
   }
   return sum;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/bytes/state_carrier.hpp"
 #include "core/fixed_point/fixed.hpp"
 #include "core/fixed_point/saturating_difference.hpp"
 #include "core/thermal/block_means.hpp"
@@ -41,6 +42,17 @@ class BlockBridge {
 
   /// Blocks that the model is still to be stepped with; the last one is the good one.
   std::uint32_t left() const { return left_; }
+
+  /// The block that the model has been stepped with last.
+  const Means& passed() const { return passed_; }
+
+  /// Where no block is left.
+  void carry(StateCarrier& state) {
+    state(passed_.temperature);
+    state(passed_.elapsed);
+    if constexpr (has(kPossible, Input::input_rate)) state(passed_.input_rate);
+    if constexpr ((kPossible & kAllExtensionInputs) != 0U) state(passed_.extension);
+  }
 
   /// The next of them; not where none is left.
   const Means& next() {

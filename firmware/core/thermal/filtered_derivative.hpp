@@ -49,6 +49,11 @@ class FilteredDerivative {
     return clamp(rate, -kMost, kMost);
   }
 
+  void carry(StateCarrier& state) {
+    first_.carry(state);
+    second_.carry(state);
+  }
+
  private:
   using State = typename FirstOrderLag<N>::State;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/state_carrier.hpp"
 #include "core/fixed_point/fixed.hpp"
 
 namespace fog {
@@ -30,6 +31,8 @@ class FirstOrderLag {
   }
 
   State value() const { return y_; }
+
+  void carry(StateCarrier& state) { state(y_); }
 
  private:
   Decay decay_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/state_carrier.hpp"
 #include "core/fixed_point/fixed.hpp"
 
 namespace fog {
@@ -31,6 +32,12 @@ class Play {
   /// Whether y is what it would be wherever it had been when it was centred: x has gone through
   /// twice the radius since.
   bool history_known() const { return lowest_ == highest_; }
+
+  void carry(StateCarrier& state) {
+    state(y_);
+    state(lowest_);
+    state(highest_);
+  }
 
  private:
   Value radius_;

@@ -34,6 +34,8 @@ class ThermalState {
     return {clamp(block.temperature, least_, most_), rate, block};
   }
 
+  void carry(StateCarrier& state) { derivative_.carry(state); }
+
  private:
   typename N::Temperature least_;
   typename N::Temperature most_;

@@ -10,6 +10,10 @@ extern "C" {
 extern const std::uint8_t fog_image_start[];
 extern const std::uint8_t fog_image_end[];
 
+/// Where models lie that are loaded, behind an image that has none.
+extern const std::int32_t fog_model_slot_0[];
+extern const std::int32_t fog_model_slot_1[];
+
 /// The sizes of the memories: the address is the size field of a region of the memory protection.
 extern const std::uint8_t fog_flash_region_size[];
 extern const std::uint8_t fog_ram_region_size[];

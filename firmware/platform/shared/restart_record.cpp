@@ -5,7 +5,7 @@
 namespace fog::platform {
 namespace {
 
-constexpr auto kNotOurs = static_cast<std::uint32_t>(hal::ResetCause::unknown);
+constexpr auto kNotOurs = hal::ResetCause::unknown;
 
 void count(hal::RestartCounts& counts, hal::ResetCause cause) {
   using hal::ResetCause;
@@ -19,32 +19,29 @@ void count(hal::RestartCounts& counts, hal::ResetCause cause) {
 }  // namespace
 
 void RestartRecord::keep(hal::ResetCause cause, const hal::CrashRecord& crash) {
-  const bool known = crc_ == crc();  // not where a start fails before it has taken the record
-  seal(static_cast<std::uint32_t>(cause), crash, known ? counts_ : hal::RestartCounts{});
+  if (!is_intact()) report_.counts = {};  // a start fails before it has taken the record
+  report_.cause = cause;
+  report_.last_crash = crash;
+  crc_ = crc();
 }
 
 hal::ResetReport RestartRecord::take(hal::ResetCause hardware_cause) {
-  hal::ResetReport report{hardware_cause, {}, {}};
-  if (crc_ == crc()) {
-    report.last_crash = crash_;
-    if (cause_ != kNotOurs) report.cause = static_cast<hal::ResetCause>(cause_);
-    report.counts = counts_;
-    count(report.counts, report.cause);
-  }
-  seal(kNotOurs, report.last_crash, report.counts);
-  return report;
+  if (!is_intact()) *this = RestartRecord();
+  if (report_.cause == kNotOurs) report_.cause = hardware_cause;
+  count(report_.counts, report_.cause);
+  const hal::ResetReport taken = report_;
+  report_.cause = kNotOurs;
+  crc_ = crc();
+  return taken;
 }
 
 void RestartRecord::forget_faults() {
-  seal(cause_, crash_, {counts_.clock_failures, 0});
+  report_.counts.faults = 0;
+  crc_ = crc();
 }
 
-void RestartRecord::seal(std::uint32_t cause, const hal::CrashRecord& crash,
-                         const hal::RestartCounts& counts) {
-  cause_ = cause;
-  crash_ = crash;
-  counts_ = counts;
-  crc_ = crc();
+bool RestartRecord::is_intact() const {
+  return crc_ == crc();
 }
 
 std::uint32_t RestartRecord::crc() const {

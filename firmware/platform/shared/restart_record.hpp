@@ -22,12 +22,10 @@ class RestartRecord {
   void forget_faults();
 
  private:
-  void seal(std::uint32_t cause, const hal::CrashRecord& crash, const hal::RestartCounts& counts);
+  bool is_intact() const;
   std::uint32_t crc() const;
 
-  std::uint32_t cause_;  // a ResetCause; 0 after a reset that was not the firmware's
-  hal::CrashRecord crash_;
-  hal::RestartCounts counts_;
+  hal::ResetReport report_;  // its cause: unknown after a reset that was not the firmware's
   std::uint32_t crc_;
 };
 

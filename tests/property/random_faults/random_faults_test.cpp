@@ -28,8 +28,10 @@ class Draw {
   double duration_s() { return std::pow(10, uniform(-2.3, 2.9)); }
 
   Fault fault(double from_s) {
-    const auto kind = static_cast<Kind>(random_() % (static_cast<unsigned>(Kind::power_cycle) + 1));
+    const auto kind = static_cast<Kind>(random_() % (static_cast<unsigned>(Kind::pin_reset) + 1));
     Fault fault{kind, from_s, from_s + duration_s()};
+    // The watchdog bites after 0.1 s, a start takes another.
+    if (kind == Kind::board_restart) fault.to_s = from_s + uniform(0.05, 1);
     if (kind == Kind::restart) fault.value = uniform(0, 65536);
     if (kind == Kind::wrong_temperature) fault.value = uniform(-80, 140);
     if (kind == Kind::temperature_offset) fault.value = uniform(-30, 30);

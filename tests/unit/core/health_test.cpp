@@ -36,7 +36,8 @@ TEST(SealedScan, EndsIntactForEverySizeOfPieceAndOfParts) {
     const auto image = sealed(size, fog::kImageCrcStart, 1);
     const auto constants = sealed(37, fog::kIntactImage, 2);
     for (const std::size_t piece : {1U, 7U, 34U, 5000U}) {
-      fog::SealedScan scan({image.data(), image.size()}, {constants.data(), constants.size()});
+      fog::SealedScan<2> scan(
+          {{{image.data(), image.size()}, {constants.data(), constants.size()}}});
       for (int pass = 0; pass < 3; ++pass) {
         std::size_t steps = 1;
         volatile std::uint32_t crc = 0;
@@ -55,12 +56,36 @@ TEST(SealedScan, FindsEveryFlippedBitOfImageConstantsAndSeals) {
     for (std::size_t bit = 0; bit < 8 * part->size(); ++bit) {
       std::uint8_t& byte = (*part)[bit / 8];
       byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8)));
-      fog::SealedScan scan({image.data(), image.size()}, {constants.data(), constants.size()});
+      fog::SealedScan<2> scan(
+          {{{image.data(), image.size()}, {constants.data(), constants.size()}}});
       volatile std::uint32_t crc = 0;
       while (!scan.step(11, crc)) {
       }
       EXPECT_NE(crc, fog::kIntactImage) << bit;
       byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8)));
+    }
+  }
+}
+
+// An image whose model is loaded, between it and its constants; or none.
+TEST(SealedScan, GoesOverASlotAsWell) {
+  const auto image = sealed(200, fog::kImageCrcStart, 5);
+  const auto constants = sealed(50, fog::kIntactImage, 6);
+  for (const bool loaded : {true, false}) {
+    auto slot = sealed(120, fog::kIntactImage, 7);
+    const std::size_t slot_size = loaded ? slot.size() : 0;
+    for (std::size_t bit = 0; bit <= 8 * slot_size; ++bit) {
+      const bool flipped = bit < 8 * slot_size;
+      if (flipped) slot[bit / 8] = static_cast<std::uint8_t>(slot[bit / 8] ^ (1U << (bit % 8)));
+      fog::SealedScan<3> scan({{{image.data(), image.size()},
+                                {slot.data(), slot_size},
+                                {constants.data(), constants.size()}}});
+      std::size_t steps = 1;
+      volatile std::uint32_t crc = 0;
+      while (!scan.step(13, crc)) ++steps;
+      EXPECT_EQ(crc == fog::kIntactImage, !flipped) << bit;
+      EXPECT_EQ(steps, (image.size() + slot_size + constants.size() + 12) / 13);
+      if (flipped) slot[bit / 8] = static_cast<std::uint8_t>(slot[bit / 8] ^ (1U << (bit % 8)));
     }
   }
 }

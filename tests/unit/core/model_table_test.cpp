@@ -85,14 +85,16 @@ TEST(ModelTable, SaysWhyItIsRefused) {
   words.pop_back();
   EXPECT_EQ(read(words), ModelError::damaged);
   words = good_words();
-  EXPECT_EQ(read(words, {0x7, 0, 0x3, 16, 5}), ModelError::none);
-  EXPECT_EQ(read(words_with_expressions(), {0x7, 0, 0x3, 16, 5}), ModelError::not_in_image);
-  EXPECT_EQ(read(words_with_expressions(), {0x7, fog::kAllExpressions, 0x3, 16, 5}),
-            ModelError::none);
-  EXPECT_EQ(read(words, {0x3, 0, 0x3, 16, 5}), ModelError::not_in_image);
-  EXPECT_EQ(read(words, {0x7, 0, 0x1, 16, 5}), ModelError::not_in_image);
-  EXPECT_EQ(read(words, {0x7, 0, 0x3, 16, 4}), ModelError::not_in_image);
-  EXPECT_EQ(read(words, {0x7, 0, 0x3, 14, 5}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 0, 0x3, fog::filters_of(16), 5}), ModelError::none);
+  EXPECT_EQ(read(words_with_expressions(), {0x7, 0, 0x3, fog::filters_of(16), 5}),
+            ModelError::not_in_image);
+  EXPECT_EQ(
+      read(words_with_expressions(), {0x7, fog::kAllExpressions, 0x3, fog::filters_of(16), 5}),
+      ModelError::none);
+  EXPECT_EQ(read(words, {0x3, 0, 0x3, fog::filters_of(16), 5}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 0, 0x1, fog::filters_of(16), 5}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 0, 0x3, fog::filters_of(16), 4}), ModelError::not_in_image);
+  EXPECT_EQ(read(words, {0x7, 0, 0x3, fog::filters_of(14), 5}), ModelError::not_in_image);
 }
 
 TEST(ModelTable, HasASentenceForEveryRefusal) {

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/frames/slots_record.hpp"
+#include "core/health/sealed_scan.hpp"
+#include "core/pipeline/model_parameters.hpp"
+#include "core/pipeline/model_slot.hpp"
+#include "fog_model.h"
+#include "hal/model_memory.hpp"
+#include "hal/processor.hpp"
+
+// Where an image has its model table from: out of the header that it is built with, or, where that
+// says so, out of a slot of flash.
+namespace fog::app {
+
+#ifdef FOG_MODEL_IN_SLOTS
+
+class ModelTable {
+ public:
+  static constexpr bool is_loaded = true;
+  static constexpr std::size_t sealed_parts = 3;
+  using Sealed = SealedScan<sealed_parts>::Parts;
+
+  /// Takes it apart; the error is why there is none.
+  ModelError read(const ModelShape& room, ModelParameters& parameters) {
+    const auto memories = hal::model_memories();
+    choice_ = choose_slot(
+        {{{memories[0].words, memories[0].size}, {memories[1].words, memories[1].size}}}, room,
+        hal::processor_number(), parameters);
+    return choice_.error;
+  }
+  /// The gyro's serial number, ASCII; empty where the table has none. Only where there is a table.
+  const char* serial() const {
+    return reinterpret_cast<const char*>(choice_.used().table.data + kIdentityAt);
+  }
+  /// What the self-test goes over.
+  Sealed sealed(Span<const std::uint8_t> image, Span<const std::uint8_t> constants) const {
+    return {image, is_used() ? choice_.used().sealed : Span<const std::uint8_t>{}, constants};
+  }
+  /// What no other table has that this image could use.
+  std::uint32_t key() const { return is_used() ? table_crc(choice_.used()) : 0; }
+  /// For whoever asks the board.
+  SlotsRecord slots() const {
+    SlotsRecord record{static_cast<std::uint8_t>(choice_.slot), {}};
+    for (std::size_t i = 0; i < kModelSlots; ++i) record.slots[i] = record_of(choice_.slots[i]);
+    return record;
+  }
+
+ private:
+  bool is_used() const { return choice_.error == ModelError::none; }
+  static std::uint32_t table_crc(const SlotContents& slot) {
+    return static_cast<std::uint32_t>(slot.table[slot.table.size - 1]);
+  }
+  static SlotRecord record_of(const SlotContents& slot) {
+    SlotRecord record{static_cast<std::uint8_t>(slot.error), slot.sequence, 0, 0, {}};
+    if (slot.table.size <= kProcessorAt) return record;
+    record.model = static_cast<std::uint32_t>(slot.table[kIdentityAt - 1]);
+    record.table = table_crc(slot);
+    __builtin_memcpy(record.serial.data(), slot.table.data + kIdentityAt, sizeof record.serial);
+    return record;
+  }
+
+  SlotChoice choice_;
+};
+
+#else
+
+class ModelTable {
+ public:
+  static constexpr bool is_loaded = false;
+  static constexpr std::size_t sealed_parts = 2;
+  using Sealed = SealedScan<sealed_parts>::Parts;
+
+  ModelError read(const ModelShape& room, ModelParameters& parameters) {
+    const ModelError error = read_model({fog_model, FOG_MODEL_WORDS}, room, parameters);
+    if constexpr (FOG_MODEL_BOUND != 0) {
+      if (error == ModelError::none &&
+          is_bound_elsewhere(&fog_model[kProcessorAt], hal::processor_number())) {
+        read_model({}, room, parameters);  // none
+        return ModelError::other_board;
+      }
+    }
+    return error;
+  }
+  /// Where it was refused it may have anything. Out of line: whoever contains it has a table of its
+  /// own.
+  [[gnu::noinline]] static const char* serial() {
+    return reinterpret_cast<const char*>(&fog_model[kIdentityAt]);
+  }
+  static Sealed sealed(Span<const std::uint8_t> image, Span<const std::uint8_t> constants) {
+    return {image, constants};
+  }
+  static constexpr std::uint32_t key() { return 0; }  // the image's seal says it
+};
+
+#endif
+
+}  // namespace fog::app

@@ -1,0 +1,66 @@
+#include "core/pipeline/model_slot.hpp"
+
+#include "core/bytes/crc.hpp"
+#include "core/health/image_seal.hpp"
+
+namespace fog {
+namespace {
+
+bool is_newer(const SlotContents& a, const SlotContents& b) {
+  if (a.error == ModelError::not_a_model || b.error == ModelError::not_a_model) {
+    return b.error == ModelError::not_a_model;
+  }
+  return static_cast<std::int32_t>(a.sequence - b.sequence) >= 0;
+}
+
+ModelError read_for(const SlotContents& slot, const ModelShape& room,
+                    const std::array<std::uint32_t, kProcessorWords>& processor,
+                    ModelParameters& parameters) {
+  const ModelError error = read_model(slot.table, room, parameters);
+  if (error != ModelError::none) return error;
+  if (!is_bound_elsewhere(slot.table.data + kProcessorAt, processor)) return ModelError::none;
+  read_model({}, room, parameters);  // none: a second one would be a fifth of the stack
+  return ModelError::other_board;
+}
+
+}  // namespace
+
+SlotContents read_slot(SlotMemory memory) {
+  SlotContents slot;
+  if (memory.size < kSlotHeaderWords || memory[0] != kSlotMagic) return slot;
+  slot.sequence = static_cast<std::uint32_t>(memory[2]);
+  slot.error = ModelError::other_layout;
+  if (memory[1] != kSlotLayout) return slot;
+  slot.error = ModelError::damaged;
+  const auto words = static_cast<std::uint32_t>(memory[3]);
+  if (words > kMostSlotWords || kSlotHeaderWords + words + 1 > memory.size) return slot;
+  const Span<const std::uint8_t> sealed{reinterpret_cast<const std::uint8_t*>(memory.data),
+                                        (kSlotHeaderWords + words + 1) * sizeof(std::int32_t)};
+  if (crc32(sealed.data, sealed.size, kIntactImage) != kIntactImage) return slot;
+  slot.error = ModelError::none;
+  slot.table = {memory.data + kSlotHeaderWords, words};
+  slot.sealed = sealed;
+  return slot;
+}
+
+SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const ModelShape& room,
+                       const std::array<std::uint32_t, kProcessorWords>& processor,
+                       ModelParameters& parameters) {
+  SlotChoice choice;
+  choice.slots = {read_slot(slots[0]), read_slot(slots[1])};
+  const std::size_t newest = is_newer(choice.slots[0], choice.slots[1]) ? 0 : 1;
+  for (const std::size_t slot : {newest, newest ^ 1U}) {
+    ModelError& error = choice.slots[slot].error;
+    if (error == ModelError::none)
+      error = read_for(choice.slots[slot], room, processor, parameters);
+    if (error == ModelError::none) {
+      choice.error = error;
+      choice.slot = slot;
+      return choice;
+    }
+  }
+  choice.error = choice.slots[newest].error;
+  return choice;
+}
+
+}  // namespace fog

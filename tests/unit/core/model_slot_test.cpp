@@ -1,0 +1,135 @@
+// Which of its two slots a board with the generic image has its model from.
+#include "core/pipeline/model_slot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "board/model_slot.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/frames/health_request.hpp"
+#include "core/frames/slots_record.hpp"
+#include "support/sample_models.hpp"
+
+namespace {
+
+using fog::ModelError;
+using fog::SlotChoice;
+using fogcomp::board::BoardSettings;
+
+constexpr fogcomp::board::ProcessorNumber kProcessor{1, 2, 3};
+
+class ModelSlots : public testing::Test {
+ protected:
+  using Memory = std::vector<std::int32_t>;
+
+  static std::string bytes_of(std::uint32_t sequence, const BoardSettings& settings = {}) {
+    const auto table = fogcomp::board::make_board_table(fog::test::paper_like_model(), settings);
+    return fogcomp::board::slot_bytes(table, sequence, "test");
+  }
+  static Memory holding(const std::string& bytes) {
+    Memory memory(fog::kSlotBytes / sizeof(std::int32_t), -1);  // erased flash
+    std::memcpy(memory.data(), bytes.data(), bytes.size());
+    return memory;
+  }
+  static Memory table(std::uint32_t sequence, const BoardSettings& settings = {}) {
+    return holding(bytes_of(sequence, settings));
+  }
+  static Memory erased() { return holding(""); }
+
+  SlotChoice choose(const Memory& a, const Memory& b) {
+    return fog::choose_slot({{{a.data(), a.size()}, {b.data(), b.size()}}}, fog::kGenericImage,
+                            kProcessor, parameters_);
+  }
+  bool has_model() const { return parameters_.fault == fog::Status::none; }
+
+  fog::ModelParameters parameters_;
+};
+
+TEST_F(ModelSlots, TheNewerOneIsUsedAlsoWhereTheirNumbersGoRound) {
+  EXPECT_EQ(choose(table(7), table(8)).slot, 1U);
+  EXPECT_EQ(choose(table(8), table(7)).slot, 0U);
+  EXPECT_EQ(choose(table(8), erased()).slot, 0U);
+  EXPECT_EQ(choose(erased(), table(0)).slot, 1U);
+  EXPECT_EQ(choose(table(0), table(UINT32_MAX)).slot, 0U);
+  EXPECT_TRUE(has_model());
+}
+
+TEST_F(ModelSlots, WithoutATableThereIsNoModel) {
+  const SlotChoice choice = choose(erased(), erased());
+  EXPECT_EQ(choice.error, ModelError::not_a_model);
+  EXPECT_EQ(choice.slot, fog::kModelSlots);
+  EXPECT_FALSE(has_model());
+}
+
+TEST_F(ModelSlots, AnyFlippedBitLeavesTheOlderOne) {
+  const std::string good = bytes_of(2);
+  const Memory older = table(1);
+  for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
+    std::string bad = good;
+    bad[bit / 8] = static_cast<char>(bad[bit / 8] ^ (1 << (bit % 8)));
+    const SlotChoice choice = choose(holding(bad), older);
+    ASSERT_EQ(choice.error, ModelError::none) << bit;
+    ASSERT_EQ(choice.slot, 1U) << bit;
+  }
+}
+
+TEST_F(ModelSlots, OneThatIsWrittenInPartLeavesTheOlderOne) {
+  const std::string good = bytes_of(2);
+  for (std::size_t size = 0; size < good.size(); ++size) {
+    ASSERT_EQ(choose(table(1), holding(good.substr(0, size))).slot, 0U) << size;
+  }
+}
+
+TEST_F(ModelSlots, OneOfAnotherBoardLeavesTheOlderOneAndIsTheReasonWhereThereIsNone) {
+  BoardSettings elsewhere;
+  elsewhere.processor = {3, 2, 1};
+  EXPECT_EQ(choose(table(1), table(2, elsewhere)).slot, 0U);
+  EXPECT_EQ(choose(erased(), table(2, elsewhere)).error, ModelError::other_board);
+  EXPECT_FALSE(has_model());
+  BoardSettings here;
+  here.processor = kProcessor;
+  EXPECT_EQ(choose(table(1), table(2, here)).slot, 1U);
+}
+
+TEST_F(ModelSlots, WhatTheSelfTestGoesOverComesToAnIntactImage) {
+  const Memory memory = table(1);
+  const fog::SlotContents slot = fog::read_slot({memory.data(), memory.size()});
+  EXPECT_EQ(fog::crc32(slot.sealed.data, slot.sealed.size, fog::kIntactImage), fog::kIntactImage);
+}
+
+TEST(SlotsRecord, IsReadAsItWasSentAndNotWithAnyBitFlipped) {
+  fog::SlotsRecord record;
+  record.used = 1;
+  record.slots[0] = {3, 7, 0xAABBCCDD, 0x11223344, {0x30473031, 0, 0, 0}};
+  record.slots[1] = {0, 8, 1, 2, {0x31313131, 0x32323232, 0x33333333, 0x00343434}};
+  const fog::SlotsResponse good = fog::encode_slots_response(record);
+  fog::SlotsRecord read;
+  ASSERT_TRUE(fog::decode_slots_response(good.data(), read));
+  EXPECT_EQ(read.used, 1);
+  EXPECT_EQ(fog::encode_slots_response(read), good);
+  for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
+    fog::SlotsResponse bad = good;
+    bad[bit / 8] = static_cast<std::uint8_t>(bad[bit / 8] ^ (1U << (bit % 8)));
+    EXPECT_FALSE(fog::decode_slots_response(bad.data(), read)) << bit;
+  }
+}
+
+TEST(SlotsRecord, IsAskedForWithARightCrc) {
+  for (const fog::HealthRequest& request : {fog::kHealthRequest, fog::kSlotsRequest}) {
+    EXPECT_EQ(request[4] | request[5] << 8, fog::crc16(&request[1], 3));
+  }
+}
+
+TEST_F(ModelSlots, WhatIsWrongWithEachIsKnown) {
+  BoardSettings elsewhere;
+  elsewhere.processor = {3, 2, 1};
+  const SlotChoice choice = choose(table(1), table(2, elsewhere));
+  EXPECT_EQ(choice.slots[0].error, ModelError::none);
+  EXPECT_EQ(choice.slots[1].error, ModelError::other_board);
+  EXPECT_EQ(choose(erased(), table(2)).slots[0].error, ModelError::not_a_model);
+}
+
+}  // namespace
