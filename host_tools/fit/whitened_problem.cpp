@@ -55,13 +55,11 @@ void WhitenedProblem::project_out_fixed() {
     if (!moves[i]) fixed.push_back(columns_[i]);
   }
   const Eigen::MatrixXd all = side_by_side(fixed, measured_.size());
-  if (!all.allFinite()) {  // an expression: no shape of the others makes that better
-    measured_left_.setConstant(measured_.size(), std::numeric_limits<double>::quiet_NaN());
-    return;
-  }
-  fixed_ = orthonormal(all, kDependent);
+  const bool finite = all.allFinite();  // else an expression: no shape of the others mends that
+  fixed_ = finite ? orthonormal(all, kDependent) : Eigen::MatrixXd(all.rows(), 0);
   measured_left_ = without(fixed_, measured_);
-  left_.resize(columns_.size());
+  if (!finite) measured_left_.setConstant(std::numeric_limits<double>::quiet_NaN());
+  left_.assign(columns_.size(), Eigen::MatrixXd(measured_.size(), 0));
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (moves[i]) left_[i] = without(fixed_, columns_[i]);
   }
@@ -146,6 +144,7 @@ Eigen::MatrixXd WhitenedProblem::jacobian(
 }
 
 double WhitenedProblem::cost() const {
+  if (left_.empty()) return cost_of(matrix(), measured_);
   return cost_of(side_by_side(left_, measured_.size()), measured_left_);
 }
 

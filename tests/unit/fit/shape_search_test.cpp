@@ -30,6 +30,9 @@ class ShapeSearch : public testing::Test {
     std::vector<model::EffectTerm> terms =
         model::parse_effects("bias,bias_temperature:order=2,thermal_lag:tau=?");
     terms[2].parameters[0] = tau_s;
+    return problem(terms);
+  }
+  WhitenedProblem problem(const std::vector<model::EffectTerm>& terms) const {
     return {series_, *whitening_, terms, Eigen::MatrixXd(series_.rows().size(), 0)};
   }
   static std::vector<model::ShapeParameter> shapes(const WhitenedProblem& problem) {
@@ -47,6 +50,18 @@ TEST_F(ShapeSearch, CostIsThatOfAllColumnsTogether) {
   const WhitenedProblem at = problem(2000);
   EXPECT_NEAR(at.cost(), solve_linear(at.matrix(), at.measured()).residual.squaredNorm(),
               1e-9 * at.cost());
+}
+
+// An expression beside it that has no shape, and overflows.
+TEST_F(ShapeSearch, EndsWhereWhatDoesNotMoveIsNoNumber) {
+  std::vector<model::EffectTerm> terms = problem(800).terms();
+  terms.push_back(model::expression_term("x = exp(exp(T))"));
+  WhitenedProblem broken = problem(terms);
+  const std::vector<model::ShapeParameter> moving = shapes(broken);
+  EXPECT_TRUE(std::isinf(broken.cost()));
+  EXPECT_FALSE(broken.step(moving).change.allFinite());
+  EXPECT_FALSE(search_shapes(broken, moving, {true})[0]);
+  EXPECT_EQ(broken.value(moving[0]), 800);
 }
 
 TEST_F(ShapeSearch, CostsOfAGridAreThoseOfItsValues) {
