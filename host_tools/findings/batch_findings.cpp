@@ -244,16 +244,18 @@ bool is_near(double limit, const std::vector<Place>& places) {
          limit < places.back().value + kSpansBeyond * span;
 }
 
-// Where what lies beyond the limit ends: at the last gyro, but not so near that it is not seen.
+// Where what lies beyond the limit ends: a little behind the last gyro, whose dot stays clear of
+// the edge, and behind the limit.
 double end_of_band(const Limit& limit, const std::vector<Place>& places, Plot::Kind kind) {
-  constexpr double kSeen = 0.05;  // of the axis
+  constexpr double kMore = 0.05;  // of the axis
   const double least = std::min(limit.value, places.front().value);
   const double most = std::max(limit.value, places.back().value);
-  const double sign = limit.is_most ? 1 : -1;
-  const double seen = kind == Plot::Kind::log_x && least > 0
-                          ? limit.value * std::pow(most / least, sign * kSeen)
-                          : limit.value + sign * kSeen * (most - least);
-  return limit.is_most ? std::max(places.back().value, seen) : std::min(places.front().value, seen);
+  if (kind == Plot::Kind::log_x && least > 0) {
+    const double factor = std::pow(most / least, kMore);
+    return limit.is_most ? most * factor : least / factor;
+  }
+  const double more = kMore * (most - least);
+  return limit.is_most ? most + more : least - more;
 }
 
 // A place without a dot.
