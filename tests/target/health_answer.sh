@@ -4,23 +4,7 @@
 set -euo pipefail
 machine=$1 elf=$2 fogcomp=$3 input=$4 folder=$5
 mkdir -p "$folder"
-scratch=$(mktemp -d)
-clean_up() {
-  jobs -p | xargs -r kill 2>/dev/null || true
-  wait
-  rm -rf "$scratch"
-}
-trap clean_up EXIT
-trap 'exit 143' TERM INT HUP
-
-wait_for() {
-  local deadline=$((SECONDS + 60))
-  until "$@"; do
-    ((SECONDS < deadline)) || { echo "gave up waiting for: $*" >&2; cat "$scratch/console" >&2; exit 1; }
-    sleep 0.02
-  done
-}
-booted() { grep -q '^image: ' "$scratch/console"; }
+source "$(dirname "$0")/board_session.sh"
 
 # start ELF: boots it in $scratch, its output port a socket there.
 start() {

@@ -5,23 +5,7 @@ set -euo pipefail
 machine=$1 platform=$2 board=$3 images=$4 fogcomp=$5 make_model=$6 input=$7 folder=$8
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"
-scratch=$(mktemp -d)
-clean_up() {
-  jobs -p | xargs -r kill 2>/dev/null || true
-  wait
-  rm -rf "$scratch"
-}
-trap clean_up EXIT
-trap 'exit 143' TERM INT HUP
-
-wait_for() {
-  local deadline=$((SECONDS + 60))
-  until "$@"; do
-    ((SECONDS < deadline)) || { echo "gave up waiting for: $*" >&2; cat "$scratch/console" >&2; exit 1; }
-    sleep 0.02
-  done
-}
-booted() { grep -q '^image: ' "$scratch/console"; }
+source "$here/board_session.sh"
 
 "$make_model" "$folder/one.model" 0 bias
 # ask NAME OPTION...: NAME.console and NAME.json of an image of that model, exported so.

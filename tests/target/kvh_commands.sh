@@ -5,14 +5,7 @@ set -euo pipefail
 machine=$1 platform=$2 images=$3 fogcomp=$4 make_model=$5 input=$6 folder=$7
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"
-scratch=$(mktemp -d)
-clean_up() {
-  jobs -p | xargs -r kill 2>/dev/null || true
-  wait
-  rm -rf "$scratch"
-}
-trap clean_up EXIT
-trap 'exit 143' TERM INT HUP
+source "$here/board_session.sh"
 
 "$make_model" "$folder/one.model" 0 bias
 "$fogcomp" export "$folder/one.model" -o "$folder/fog_model.h" --sample-rate 100 --rotation delta --kvh-commands
@@ -26,14 +19,7 @@ timeout --kill-after=1 60 qemu-system-arm -M "$machine" -display none -monitor n
   -serial "pipe:$scratch/sensor" -serial "file:$scratch/console" -kernel "$folder/fogcomp.elf" </dev/null >"$scratch/log" 2>&1 &
 exec 7<>"$scratch/user.in" 8<>"$scratch/sensor.in"
 
-wait_for() {
-  local deadline=$((SECONDS + 30))
-  until "$@"; do
-    ((SECONDS < deadline)) || { echo "gave up waiting for: $*" >&2; cat "$scratch/console" >&2; od -c "$scratch/sent" | tail >&2; exit 1; }
-    sleep 0.02
-  done
-}
-booted() { grep -q '^image: ' "$scratch/console"; }
+patience_s=30
 has_sent() { (($(stat -c %s "$scratch/sent") >= $1)); }
 wait_for booted
 

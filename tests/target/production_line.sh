@@ -7,14 +7,7 @@ machine=$1 slot=$(($2 + 48 * 1024)) elf=$3 fogcomp=$4 folder=$5
 here=$(realpath "$(dirname "$0")")
 rm -rf "$folder"
 mkdir -p "$folder"
-scratch=$(mktemp -d)
-clean_up() {
-  jobs -p | xargs -r kill 2>/dev/null || true
-  wait
-  rm -rf "$scratch"
-}
-trap clean_up EXIT
-trap 'exit 143' TERM INT HUP
+source "$here/board_session.sh"
 
 for gyro in G001 G002; do
   mkdir -p "$folder/gyros/$gyro"

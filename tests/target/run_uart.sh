@@ -14,14 +14,7 @@ options=("${@:6}")
 timeout_s=${FOG_QEMU_TIMEOUT_S:-60}
 deadline=$((SECONDS + timeout_s))
 
-scratch=$(mktemp -d)
-clean_up() {
-  jobs -p | xargs -r kill 2>/dev/null || true
-  wait
-  rm -rf "$scratch"
-}
-trap clean_up EXIT
-trap 'exit 143' TERM INT HUP
+source "$(dirname "$0")/board_session.sh"
 
 give_up() {
   echo "$machine uart: $1" >&2
@@ -29,8 +22,8 @@ give_up() {
   exit 1
 }
 
-# wait_for WHAT COMMAND...: polls until COMMAND succeeds.
-wait_for() {
+# poll_for WHAT COMMAND...: polls until COMMAND succeeds.
+poll_for() {
   local what=$1
   shift
   until "$@"; do
@@ -60,17 +53,17 @@ timeout --kill-after=1 "$((timeout_s + 5))" \
 qemu=$!
 
 # Bytes sent before the USART is enabled would be lost.
-wait_for "boot message" is_ready
+poll_for "boot message" is_ready
 cat "$output.console"
 start_us=${EPOCHREALTIME/./}
 cat "$input" >"$scratch/sensor.in" &
-wait_for "$expected_bytes bytes of output" is_complete
+poll_for "$expected_bytes bytes of output" is_complete
 elapsed_us=$((${EPOCHREALTIME/./} - start_us))
 
 # The answer to one sample more comes behind whatever else there was to send: a byte too many stands before it.
 is_answered() { (($(stat -c %s "$output") >= expected_bytes + 2)); }
 tail -c 16 "$input" >"$scratch/sensor.in"
-wait_for "answer to one sample more" is_answered
+poll_for "answer to one sample more" is_answered
 kill "$qemu"
 wait "$qemu" || true
 cmp -s <(head -c 2 "$output") <(tail -c +$((expected_bytes + 1)) "$output" | head -c 2) ||
