@@ -150,10 +150,10 @@ Eigen::MatrixXd ModelRemover::with_priors(const Eigen::MatrixXd& columns) const 
 // Once more where rounding is much of what is left.
 Eigen::MatrixXd ModelRemover::without_model(const Eigen::MatrixXd& columns) const {
   constexpr double kLittle = 1e-2;
-  Eigen::MatrixXd left = columns - basis_ * (basis_.transpose() * columns).eval();
+  Eigen::MatrixXd left = projected_out(basis_, columns);
   for (Eigen::Index i = 0; i < left.cols(); ++i) {
     if (left.col(i).norm() > kLittle * columns.col(i).norm()) continue;
-    left.col(i) -= basis_ * (basis_.transpose() * left.col(i)).eval();
+    left.col(i) = projected_out(basis_, left.col(i));
   }
   return left;
 }

@@ -57,7 +57,7 @@ namespace {
 Eigen::MatrixXd what_is_new(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis,
                             const noise::Whitening& whitening) {
   const Eigen::MatrixXd white = whitening.apply(columns);
-  const Eigen::MatrixXd left = white - basis * (basis.transpose() * white).eval();
+  const Eigen::MatrixXd left = projected_out(basis, white);
   std::vector<Eigen::MatrixXd> seen;
   for (Eigen::Index i = 0; i < left.cols(); ++i) {
     if (left.col(i).norm() > rules::kMinSeen * white.col(i).norm()) seen.emplace_back(left.col(i));
@@ -73,8 +73,7 @@ double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
   const noise::Whitening whitening(noise, rows, row_weights);
   const Eigen::MatrixXd basis = orthonormal(whitening.apply(before));
   const auto without_model = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
-    const Eigen::MatrixXd white = whitening.apply(columns);
-    return white - basis * (basis.transpose() * white).eval();
+    return projected_out(basis, whitening.apply(columns));
   };
   ExplainedSpace space(without_model(measured));
   const series::ColumnRange effect = space.add(what_is_new(added, basis, whitening));

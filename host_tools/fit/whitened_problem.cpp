@@ -19,7 +19,7 @@ double finite_or_worst(double cost) {
 
 // Columns less what an orthonormal basis can do of them; nothing where only rounding is left.
 Eigen::MatrixXd without(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd left = columns - basis * (basis.transpose() * columns).eval();
+  Eigen::MatrixXd left = projected_out(basis, columns);
   for (Eigen::Index i = 0; i < left.cols(); ++i) {
     if (left.col(i).norm() <= kDependent * columns.col(i).norm()) left.col(i).setZero();
   }

@@ -110,6 +110,10 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshol
   return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
 }
 
+Eigen::MatrixXd projected_out(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& columns) {
+  return columns - basis * (basis.transpose() * columns).eval();
+}
+
 Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows) {
   Eigen::Index width = 0;
   for (const Eigen::MatrixXd& part : parts) width += part.cols();

@@ -39,6 +39,9 @@ std::vector<DependentColumn> dependent_columns(const Eigen::MatrixXd& matrix);
 /// below `rank_threshold` of the largest pivot, and columns of zeros, add nothing.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshold = kLeastPivot);
 
+/// Columns less what an orthonormal basis (rows x any) can do of them.
+Eigen::MatrixXd projected_out(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& columns);
+
 /// sqrt(sum of weight * value^2 / sum of weights).
 double weighted_rms(const Eigen::VectorXd& values, const Eigen::VectorXd& weights);
 

@@ -189,12 +189,18 @@ TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
   EXPECT_FALSE(result.model.network.present()) << "gain " << result.fit.network_judged->gain;
 }
 
+// What no effect of the catalogue is.
+Model with_kink(double coefficient_dph) {
+  Model gyro = truth();
+  gyro.terms.push_back(written_term("kink = max(T-20,0)"));
+  gyro.terms.back().coefficients_dph = {coefficient_dph};
+  return gyro;
+}
+
 TEST(AddEffect, JudgesANetworkAgainstTheEffectsAlone) {
   const Model model = incomplete(kComplete);
   const auto network = fogcomp::fit::change_effects(model.terms, {"network:hidden=3"});
-  Model kinked = truth();
-  kinked.terms.push_back(written_term("kink = max(T-20,0)"));
-  kinked.terms.back().coefficients_dph = {200};
+  const Model kinked = with_kink(200);
   const Addition right = add_effect(model, network, runs_of(kinked, {1}), {}, {});
   EXPECT_TRUE(right.accepted) << right.reason;
   EXPECT_EQ(right.model.network.hidden.biases.size(), 3);
@@ -210,11 +216,8 @@ TEST(AddEffect, JudgesANetworkAgainstTheEffectsAlone) {
 TEST(AddEffect, JudgesANetworkOnTheHoldout) {
   const Model model = incomplete(kComplete);
   const auto network = fogcomp::fit::change_effects(model.terms, {"network:hidden=3"});
-  Model kinked = truth();
-  kinked.terms.push_back(written_term("kink = max(T-20,0)"));
-  kinked.terms.back().coefficients_dph = {200};
-  Model other = kinked;
-  other.terms.back().coefficients_dph = {-200};
+  const Model kinked = with_kink(200);
+  const Model other = with_kink(-200);
   const auto runs = runs_of(kinked, {1});
   EXPECT_TRUE(add_effect(model, network, runs, {run_of(kinked, 2)}, {}).accepted);
   EXPECT_FALSE(add_effect(model, network, runs, {run_of(other, 2)}, {}).accepted);
