@@ -63,8 +63,8 @@ grep -q '"random_walk":{"coefficient":' said.json || fail 'a random walk is no r
 
 # A recording at rest gives the noise; rows of another length, and too few, are refused.
 "$fogcomp" simulate -o rest.csv --profile static --seed 8 >/dev/null
-"$fogcomp" diagnose shupe.model paper.csv --static rest.csv --json | grep '"effect":"temperature_rate"' >/dev/null ||
-  fail '--static'
+"$fogcomp" diagnose shupe.model paper.csv --static rest.csv --json >static.json
+[[ $(value static.json candidates 0 effect) == temperature_rate ]] || fail "--static: $(cat static.json)"
 refuses() {
   local pattern=$1 status=0
   shift

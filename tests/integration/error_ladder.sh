@@ -67,16 +67,15 @@ awk -v removed="$(value history.json steps 1 excess_removed)" 'BEGIN { exit !(re
 grep -qE '####.*1 fit bias' history.txt && grep -q 'forced: did not help' history.txt || fail "$(cat history.txt)"
 
 # The loop's model is what the commands that it prints make, to the byte.
-for start in static.model network.model; do
-  for judge in "" "--holdout run2.csv"; do
-    # shellcheck disable=SC2086
-    "$fogcomp" diagnose "$start" run1.csv --max-effects 2 -o loop.model $judge >loop.txt || fail "$(cat loop.txt)"
-    mv loop.model at_once.model
-    sed -n 's/^ *fogcomp add /add /p' loop.txt | grep -v NEW >steps.txt
-    [[ $(wc -l <steps.txt) == 2 ]] || fail "two steps expected: $(cat loop.txt)"
-    while read -ra step; do "$fogcomp" "${step[@]}" >step.txt || fail "$(cat step.txt)"; done <steps.txt
-    cmp loop.model at_once.model || fail "$start $judge: another model than that of $(cat steps.txt)"
-  done
+for start in "static.model" "static.model --holdout run2.csv" "network.model"; do
+  read -r model judge <<<"$start"
+  # shellcheck disable=SC2086
+  "$fogcomp" diagnose "$model" run1.csv --max-effects 2 -o loop.model $judge >loop.txt || fail "$(cat loop.txt)"
+  mv loop.model at_once.model
+  sed -n 's/^ *fogcomp add /add /p' loop.txt | grep -v NEW >steps.txt
+  [[ $(wc -l <steps.txt) == 2 ]] || fail "two steps expected: $(cat loop.txt)"
+  while read -ra step; do "$fogcomp" "${step[@]}" >step.txt || fail "$(cat step.txt)"; done <steps.txt
+  cmp loop.model at_once.model || fail "$start: another model than that of $(cat steps.txt)"
 done
 # With nothing to add there is no model to write.
 status=0

@@ -18,7 +18,10 @@ cost() {
   ram=$(awk '/^\.(data|bss|noinit|dma_buffers|stack) / { sum += $2 } END { print sum }' <<<"$sizes")
   echo "$1: flash $flash, RAM $ram bytes"
 }
-"$fogcomp" simulate -o "$folder/run.csv" --profile static --preset paper --rate 200 --columns all --latitude 34 >/dev/null
+printf 'start 20 degC\nsoak 5 min\n' >"$folder/rest.profile"
+head -c 640000 "$input" >"$folder/small_inputs.bin"
+input=$folder/small_inputs.bin
+"$fogcomp" simulate -o "$folder/run.csv" --profile "$folder/rest.profile" --preset paper --rate 200 --columns all --latitude 34 >/dev/null
 for model in small all; do
   options=(--extension --allow-error)
   "$fogcomp" export "$folder/$model.model" -o "$folder/$model.h" "${options[@]}" >/dev/null
@@ -28,7 +31,7 @@ for model in small all; do
   done
   if [[ $model == all ]]; then
     "$fogcomp" stream "$folder/all.h" "$folder/run.csv" -o "$folder/whole.bin" >/dev/null
-    head -c 3000000 "$folder/whole.bin" >"$folder/all_inputs.bin"
+    head -c 1000000 "$folder/whole.bin" >"$folder/all_inputs.bin"
     input=$folder/all_inputs.bin
   fi
   cost "$model, image of its own" "$folder/$model.fogcomp.elf"

@@ -17,7 +17,8 @@ done
 table=$folder/results/tables/G002.bin
 IFS=, read -r _ serial _ crc _ <<<"$(grep '"G002"' "$folder/results/tables/sheet.csv")"
 
-"$fogcomp" simulate -o "$folder/in.bin" --profile static --preset paper --rate 200 --format stream --seed 1 >/dev/null
+printf 'start 20 degC\nsoak 1 min\n' >"$folder/rest.profile"
+"$fogcomp" simulate -o "$folder/in.bin" --profile "$folder/rest.profile" --preset paper --rate 200 --format stream --seed 1 >/dev/null
 head -c 32000 "$folder/in.bin" >"$folder/short.bin"
 "$fogcomp" replay "$table" "$folder/short.bin" -o "$folder/expected.bin" >/dev/null
 "$here/run_uart.sh" "$machine" "$elf" "$folder/short.bin" "$folder/out.bin" "$(stat -c %s "$folder/expected.bin")" \
