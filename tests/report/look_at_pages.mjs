@@ -185,7 +185,8 @@ try {
     await tab.show({ width: 1280, dark: false });
     await tab.open(url);
     for (const width of [1280, 390]) {
-      for (const dark of [false, true]) await look_at(tab, name, { width, dark }, Number(plots));
+      const themes = shots ? [false, true] : [width === 390]; // wide and light, narrow and dark
+      for (const dark of themes) await look_at(tab, name, { width, dark }, Number(plots));
     }
     await tab.show({ width: 1280, dark: false });
     if (Number(plots) > 1) {

@@ -4,7 +4,8 @@
 set -euo pipefail
 images=$1 fogcomp=$2 folder=$3
 mkdir -p "$folder"
-"$fogcomp" simulate -o "$folder/run.csv" --rate 2
+printf 'start 20 degC\nsoak 30 min\nramp to 50 degC at 1 degC/min\nsoak 30 min\n' >"$folder/warmer.profile"
+"$fogcomp" simulate -o "$folder/run.csv" --rate 2 --profile "$folder/warmer.profile"
 
 while read -r wavelet levels rule mode; do
   "$fogcomp" fit "$folder/run.csv" -o "$folder/gyro.model" --effects bias --wavelet "$wavelet" \
