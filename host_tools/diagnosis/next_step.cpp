@@ -216,10 +216,12 @@ void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const D
   double explained_fraction = 1;
   for (const CandidateFinding& finding : offered.candidates) {
     if (!finding.is_expression() || finding.lead < rules::kConfusable) continue;
-    next.forms.push_back({form_text(finding.term().expression->expression), finding.lead});
+    const AdditionRequest request = *request_of(offered, {finding.effect});
+    next.forms.push_back(
+        {form_text(finding.term().expression->expression), request.expression, finding.lead});
     // Never before a likelier one: a parameter more always explains a little more.
     explained_fraction = std::min(explained_fraction, finding.explained_fraction);
-    descriptions.push_back({*request_of(offered, {finding.effect}), explained_fraction});
+    descriptions.push_back({request, explained_fraction});
   }
 }
 

@@ -31,6 +31,13 @@ struct TriedAddition {
   std::optional<model::Model> model;
 };
 
+/// A formula that could describe what is left.
+struct Form {
+  std::string text;        ///< as a reader wants it: lag(dTdt^2,tau)
+  std::string expression;  ///< `NAME = EXPRESSION` with the bounds of its parameters, for `add`
+  double share = 0;        ///< how likely it is the largest part
+};
+
 /// What to do about what a diagnosis found.
 struct NextStep {
   /// What holds out of sample: what the diagnosis names; else what describes best.
@@ -42,8 +49,7 @@ struct NextStep {
   /// All that is left, beside what was taken out, may be the inexactness of what is there: nothing
   /// is tried.
   bool little_is_left = false;
-  /// Formulas that could describe it, best first, with how likely each is the largest part.
-  std::vector<NamedShare> forms;
+  std::vector<Form> forms;  ///< best first
   std::optional<Experiment> experiment;  ///< that would tell these apart
 };
 

@@ -51,6 +51,15 @@ Json shares_json(const std::vector<diagnosis::NamedShare>& shares) {
   });
 }
 
+Json forms_json(const std::vector<diagnosis::Form>& forms) {
+  return json_array(forms, [&](const diagnosis::Form& form) {
+    return Json::object()
+        .set("name", form.text)
+        .set("expression", form.expression)
+        .set("share", form.share);
+  });
+}
+
 Json candidates_json(const std::vector<diagnosis::CandidateFinding>& candidates) {
   return json_array(candidates, [&](const diagnosis::CandidateFinding& finding) {
     return Json::object()
@@ -141,7 +150,7 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
   Json result = Json::object();
   set_verdict(result, diagnosis, next);
   result.set("description", description_json(next));
-  result.set("forms", shares_json(next.forms));
+  result.set("forms", forms_json(next.forms));
   result.set("next", next_json(diagnosis, next, files));
   result.set("fast", fast_json(diagnosis));
   result.set("where", Json::object()

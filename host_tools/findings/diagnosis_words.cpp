@@ -234,10 +234,10 @@ std::string network_words(const diagnosis::Diagnosis& diagnosis) {
 std::vector<std::string> description_words(const diagnosis::NextStep& next) {
   std::vector<std::string> lines;
   if (!next.forms.empty()) {
-    std::string text = "outside the catalogue it looks like " + next.forms[0].name +
+    std::string text = "outside the catalogue it looks like " + next.forms[0].text +
                        format(" (%.2f)", next.forms[0].share);
     for (std::size_t i = 1; i < std::min<std::size_t>(3, next.forms.size()); ++i) {
-      text += (i == 1 ? ", rather than " : " or ") + next.forms[i].name +
+      text += (i == 1 ? ", rather than " : " or ") + next.forms[i].text +
               format(" (%.2f)", next.forms[i].share);
     }
     lines.push_back(text);

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
-# hidden_effects.sh [--quick] [--seeds dev|final|second|third] [--cases N] [--case ID] [--jobs N] [--stages LIST] [--build DIR] [-o DIR]:
+# hidden_effects.sh [--quick] [--wide] [--seeds dev|final|second|third] [--cases N] [--case ID] [--jobs N] [--stages LIST] [--build DIR] [-o DIR]:
 # how well `fogcomp diagnose` names what is hidden in simulated gyros (hidden_effects/README.md). Stages: make,
 # answer, propose, score. Resumes: a case is made or answered again only where something it depends on has changed.
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/../..")
 here=$source/tests/bench/hidden_effects
-seeds=dev cases=1508 jobs=$(nproc) out='' build=$source/build/host stages=make,answer,propose,score only=''
+seeds=dev wide='' cases='' jobs=$(nproc) out='' build=$source/build/host stages=make,answer,propose,score only=''
 while (($#)); do
   case $1 in
     --quick) cases=116; shift; continue ;;
+    --wide) wide=wide-; shift; continue ;;
     --seeds | --cases | --case | --jobs | --stages | --build | -o) (($# >= 2)) || { echo "$1 needs a value" >&2; exit 2; } ;;
     *) sed -n '2s/^# //p' "$0" >&2; exit 2 ;;
   esac
@@ -24,7 +25,8 @@ while (($#)); do
   shift 2
 done
 [[ $seeds =~ ^(dev|final|second|third)$ ]] || { echo "--seeds $seeds: dev, final, second or third" >&2; exit 2; }
-out=$(realpath -m "${out:-$build/hidden_effects}")
+seeds=$wide$seeds cases=${cases:-$([[ $wide ]] && echo 280 || echo 1508)}
+out=$(realpath -m "${out:-$build/hidden_effects${wide:+_wide}}")
 fogcomp=$build/fogcomp programmes=$build/tests/bench/hidden_effects
 [[ -x $fogcomp && -x $programmes/plan_case ]] ||
   { echo "no programmes in $build; cmake --preset host && cmake --build build/host" >&2; exit 2; }
@@ -70,5 +72,9 @@ if wants propose; then
 fi
 if wants score; then
   printf '%s\n' "${ids[@]}" >"$out/cases.txt"
+  for id in "${ids[@]}"; do
+    grep -q '^kind form$' "$out/truth/$id/plan.txt" || continue
+    "$programmes/form_likeness" "$out/runs/$id" "$out/truth/$id" "$out/answers/$id"
+  done
   "$programmes/score" "$out" | tee "$out/results.txt"
 fi

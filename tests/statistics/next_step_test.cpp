@@ -68,7 +68,7 @@ TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
     ASSERT_TRUE(asked.next.addition) << form;
     EXPECT_TRUE(asked.next.describes) << form;
     ASSERT_FALSE(asked.next.forms.empty()) << form;
-    EXPECT_EQ(asked.next.forms[0].name, form);
+    EXPECT_EQ(asked.next.forms[0].text, form);
     EXPECT_TRUE(asked.add_accepts()) << form;
   }
 }

@@ -32,8 +32,19 @@ if ask fit "$fogcomp" fit "${recordings[@]}" -o "$answers/declared.model" --effe
       [[ -f $answers/added.model ]] && # exit code 1: refused
       ask unseen "$fogcomp" compare "$answers/added.model" "$runs/unseen.csv" --json || true
   fi
+  # What it proposes, as it is printed.
+  next=$(sed -nE 's/.*"next":"fogcomp (add [^"]*)".*/\1/p' "$answers/diagnosis.json")
+  if [[ $next ]]; then
+    status=0
+    eval "\"\$fogcomp\" ${next/NEW.model/\"\$answers/typed.model\"}" >"$answers/typed.out" 2>&1 || status=$?
+    echo "$status" >"$answers/typed.txt"
+  fi
   if grep -qw loop "$runs/request.txt" && knows diagnose --max-effects; then
-    ask loop "$fogcomp" diagnose "$answers/declared.model" "${recordings[@]}" --max-effects 4 --json || true
+    ask loop "$fogcomp" diagnose "$answers/declared.model" "${recordings[@]}" --max-effects 4 -o "$answers/loop.model" --json || true
+    if [[ -f $runs/unseen.csv ]]; then
+      ask before "$fogcomp" compare "$answers/declared.model" "$runs/unseen.csv" --json || true
+      [[ ! -f $answers/loop.model ]] || ask after "$fogcomp" compare "$answers/loop.model" "$runs/unseen.csv" --json || true
+    fi
   fi
 fi
 echo "$key" >"$answers/key"

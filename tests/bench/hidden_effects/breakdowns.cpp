@@ -67,7 +67,7 @@ std::string hidden_words(const Truth& truth) {
 std::string confusion_table(const std::vector<CaseResult>& results) {
   std::map<std::string, std::map<std::string, int>> table;
   for (const CaseResult& result : results) {
-    if (result.truth.kind == "two") continue;
+    if (result.truth.hidden.size() > 1) continue;
     const std::string truth =
         result.truth.hidden.empty() ? "(clean)" : result.truth.hidden[0].effect;
     ++table[truth][answer_word(result)];

@@ -4,39 +4,15 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "key_values.hpp"
-#include "recording/recording.hpp"
+#include "made_case.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
-#include "truth_file.hpp"
-#include "visible.hpp"
 
 namespace {
 
 using namespace fogcomp;
 using namespace fogcomp::bench;
-
-struct Case {
-  std::vector<recording::Recording> recordings;
-  std::vector<TruthFile> truths;
-
-  Eigen::VectorXd rows(const Sight& sight, const std::string& effect) const {
-    std::vector<std::vector<double>> values;
-    for (const TruthFile& truth : truths) values.push_back(truth.effect(effect));
-    return rows_of(sight, recordings, values);
-  }
-};
-
-Case read_case(const std::string& runs, const std::string& truth) {
-  Case files;
-  for (int number = 1;; ++number) {
-    const std::string name = format("/run%d.csv", number);
-    if (!std::filesystem::exists(runs + name)) return files;
-    files.recordings.push_back(recording::read_recording(runs + name, {}));
-    files.truths.emplace_back(truth + name);
-  }
-}
 
 std::string facts_of_hidden(const Sight& sight, const BesideDeclared& beside,
                             const std::string& what, const Eigen::VectorXd& contribution,
@@ -58,31 +34,21 @@ double noise_rms(const TruthFile& truth) {
 }
 
 void write_facts(const std::string& runs, const std::string& truth) {
-  const KeyValues plan(truth + "/plan.txt");
-  const double noise_dph = plan.number("row_noise_dph");
-  const Case files = read_case(runs, truth);
-  Sight sight(split(plan.word("declared"), ','), files.recordings);
-
-  // A hidden bias_temperature shares its name with the declared order.
-  const auto is_hidden = [&](const std::string& name) {
-    for (const auto& words : plan.all("hidden")) {
-      if (words[1] == name) return true;
-    }
-    return false;
-  };
-  std::vector<Eigen::VectorXd> declared;
+  const MadeCase made(runs, truth);
+  const double noise_dph = made.noise_dph();
+  Sight sight(split(made.plan.word("declared"), ','), made.recordings);
+  const std::vector<Eigen::VectorXd> declared = made.declared_rows(sight);
   Eigen::VectorXd all_declared = Eigen::VectorXd::Zero(sight.series.rows().size());
-  for (const model::EffectTerm& term : sight.model.terms) {
-    declared.push_back(files.rows(sight, term.name));
-    if (!is_hidden(term.name)) all_declared += declared.back();
+  for (std::size_t i = 0; i < declared.size(); ++i) {
+    if (!made.is_hidden(sight.model.terms[i].name)) all_declared += declared[i];
   }
   const BesideDeclared beside(sight, declared);
   std::string text =
       format("rows %td\nmisfit %.4f\nmisfit_beside_delays %.4f\n", sight.series.rows().size(),
              rms(beside.left_of(all_declared)) / noise_dph,
              rms(beside.left_beside_delays(all_declared)) / noise_dph);
-  for (const auto& words : plan.all("hidden")) {
-    text += facts_of_hidden(sight, beside, words[0], files.rows(sight, words[1]), noise_dph);
+  for (const auto& words : made.plan.all("hidden")) {
+    text += facts_of_hidden(sight, beside, words[0], made.rows(sight, words[1]), noise_dph);
   }
   if (std::filesystem::exists(truth + "/unseen.csv")) {
     text += format("unseen_noise_dph %.8g\n", noise_rms(TruthFile(truth + "/unseen.csv")));

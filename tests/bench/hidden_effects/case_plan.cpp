@@ -1,8 +1,7 @@
 #include "case_plan.hpp"
 
 #include <algorithm>
-#include <cstring>
-#include <iterator>
+#include <cmath>
 
 #include "programmes.hpp"
 #include "support/input_error.hpp"
@@ -24,59 +23,8 @@ constexpr double kExtraColumns = 0.3;  // of the cases have columns that they do
 constexpr double kUnseen = 0.35;       // have a recording of another programme
 constexpr double kLoopAnyway = 0.1;    // of the cases with less than two effects
 constexpr double kLatitude_deg = 34.27;
-
-const std::vector<double> kSizes{0.2, 0.35, 0.6, 1.5};
-const std::vector<double> kForeignSizes{0.7, 2};
-
-struct Range {
-  const char* name;
-  std::uint64_t first_seed;
-};
-constexpr Range kRanges[] = {
-    {"dev", 1'000'000}, {"final", 2'000'000}, {"second", 3'000'000}, {"third", 4'000'000}};
-constexpr double kRangeSize = 999'999;
-
-Flicker flicker_of(std::size_t number) {
-  return static_cast<Flicker>(number % 3);
-}
-
-// Two catalogued effects; not a step, which is an event of one run.
-std::vector<std::string> draw_pair(Draws& draws) {
-  std::vector<std::string> effects = catalogued_effects();
-  effects.pop_back();
-  draws.shuffle(effects);
-  return {effects[0], effects[1]};
-}
-
-// Every kind of case in its share, in an order of its own for every cycle.
-std::vector<CaseKind> cycle_of(const CaseId& id) {
-  const std::uint64_t cycle_number = (id.number - 1) / kCycle;
-  CaseId first = id;
-  first.number = cycle_number * kCycle + 1;
-  Draws draws(first.seed() * 64 + 63);
-  std::vector<CaseKind> cycle;
-  for (const std::string& effect : catalogued_effects()) {
-    for (const double size : kSizes) {
-      cycle.push_back({"single", {effect}, {size}, flicker_of(cycle.size() + cycle_number)});
-    }
-  }
-  for (std::size_t i = 0; i < 26; ++i) {
-    cycle.push_back({"clean", {}, {}, flicker_of(i + cycle_number)});
-  }
-  for (std::size_t i = 0; i < 12; ++i) {
-    cycle.push_back({"two",
-                     draw_pair(draws),
-                     {draws.chance(0.5) ? 0.6 : 1.5, draws.chance(0.5) ? 0.6 : 1.5},
-                     flicker_of(i + cycle_number)});
-  }
-  for (const std::string& disturbance : foreign_disturbances()) {
-    for (const double size : kForeignSizes) {
-      cycle.push_back({"foreign", {disturbance}, {size}, flicker_of(cycle.size() + cycle_number)});
-    }
-  }
-  draws.shuffle(cycle);
-  return cycle;
-}
+constexpr double kTurningRate_hz = 1;  // a sweep is no constant rate over 10 s
+constexpr double kLittle = 0.9;        // of the error that one of a pair leaves at least
 
 std::string columns_of(Draws& draws, const std::vector<std::string>& hidden) {
   if (draws.chance(kExtraColumns)) return "all";
@@ -88,12 +36,19 @@ std::string columns_of(Draws& draws, const std::vector<std::string>& hidden) {
   return columns;
 }
 
-void draw_runs(Draws& draws, const CaseId& id, CasePlan& plan) {
+// Programmes of which the case has to have one each.
+std::vector<std::string> required_programmes(Draws& draws, const CaseKind& what) {
+  if (what.turns()) return {draws.pick(turning_programmes_that_show(what.hidden))};
   std::vector<std::string> required;
-  for (const std::string& what : plan.what.hidden) {
-    const std::vector<std::string> these = programmes_that_show(what);
+  for (const std::string& hidden : what.hidden) {
+    const std::vector<std::string> these = programmes_that_show(hidden);
     if (!these.empty()) required.push_back(draws.pick(these));
   }
+  return required;
+}
+
+void draw_runs(Draws& draws, const CaseId& id, CasePlan& plan) {
+  const std::vector<std::string> required = required_programmes(draws, plan.what);
   std::vector<std::string> chosen =
       draw_programmes(draws, required.empty() ? required : std::vector<std::string>{required[0]});
   for (const std::string& name : required) {
@@ -105,13 +60,19 @@ void draw_runs(Draws& draws, const CaseId& id, CasePlan& plan) {
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     plan.runs.push_back({format("run%zu", i + 1), chosen[i], id.seed() * 16 + i});
   }
-  const std::string unseen = draws.chance(kUnseen) ? draw_unseen(draws, chosen) : "";
+  const std::string unseen =
+      draws.chance(id.wide ? 1 : kUnseen) ? draw_unseen(draws, chosen, plan.what.turns()) : "";
   if (!unseen.empty()) plan.unseen = PlannedRun{"unseen", unseen, id.seed() * 16 + 9};
   plan.columns = columns_of(draws, plan.what.hidden);
   const bool turned = std::any_of(chosen.begin(), chosen.end(), [](const std::string& name) {
-    return name == "axis_flips" || name == "rate_table";
+    return name == "axis_flips" || turns(name);
   });
+  if (plan.what.turns()) plan.rate_hz = kTurningRate_hz;
   if (turned || plan.columns == "all") plan.latitude_deg = kLatitude_deg;
+}
+
+bool wants_loop(const CaseKind& what) {
+  return what.hidden.size() > 1 || what.kind == "form" || what.kind == "beyond";
 }
 
 CasePlan draw(const CaseId& id, std::uint64_t attempt) {
@@ -119,13 +80,14 @@ CasePlan draw(const CaseId& id, std::uint64_t attempt) {
   plan.what = kind_of(id);
   Draws draws(id.seed() * 64 + attempt);
   // Some pairs ask for programmes on which one of them cannot be what it should be.
-  if (plan.what.kind == "two" && attempt >= kPairAttempts) plan.what.hidden = draw_pair(draws);
+  const std::size_t hidden = plan.what.hidden.size();
+  if (hidden > 1 && attempt >= kPairAttempts) plan.what.hidden = draw_effects(draws, hidden);
   plan.gyro = draw_gyro(draws, plan.what.flicker, plan.what.hidden);
   for (const std::string& what : plan.what.hidden) {
     plan.hidden.push_back(draw_hidden(draws, what, plan.gyro));
   }
   draw_runs(draws, id, plan);
-  plan.loop = plan.what.kind == "two" || draws.chance(kLoopAnyway);
+  plan.loop = wants_loop(plan.what) || draws.chance(kLoopAnyway);
   return plan;
 }
 
@@ -163,9 +125,16 @@ double most_misfit_dph(const CasePlan& plan) {
   return most * plan.gyro.row_noise_dph();
 }
 
-bool is_catalogued(const std::string& what) {
-  const auto& all = catalogued_effects();
-  return std::find(all.begin(), all.end(), what) != all.end();
+// Whether, of two hidden effects (rows in noise of a row), neither alone lowers the error by a
+// tenth.
+bool each_alone_is_little(const Eigen::VectorXd& first, const Eigen::VectorXd& second) {
+  const Eigen::VectorXd both = first + second;
+  const auto error = [](const Eigen::VectorXd& left) { return std::hypot(1, rms(left)); };
+  const auto without = [&](const Eigen::VectorXd& one) -> Eigen::VectorXd {
+    return both - one * (one.dot(both) / one.squaredNorm());
+  };
+  const double least = kLittle * error(both);
+  return error(without(first)) >= least && error(without(second)) >= least;
 }
 
 // Finds the values that give the wanted sizes; false where the gyro is none for this case.
@@ -184,6 +153,7 @@ bool set_sizes(CasePlan& plan) {
   const BesideDeclared beside(sight, declared);
   if (!(rms(beside.left_beside_delays(all_declared)) <= most_misfit_dph(plan))) return false;
   plan.values.clear();
+  std::vector<Eigen::VectorXd> sized;
   for (std::size_t i = 0; i < plan.hidden.size(); ++i) {
     const Eigen::VectorXd natural = trial.rows(sight, plan.hidden[i].name);
     const Eigen::VectorXd left = beside.left_of(natural);
@@ -196,30 +166,12 @@ bool set_sizes(CasePlan& plan) {
     const double wanted = plan.what.sizes[i] * plan.gyro.row_noise_dph();
     if (wanted > kMostEnlarged * visible) return false;
     plan.values.push_back(plan.hidden[i].natural * wanted / visible);
+    sized.push_back(left * (plan.what.sizes[i] / visible));
   }
-  return true;
+  return plan.what.kind != "pair" || each_alone_is_little(sized[0], sized[1]);
 }
 
 }  // namespace
-
-CaseId::CaseId(const std::string& text) {
-  const auto* const range =
-      std::find_if(std::begin(kRanges), std::end(kRanges),
-                   [&](const Range& known) { return text.rfind(known.name, 0) == 0; });
-  const bool known = range != std::end(kRanges);
-  const auto parsed = parse_number(known ? text.substr(std::strlen(range->name)) : "");
-  if (!parsed || *parsed < 1 || *parsed > kRangeSize ||
-      *parsed != static_cast<double>(static_cast<std::uint64_t>(*parsed))) {
-    throw InputError("case '" + text + "'",
-                     "is not of the form dev12, final12, second12 or third12");
-  }
-  first_seed = range->first_seed;
-  number = static_cast<std::uint64_t>(*parsed);
-}
-
-CaseKind kind_of(const CaseId& id) {
-  return cycle_of(id)[(id.number - 1) % kCycle];
-}
 
 std::vector<std::string> CasePlan::effect_options() const {
   std::vector<std::string> options = gyro.parts;
@@ -230,8 +182,8 @@ std::vector<std::string> CasePlan::effect_options() const {
 
 std::string CasePlan::arguments(const PlannedRun& run) const {
   std::string text =
-      format("--profile %s --seed %llu --preset none --rate 0.1 --noise %s", run.programme.c_str(),
-             static_cast<unsigned long long>(run.seed), gyro.noise_option().c_str());
+      format("--profile %s --seed %llu --preset none --rate %g --noise %s", run.programme.c_str(),
+             static_cast<unsigned long long>(run.seed), rate_hz, gyro.noise_option().c_str());
   for (const std::string& option : effect_options()) text += " --effect " + option;
   if (!columns.empty()) text += " --columns " + columns;
   if (latitude_deg) text += format(" --latitude %g", *latitude_deg);

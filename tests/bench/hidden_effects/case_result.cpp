@@ -26,6 +26,24 @@ std::vector<std::string> names_of(const JsonValue& list) {
   return names;
 }
 
+// Of the only run in what `compare` says; nothing where it was not asked.
+std::optional<double> rms_of_compare(const std::string& path) {
+  const JsonValue said = read_json(path);
+  if (said["runs"].elements().empty()) return std::nullopt;
+  return said["runs"].elements()[0]["residual_rms_dph"].number();
+}
+
+void read_loop(const std::string& here, Answer& answer) {
+  const JsonValue loop = read_json(here + "/loop.json");
+  if (loop.is_null()) return;
+  answer.added = names_of(loop["added"]);
+  answer.end = loop["last"].is_null() ? answer.verdict : loop["last"]["verdict"].text();
+  answer.before_loop_dph = rms_of_compare(here + "/before.json");
+  answer.after_loop_dph = rms_of_compare(here + "/after.json");
+  // It may have had nothing to add.
+  if (!answer.after_loop_dph) answer.after_loop_dph = answer.before_loop_dph;
+}
+
 }  // namespace
 
 bool HiddenTruth::imitated_by(const std::string& other) const {
@@ -91,12 +109,18 @@ std::optional<Answer> read_answer(const std::string& folder, const std::string& 
     const std::string seconds = read_file(here + "/seconds.txt");
     answer.seconds = parse_number(trim(seconds)).value_or(0);
   }
-  const JsonValue unseen = read_json(here + "/unseen.json");
-  if (!unseen["runs"].elements().empty()) {
-    answer.unseen_rms_dph = unseen["runs"].elements()[0]["residual_rms_dph"].number();
+  answer.together = names_of(said["effects"]);
+  answer.offers_form = !said["forms"].elements().empty();
+  answer.unseen_rms_dph = rms_of_compare(here + "/unseen.json");
+  read_loop(here, answer);
+  if (std::filesystem::exists(here + "/typed.txt")) {
+    answer.next_accepted = trim(read_file(here + "/typed.txt")) == "0";
   }
-  const JsonValue loop = read_json(here + "/loop.json");
-  if (!loop.is_null()) answer.added = names_of(loop["added"]);
+  if (std::filesystem::exists(here + "/form_likeness.txt")) {
+    for (const auto& words : KeyValues(here + "/form_likeness.txt").all("likeness")) {
+      answer.form_likeness.push_back(parse_number(words[0]).value_or(0));
+    }
+  }
   return answer;
 }
 

@@ -49,6 +49,13 @@ struct Answer {
   double seconds = 0;                             ///< of processor time
   std::optional<double> unseen_rms_dph;           ///< after adding the one named
   std::optional<std::vector<std::string>> added;  ///< by the loop, where it was asked for
+  std::vector<std::string> together;              ///< the set that the verdict names
+  bool offers_form = false;                       ///< says what formula it looks like
+  std::vector<double> form_likeness;              ///< of the first three: share explained
+  std::optional<bool> next_accepted;              ///< where it proposes something
+  std::optional<double> before_loop_dph;  ///< rms of the unseen run, with the model as it was
+  std::optional<double> after_loop_dph;   ///< and with that of the loop
+  std::string end;                        ///< the loop's last verdict
 
   bool names(const std::string& effect) const;
 };

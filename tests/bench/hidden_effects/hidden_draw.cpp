@@ -51,7 +51,16 @@ std::string catalogued_parameters(Draws& draws, const std::string& what) {
       "bias_step") {  // one jump that stays, anywhere in the middle of the shortest programme
     return format("per_hour=0,first_s=%.0f", draws.uniform(5000, 32000));
   }
-  if (what == "vibration" || what == "light_power") return "";
+  if (what == "scale_factor_nonlinearity") {
+    return format("%s,full_scale_dps=%.0f",
+                  draws.chance(0.5) ? "ppm=300,even_ppm=0" : "ppm=0,even_ppm=300",
+                  draws.ratio(60, 300));
+  }
+  if (what == "scale_factor_asymmetry") {
+    return format("rounded_dps=%.4f", draws.ratio(0.005, 0.1));
+  }
+  if (what == "late_reference") return format("delay_ms=%.1f", draws.ratio(5, 100));
+  if (what == "vibration" || what == "light_power" || what == "scale_factor") return "";
   throw InputError("effect '" + what + "'", "is not one that the benchmark hides");
 }
 
@@ -60,6 +69,9 @@ std::string foreign_parameters(Draws& draws, const std::string& name) {
   if (name == "fast_cycle") {
     return format("period_s=%.1f,phase_deg=%.0f,second=%.2f", draws.ratio(90, 1200),
                   draws.uniform(-180, 180), draws.uniform(0, 0.4));
+  }
+  if (name == "pyroelectric") {
+    return format("threshold_k=%.1f,leak_s=%.0f", draws.ratio(2, 8), draws.ratio(100, 1000));
   }
   if (name == "squared_lag") return format("tau_s=%.0f", draws.ratio(300, 3600));
   return "";
@@ -109,15 +121,43 @@ const std::vector<std::string>& foreign_disturbances() {
   return names;
 }
 
+const std::vector<std::string>& scale_factor_effects() {
+  static const std::vector<std::string> names{"scale_factor", "scale_factor_temperature",
+                                              "scale_factor_nonlinearity",
+                                              "scale_factor_asymmetry"};
+  return names;
+}
+
+const std::vector<std::string>& rate_faults() {
+  static const std::vector<std::string> names{"late_reference", "fast_cycle"};
+  return names;
+}
+
+bool is_catalogued(const std::string& what) {
+  const auto among = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), what) != names.end();
+  };
+  return among(catalogued_effects()) || among(scale_factor_effects()) || what == "late_reference";
+}
+
+const std::vector<std::string>& hidden_formulas() {
+  static const std::vector<std::string> names{
+      "rate_nonlinearity/magnitude", "rate_nonlinearity/square",
+      "rate_nonlinearity/temperature_squared", "squared_lag"};
+  return names;
+}
+
+const std::vector<std::string>& other_disturbances() {
+  static const std::vector<std::string> names{"random_telegraph", "fast_cycle", "warmest_so_far",
+                                              "pyroelectric"};
+  return names;
+}
+
 HiddenEffect draw_hidden(Draws& draws, const std::string& what, const DrawnGyro& gyro) {
   if (what == "bias_temperature") return next_order(gyro);
+  if (is_catalogued(what)) return {what, "", catalogued_parameters(draws, what), "scale"};
   const std::vector<std::string> words = split(what, '/');
-  const auto& foreign = foreign_disturbances();
-  if (std::find(foreign.begin(), foreign.end(), what) != foreign.end()) {
-    return {words[0], words.size() > 1 ? words[1] : "", foreign_parameters(draws, words[0]),
-            "scale"};
-  }
-  return {what, "", catalogued_parameters(draws, what), "scale"};
+  return {words[0], words.size() > 1 ? words[1] : "", foreign_parameters(draws, words[0]), "scale"};
 }
 
 std::vector<std::string> programmes_that_show(const std::string& what) {
@@ -125,6 +165,17 @@ std::vector<std::string> programmes_that_show(const std::string& what) {
   if (what == "scale_factor_temperature") return {"axis_flips", "rate_table"};
   if (what == "magnetic" || what == "vibration") return {"field_and_vibration"};
   return {};
+}
+
+std::vector<std::string> turning_programmes_that_show(const std::vector<std::string>& hidden) {
+  if (hidden.empty() || hidden[0] == "fast_cycle") {
+    return {"rate_table", "rate_steps", "rate_sweeps"};
+  }
+  if (hidden[0] == "late_reference") return {"rate_sweeps"};
+  // One magnitude of the rate tells no nonlinearity from the scale factor, one temperature no
+  // slope.
+  if (hidden[0] == "scale_factor_temperature") return {"rate_table", "rate_steps"};
+  return {"rate_steps", "rate_sweeps"};
 }
 
 std::string columns_that_show(const std::string& what) {

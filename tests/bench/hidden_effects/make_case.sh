@@ -14,5 +14,6 @@ while read -r name arguments; do
   "$fogcomp" simulate -o "$runs/$name.csv" --hide "$truth/$name.csv" "${words[@]}" >"$truth/said.txt"
 done <"$truth/simulate.txt"
 "$programmes/case_facts" "$runs" "$truth"
-((${KEEP:-0})) || rm "$truth"/*.csv
+# form_likeness needs the rows, too.
+((${KEEP:-0})) || grep -q '^kind form$' "$truth/plan.txt" || rm "$truth"/*.csv
 echo "$key" >"$truth/key"

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 
 namespace fogcomp::bench {
 namespace {
 
 using Sense = Measure::Sense;
-using Test = std::function<bool(const CaseResult&)>;
+using Test = CaseTest;
 
-constexpr double kNormal95 = 1.959964;
 constexpr double kLeastProbability = 0.05;  // stated probabilities below this are not counted
 constexpr int kBins = 10;
 constexpr double kFewRows = 5000;  // "a diagnosis of 6,000 rows" is one of so many
@@ -19,52 +17,6 @@ constexpr double kManyRows = 7000;
 
 bool is(const CaseResult& result, const char* kind) {
   return result.truth.kind == kind;
-}
-bool single_name(const CaseResult& result) {
-  return result.answer.verdict == "missing_effect";
-}
-bool names_something(const CaseResult& result) {
-  return !result.answer.named.empty();
-}
-
-// Share of the cases in `among` of which `holds`.
-Measure share(std::string key, std::string what, const std::vector<CaseResult>& results,
-              const Test& among, const Test& holds) {
-  Measure measure{std::move(key), std::move(what)};
-  measure.share = true;
-  std::size_t hits = 0;
-  for (const CaseResult& result : results) {
-    if (!among(result)) continue;
-    ++measure.cases;
-    if (holds(result)) ++hits;
-  }
-  if (measure.cases > 0) {
-    measure.value = static_cast<double>(hits) / static_cast<double>(measure.cases);
-  }
-  return measure;
-}
-
-Measure with_target(Measure measure, Sense sense, double target) {
-  measure.sense = sense;
-  measure.target = target;
-  return measure;
-}
-
-double quantile(std::vector<double> values, double part) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const double place = part * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
-}
-
-Measure quantile_of(std::string key, std::string what, const std::vector<double>& values,
-                    double part) {
-  Measure measure{std::move(key), std::move(what)};
-  measure.cases = values.size();
-  measure.value = quantile(values, part);
-  return measure;
 }
 
 void clean(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
@@ -81,12 +33,14 @@ bool truth_in_set(const CaseResult& result) {
 }
 
 void named(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
-  all.push_back(with_target(
-      share(
-          "single_name_right", "a single name, where given, is right", results,
-          [](const CaseResult& r) { return single_name(r) && (is(r, "single") || is(r, "two")); },
-          right_single_name),
-      Sense::at_least, 0.97));
+  all.push_back(
+      with_target(share(
+                      "single_name_right", "a single name, where given, is right", results,
+                      [](const CaseResult& r) {
+                        return gives_single_name(r) && (is(r, "single") || is(r, "two"));
+                      },
+                      right_single_name),
+                  Sense::at_least, 0.97));
   struct Band {
     double from, to, target;
     const char *key, *what;
@@ -262,30 +216,7 @@ void speed(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
 
 }  // namespace
 
-std::string Measure::reached() const {
-  if (sense == Sense::none || cases == 0) return "";
-  return (sense == Sense::at_least ? value >= target : value <= target) ? "yes" : "no";
-}
-
-double Measure::low() const {
-  const auto n = static_cast<double>(cases);
-  const double z2 = kNormal95 * kNormal95;
-  const double spread = kNormal95 * std::sqrt(value * (1 - value) / n + z2 / (4 * n * n));
-  return std::max(0.0, (value + z2 / (2 * n) - spread) / (1 + z2 / n));
-}
-
-double Measure::high() const {
-  const auto n = static_cast<double>(cases);
-  const double z2 = kNormal95 * kNormal95;
-  const double spread = kNormal95 * std::sqrt(value * (1 - value) / n + z2 / (4 * n * n));
-  return std::min(1.0, (value + z2 / (2 * n) + spread) / (1 + z2 / n));
-}
-
-bool right_single_name(const CaseResult& result) {
-  return single_name(result) && result.truth.has(result.answer.named[0]);
-}
-
-std::vector<Measure> measure(const std::vector<CaseResult>& results) {
+std::vector<Measure> basic_measures(const std::vector<CaseResult>& results) {
   std::vector<Measure> all;
   clean(all, results);
   named(all, results);
@@ -295,10 +226,7 @@ std::vector<Measure> measure(const std::vector<CaseResult>& results) {
   all.push_back(calibration(results));
   experiments(all, results);
   speed(all, results);
-  all.push_back(share(
-      "failed", "the tool failed", results, [](const CaseResult&) { return true; },
-      [](const CaseResult& r) { return r.answer.failed; }));
-  all.back() = with_target(all.back(), Sense::at_most, 0);
+  all.push_back(failures(results));
   return all;
 }
 

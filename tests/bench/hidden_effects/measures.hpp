@@ -1,33 +1,13 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "case_result.hpp"
+#include "measure.hpp"
 
 namespace fogcomp::bench {
 
-/// One line of the table: a figure, how many cases it comes from, and what is to be reached.
-struct Measure {
-  std::string key;   ///< of the JSON
-  std::string what;  ///< in words
-  double value = 0;
-  std::size_t cases = 0;  ///< 0: there was nothing to measure
-  bool share = false;     ///< a share of the cases, for which an interval can be given
-  double target = 0;
-  enum class Sense { at_least, at_most, none } sense = Sense::none;
-
-  /// "yes", "no", or "" without a target or without cases.
-  std::string reached() const;
-  /// 95 % interval of a share (Wilson 1927).
-  double low() const;
-  double high() const;
-};
-
-/// All measures over the cases that have an answer.
-std::vector<Measure> measure(const std::vector<CaseResult>& results);
-
-/// The verdict is missing_effect, and the name is what is hidden.
-bool right_single_name(const CaseResult& result);
+/// All measures over those cases of the basic cycle that have an answer, and of the wide one.
+std::vector<Measure> basic_measures(const std::vector<CaseResult>& results);
+std::vector<Measure> wide_measures(const std::vector<CaseResult>& results);
 
 }  // namespace fogcomp::bench

@@ -25,12 +25,20 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }  // namespace
 
 const std::vector<ProgrammeFacts>& programmes() {
+  using Kind = ProgrammeFacts::Kind;
   static const std::vector<ProgrammeFacts> all{
-      {"paper", 5955, -40, 60, true},         {"reversed", 5955, -40, 60, true},
-      {"random_steps", 3780, 10, 30, true},   {"minor_loops", 8640, -40, 60, true},
-      {"ramp_rates", 8040, -40, 60, true},    {"power_cycles", 5640, -20, 50, true},
-      {"axis_flips", 5820, -40, 60, false},   {"rate_table", 3660, -40, 60, false},
-      {"heater_pulses", 2880, 20, 30, false}, {"field_and_vibration", 2760, 20, 20, false},
+      {"paper", 5955, -40, 60, Kind::thermal},
+      {"reversed", 5955, -40, 60, Kind::thermal},
+      {"random_steps", 3780, 10, 30, Kind::thermal},
+      {"minor_loops", 8640, -40, 60, Kind::thermal},
+      {"ramp_rates", 8040, -40, 60, Kind::thermal},
+      {"power_cycles", 5640, -20, 50, Kind::thermal},
+      {"axis_flips", 5820, -40, 60, Kind::special},
+      {"rate_table", 3660, -40, 60, Kind::turning},
+      {"rate_steps", 3120, -30, 60, Kind::turning},
+      {"rate_sweeps", 420, 10, 45, Kind::turning},
+      {"heater_pulses", 2880, 20, 30, Kind::special},
+      {"field_and_vibration", 2760, 20, 20, Kind::special},
   };
   return all;
 }
@@ -38,7 +46,7 @@ const std::vector<ProgrammeFacts>& programmes() {
 std::vector<std::string> draw_programmes(Draws& draws, const std::vector<std::string>& required) {
   std::vector<std::string> thermal;
   for (const ProgrammeFacts& facts : programmes()) {
-    if (facts.thermal) thermal.push_back(facts.name);
+    if (facts.kind == ProgrammeFacts::Kind::thermal) thermal.push_back(facts.name);
   }
   const double which = draws.uniform(0, 1);
   std::size_t wanted = 3;
@@ -47,7 +55,8 @@ std::vector<std::string> draw_programmes(Draws& draws, const std::vector<std::st
 
   std::vector<std::string> chosen{draws.pick(required.empty() ? thermal : required)};
   // A bench without a chamber teaches no thermal model: what has no ramps gets a chamber test too.
-  if (facts_of(chosen[0]).most_degc <= 30 && !facts_of(chosen[0]).thermal) {
+  if (facts_of(chosen[0]).most_degc <= 30 &&
+      facts_of(chosen[0]).kind != ProgrammeFacts::Kind::thermal) {
     wanted = std::max<std::size_t>(wanted, 2);
   }
   std::size_t rows = facts_of(chosen[0]).rows;
@@ -61,7 +70,12 @@ std::vector<std::string> draw_programmes(Draws& draws, const std::vector<std::st
   return chosen;
 }
 
-std::string draw_unseen(Draws& draws, const std::vector<std::string>& seen) {
+bool turns(const std::string& programme) {
+  return facts_of(programme).kind == ProgrammeFacts::Kind::turning;
+}
+
+std::string draw_unseen(Draws& draws, const std::vector<std::string>& seen, bool turning) {
+  const auto kind = turning ? ProgrammeFacts::Kind::turning : ProgrammeFacts::Kind::thermal;
   double least = 1e9;
   double most = -1e9;
   for (const std::string& name : seen) {
@@ -70,7 +84,7 @@ std::string draw_unseen(Draws& draws, const std::vector<std::string>& seen) {
   }
   std::vector<std::string> possible;
   for (const ProgrammeFacts& facts : programmes()) {
-    if (facts.thermal && facts.least_degc >= least && facts.most_degc <= most &&
+    if (facts.kind == kind && facts.least_degc >= least && facts.most_degc <= most &&
         !contains(seen, facts.name)) {
       possible.push_back(facts.name);
     }

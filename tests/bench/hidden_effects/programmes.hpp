@@ -13,7 +13,8 @@ struct ProgrammeFacts {
   std::size_t rows;  ///< of 10 s
   double least_degc;
   double most_degc;
-  bool thermal;  ///< a plain chamber test; the others are for effects that need more than that
+  /// A plain chamber test, one with a rate table, or for effects that need something else.
+  enum class Kind { thermal, turning, special } kind;
 };
 
 const std::vector<ProgrammeFacts>& programmes();
@@ -22,8 +23,11 @@ const std::vector<ProgrammeFacts>& programmes();
 /// or, where that is empty, any thermal one.
 std::vector<std::string> draw_programmes(Draws& draws, const std::vector<std::string>& required);
 
-/// A programme within the temperatures that `seen` covered and not among them, or "" where there is
-/// none.
-std::string draw_unseen(Draws& draws, const std::vector<std::string>& seen);
+/// Whether it has a rate table.
+bool turns(const std::string& programme);
+
+/// A thermal programme, or one that turns, within the temperatures that `seen` covered and not
+/// among them, or "" where there is none.
+std::string draw_unseen(Draws& draws, const std::vector<std::string>& seen, bool turning);
 
 }  // namespace fogcomp::bench

@@ -70,7 +70,8 @@ int score(const std::string& folder) {
     results.push_back({read_truth(folder, id), *answer, read_answer(folder, id + ".proposed"),
                        read_answer(folder, id + ".random")});
   }
-  const std::vector<Measure> measures = measure(results);
+  const bool wide = seeds.rfind("wide-", 0) == 0;
+  const std::vector<Measure> measures = wide ? wide_measures(results) : basic_measures(results);
   std::printf("%zu cases of the %s seeds, %zu answered\n\n%s\n", asked, seeds.c_str(),
               results.size(), table(measures).c_str());
   for (const auto part :

@@ -36,6 +36,7 @@ TrialRun simulate_trial(const CasePlan& plan, const PlannedRun& run) {
   const GyroDescription gyro = natural_gyro(plan);
   SimulationOptions options;
   options.seed = run.seed;
+  options.rate_hz = plan.rate_hz;
   options.earth.latitude_deg = plan.latitude_deg;
   const Programme programme = parse_profile(
       find_text(run.programme, ready_made_profiles(), "profile"), run.programme, run.seed);

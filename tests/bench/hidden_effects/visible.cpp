@@ -24,6 +24,7 @@ int grid_points(const model::EffectTerm& term, std::size_t parameter) {
   if (term.name == "polarization_ripple") return 64;
   if (term.name == "glass_transition") return parameter == 0 ? 14 : 4;
   if (term.name == "bias_step") return 40;
+  if (term.expression) return 24;
   return 12;
 }
 
@@ -187,12 +188,16 @@ double imitation_by(const std::string& effect, const Sight& sight, const BesideD
   }
   double best = 0;
   for (const std::string& form : forms) {
-    model::EffectTerm term = model::parse_effects(form).front();
-    best = std::max(
-        best, best_shape(sight, term, left_of_truth,
-                         [&](const Eigen::MatrixXd& columns) { return beside.left_of(columns); }));
+    const model::EffectTerm term = model::parse_effects(form).front();
+    best = std::max(best, imitation_by(term, sight, beside, left_of_truth));
   }
   return best;
+}
+
+double imitation_by(model::EffectTerm term, const Sight& sight, const BesideDeclared& beside,
+                    const Eigen::VectorXd& left_of_truth) {
+  return best_shape(sight, term, left_of_truth,
+                    [&](const Eigen::MatrixXd& columns) { return beside.left_of(columns); });
 }
 
 std::vector<Imitation> imitations(const Sight& sight, const BesideDeclared& beside,

@@ -54,8 +54,10 @@ struct Imitation {
 std::vector<Imitation> imitations(const Sight& sight, const BesideDeclared& beside,
                                   const Eigen::VectorXd& left_of_truth);
 
-/// The same of one effect.
+/// The same of one effect, and of a term, which may be an expression.
 double imitation_by(const std::string& effect, const Sight& sight, const BesideDeclared& beside,
+                    const Eigen::VectorXd& left_of_truth);
+double imitation_by(model::EffectTerm term, const Sight& sight, const BesideDeclared& beside,
                     const Eigen::VectorXd& left_of_truth);
 
 double rms(const Eigen::VectorXd& values);

@@ -93,7 +93,8 @@ TEST(DiagnosisWords, SayOfADescriptionThatItIsNoCause) {
   diagnosis.effect.clear();
   diagnosis::NextStep next;
   next.describes = true;
-  next.forms = {{"dTdt^2", 0.86}, {"lag(dTdt^2,tau)", 0.14}};
+  next.forms = {{"dTdt^2", "square = dTdt^2", 0.86},
+                {"lag(dTdt^2,tau)", "late = lag(dTdt^2,?tau[60,6000])", 0.14}};
   next.addition = tried({}, "dTdt_squared = dTdt^2");
   const DiagnosisWords words = words_of(diagnosis, next, kFiles);
   const std::string all = join(words.findings, "\n");
