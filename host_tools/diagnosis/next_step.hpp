@@ -49,7 +49,7 @@ struct NextStep {
   /// All that is left, beside what was taken out, may be the inexactness of what is there: nothing
   /// is tried.
   bool little_is_left = false;
-  std::vector<Form> forms;  ///< best first
+  std::vector<Form> forms;               ///< best first
   std::optional<Experiment> experiment;  ///< that would tell these apart
 };
 
