@@ -6,17 +6,9 @@
 
 #include "diagnosis/ladder.hpp"
 #include "diagnosis/next_step.hpp"
+#include "findings/next_step_words.hpp"
 
 namespace fogcomp::findings {
-
-/// What a diagnosis read and wrote, as on the command line.
-struct DiagnosedFiles {
-  std::string model;
-  std::vector<std::string> runs;
-  std::vector<std::string> holdouts{};
-  std::vector<std::string> reading{};  ///< options with which the recordings are read
-  std::string output{};                ///< the model at the end of the loop; "": none was written
-};
 
 /// What a diagnosis found, for people, without figures that belong in tables.
 struct DiagnosisWords {
@@ -40,11 +32,6 @@ struct BriefDiagnosis {
 };
 BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next);
 
-/// A step of the loop: "+ temperature_rate (or shupe)".
-std::string step_words(const diagnosis::Ladder::Step& step);
-/// The command lines that make the model at its end step by step, the same to the byte.
-std::vector<std::string> ladder_commands(const diagnosis::Ladder& ladder,
-                                         const DiagnosedFiles& files);
 /// Why the loop came to its end.
 std::string end_words(const diagnosis::Ladder& ladder);
 

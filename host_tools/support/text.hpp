@@ -15,6 +15,8 @@ std::vector<std::string> split(std::string_view text, char separator);
 
 /// What split() takes apart: the words with `separator` between them.
 std::string join(const std::vector<std::string>& words, std::string_view separator);
+/// As in a sentence: "a, b or c", with `last` before the last one.
+std::string join_list(const std::vector<std::string>& words, std::string_view last);
 
 /// A word of a command line as a shell takes it: in quotes where it has to be.
 std::string shell_word(const std::string& word);

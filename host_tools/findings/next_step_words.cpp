@@ -1,0 +1,96 @@
+#include "findings/next_step_words.hpp"
+
+#include <algorithm>
+
+#include "findings/figures.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+std::string what_is_tried(const diagnosis::AdditionRequest& request) {
+  return request.expression.empty() ? join_list(request.effects, "and") : request.expression;
+}
+
+}  // namespace
+
+std::string add_command_line(const diagnosis::AdditionRequest& request, const std::string& model,
+                             const DiagnosedFiles& files) {
+  std::vector<std::string> line{"fogcomp", "add", model};
+  line.insert(line.end(), request.effects.begin(), request.effects.end());
+  line.insert(line.end(), files.runs.begin(), files.runs.end());
+  if (!request.expression.empty()) {
+    line.insert(line.end(), {"--effect-expr", request.expression});
+  }
+  for (const std::string& holdout : files.holdouts) {
+    line.insert(line.end(), {"--holdout", holdout});
+  }
+  line.insert(line.end(), files.reading.begin(), files.reading.end());
+  line.insert(line.end(), {"-o", files.output.empty() ? "NEW.model" : files.output});
+  return shell_words(line);
+}
+
+std::vector<std::string> description_words(const diagnosis::NextStep& next) {
+  std::vector<std::string> lines;
+  if (!next.forms.empty()) {
+    std::string text = "outside the catalogue it looks like " + next.forms[0].text +
+                       format(" (%.2f)", next.forms[0].share);
+    for (std::size_t i = 1; i < std::min<std::size_t>(3, next.forms.size()); ++i) {
+      text += (i == 1 ? ", rather than " : " or ") + next.forms[i].text +
+              format(" (%.2f)", next.forms[i].share);
+    }
+    lines.push_back(text);
+  }
+  if (next.addition) {
+    const bool one = next.addition->request.names().size() == 1;
+    lines.push_back(
+        what_is_tried(next.addition->request) +
+        format(" %s the error out of sample from %s to %s deg/h: this describes it, it does "
+               "not say what it is. Beyond the trained temperatures it is held at its value there",
+               one ? "lowers" : "lower", rounded(next.addition->rms_before_dph).c_str(),
+               rounded(next.addition->rms_after_dph).c_str()));
+  }
+  if (next.experiment && !next.experiment->sentence.empty()) {
+    lines.push_back("to tell: " + next.experiment->sentence);
+  } else if (next.addition) {
+    lines.push_back(
+        "a run of another programme, given to add with --holdout, would tell whether it "
+        "holds there, too");
+  }
+  return lines;
+}
+
+std::string nothing_holds_words(const diagnosis::NextStep& next) {
+  if (next.little_is_left) {
+    return "nothing to add: what is left is so little beside what was taken out that it may be the "
+           "inexactness of what is there: let a run that was not fitted decide, with --holdout";
+  }
+  if (next.refused.empty()) return "";
+  std::string text = "nothing to add: " + what_is_tried(next.refused[0].request) +
+                     " was tried and refused, " + next.refused[0].reason;
+  std::vector<std::string> others;
+  for (std::size_t i = 1; i < next.refused.size(); ++i) {
+    others.push_back(what_is_tried(next.refused[i].request));
+  }
+  return others.empty() ? text : text + "; so were: " + join(others, "; ");
+}
+
+std::string step_words(const diagnosis::Ladder::Step& step) {
+  std::string what = "+ " + what_is_tried(step.addition.request);
+  if (step.describes) what += " (a description)";
+  if (!step.alternatives.empty()) what += " (or " + join_list(step.alternatives, "or") + ")";
+  return what;
+}
+
+std::vector<std::string> ladder_commands(const diagnosis::Ladder& ladder,
+                                         const DiagnosedFiles& files) {
+  std::vector<std::string> lines;
+  std::string model = files.model;
+  for (const diagnosis::Ladder::Step& step : ladder.steps) {
+    lines.push_back(add_command_line(step.addition.request, model, files));
+    model = files.output.empty() ? "NEW.model" : files.output;
+  }
+  return lines;
+}
+
+}  // namespace fogcomp::findings

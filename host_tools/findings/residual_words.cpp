@@ -1,0 +1,117 @@
+#include "findings/residual_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "compare/comparison.hpp"
+#include "findings/figures.hpp"
+#include "support/text.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+constexpr double kSlowCycle_s = 7200;  // no machine of a laboratory is that slow
+
+}  // namespace
+
+std::string size_words(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
+  std::string text = format("the model leaves %.4g deg/h rms; the noise floor is %.4g",
+                            diagnosis.residual_rms_dph, diagnosis.noise_floor_dph);
+  if (const diagnosis::CandidateFinding* finding = diagnosis.find(effect)) {
+    text += format("; with %s %.4g", effect.c_str(), finding->rms_after_dph);
+  }
+  return text;
+}
+
+std::string as_given_words(const diagnosis::Diagnosis& diagnosis) {
+  constexpr double kTellsApart = 0.01;
+  if (!diagnosis.as_given) return "";
+  const compare::BoardError& given = *diagnosis.as_given;
+  const double apart = std::abs(given.rms_dph - diagnosis.residual_rms_dph);
+  if (apart <= kTellsApart * given.rms_dph) return "";
+  return "that is refitted to these runs and without the board's delay; of the model as it is, " +
+         compare::delay_words(given);
+}
+
+std::string where_words(const diagnosis::Diagnosis& diagnosis) {
+  std::vector<diagnosis::NamedShare> segments = diagnosis.segments;
+  std::stable_sort(segments.begin(), segments.end(),
+                   [](const auto& a, const auto& b) { return a.share > b.share; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, segments.size()); ++i) {
+    if (segments[i].share < 0.1) break;
+    text += (text.empty() ? "it sits in " : ", ") + segments[i].name + " (" +
+            percent(segments[i].share) + ")";
+  }
+  if (!diagnosis.variable.empty()) {
+    text += (text.empty() ? "it depends most on " : "; it depends most on ") + diagnosis.variable;
+  }
+  return text;
+}
+
+std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
+  switch (diagnosis.fast_kind) {
+    case diagnosis::FastKind::none:
+      break;
+    case diagnosis::FastKind::line:
+      if (diagnosis.fast.line_period_s > kSlowCycle_s) {
+        return format("it repeats every %.3g h: look for the day, the room, its air conditioning",
+                      diagnosis.fast.line_period_s / kSecondsPerHour);
+      }
+      return format("it repeats every %.3g s: look for a cooler, a compressor, a control loop",
+                    diagnosis.fast.line_period_s);
+    case diagnosis::FastKind::band:
+      return format("there is more than noise around periods of %.3g s, %.0f %% above it",
+                    diagnosis.fast.band_period_s, 100 * diagnosis.fast.band_excess);
+    case diagnosis::FastKind::two_levels:
+      return format(
+          "the bias jumps to and fro between two levels %.3g deg/h apart, each held for %.2g s on "
+          "average: look at light source, detector and electronics",
+          diagnosis.jumps.height_dph, diagnosis.jumps.dwell_s);
+  }
+  return "";
+}
+
+// Far beyond the draws of the test the tail of their distribution is a guess.
+std::string chance_words(double chance) {
+  constexpr double kTiny = 1e-6;
+  return "chance that noise alone looks like this: " +
+         (chance < kTiny ? "less than one in a million" : format("%.2g", chance));
+}
+
+std::string network_words(const diagnosis::Diagnosis& diagnosis) {
+  constexpr double kSaysNothing = 0.05;   // difference of shares that says nothing
+  constexpr double kNextToNothing = 0.1;  // of the noise floor
+  if (!diagnosis.network) return "";
+  const diagnosis::NetworkLearnt& network = *diagnosis.network;
+  std::string text = format("the network, left out here, adds %.4g deg/h rms", network.rms_dph);
+  if (network.rms_dph < kNextToNothing * diagnosis.noise_floor_dph) {
+    return text + ": next to nothing";
+  }
+  text += ", " + percent(network.beyond_effects) + " of it beyond the model's own effects: ";
+  if (network.effects.empty() || network.effects[0].share < diagnosis::kLearntShare) {
+    text += "nothing of the catalogue explains what it had learnt";
+    if (network.effects.empty()) return text;
+    return text + " (at most " + percent(network.effects[0].share) + ", " +
+           network.effects[0].term.name + ")";
+  }
+  // Of those that explain it alike, the one that the verdict names.
+  diagnosis::NetworkLearnt::Share best = network.effects[0];
+  for (const diagnosis::NetworkLearnt::Share& share : network.effects) {
+    const bool as_well = share.share > network.effects[0].share - kSaysNothing;
+    if (as_well && share.term.name == diagnosis.effect) best = share;
+  }
+  text += "it had learnt " + best.term.name + " (explains " + percent(best.share);
+  std::vector<std::string> alike;
+  for (const diagnosis::NetworkLearnt::Share& share : network.effects) {
+    const bool as_well =
+        share.share > best.share - kSaysNothing && share.term.name != best.term.name;
+    if (as_well) alike.push_back(share.term.name);
+  }
+  if (!alike.empty()) text += "; so would " + join_list(alike, "or");
+  return text + "): add the effect and train a smaller network";
+}
+
+}  // namespace fogcomp::findings
