@@ -1,6 +1,7 @@
 #include "diagnosis/forms.hpp"
 
 #include <string>
+#include <string_view>
 
 #include "model/effect_list.hpp"
 #include "support/text.hpp"
@@ -16,6 +17,8 @@ constexpr double kKinkMargin = 0.1;
 constexpr double kMinPeriod = 0.1;
 constexpr double kMaxPeriod = 2;
 
+constexpr std::string_view kDegC = "degC";
+
 class Formulas {
  public:
   void add(const std::string& name, const std::string& text) {
@@ -30,6 +33,14 @@ class Formulas {
 struct VaryingSignal {
   std::string symbol;
   model::SignalRange range;
+  bool has_zero;  ///< 0 degC is no special temperature
+
+  double span() const { return range.most - range.least; }
+  /// A value of it, searched for.
+  std::string somewhere() const {
+    const double margin = kKinkMargin * span();
+    return format("?c[%.6g,%.6g]", range.least + margin, range.most - margin);
+  }
 };
 
 std::vector<VaryingSignal> varying_signals(const series::SignalSeries& series,
@@ -39,7 +50,7 @@ std::vector<VaryingSignal> varying_signals(const series::SignalSeries& series,
   for (const fog::InputDescription& input : fog::kInputTable) {
     if (input.input == fog::Input::elapsed || !has(inputs, input.input)) continue;
     const model::SignalRange& range = ranges[static_cast<std::size_t>(input.input)];
-    if (range.most > range.least) signals.push_back({input.symbol, range});
+    if (range.most > range.least) signals.push_back({input.symbol, range, input.unit != kDegC});
   }
   return signals;
 }
@@ -51,24 +62,25 @@ std::string lagged(const std::string& text) {
 // Of one signal. Powers of the temperature are bias_temperature's, a period in it is
 // polarization_ripple's, and what follows its rate with a lag is thermal_lag's.
 void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
-  const auto& [x, range] = signal;
-  const double span = range.most - range.least;
+  const std::string& x = signal.symbol;
+  const model::SignalRange& range = signal.range;
+  const double span = signal.span();
   if (x != "T") {
     formulas.add(x + "_squared", x + "^2");
     formulas.add(x + "_cubed", x + "^3");
     formulas.add(x + "_squared_late", lagged(x + "^2"));
+    formulas.add(x + "_late_squared", lagged(x) + "^2");
     if (range.least < 0 && range.most > 0) {
       formulas.add(x + "_size", "abs(" + x + ")");
       formulas.add(x + "_size_late", lagged("abs(" + x + ")"));
+      formulas.add(x + "_late_size", "abs(" + lagged(x) + ")");
       formulas.add(x + "_signed_square", x + "*abs(" + x + ")");
     }
     if (x != "dTdt") formulas.add(x + "_late", lagged(x));
     formulas.add(x + "_sine", format("sin(6.2832*%s/?p[%.4g,%.4g])", x.c_str(), kMinPeriod * span,
                                      kMaxPeriod * span));
   }
-  const double margin = kKinkMargin * span;
-  formulas.add(x + "_kink", format("max(%s-?c[%.6g,%.6g],0)", x.c_str(), range.least + margin,
-                                   range.most - margin));
+  formulas.add(x + "_kink", "max(" + x + "-" + signal.somewhere() + ",0)");
 }
 
 // Products of two signals, of three factors at most.
@@ -78,6 +90,11 @@ void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSigna
   formulas.add(x + "_" + y, x + "*" + y);
   formulas.add(x + "_squared_" + y, x + "^2*" + y);
   formulas.add(x + "_" + y + "_squared", x + "*" + y + "^2");
+  if (!a.has_zero) {
+    const std::string about = "(" + x + "-" + a.somewhere() + ")";
+    formulas.add(x + "_offset_squared_" + y, about + "^2*" + y);
+    formulas.add(x + "_offset_" + y + "_squared", about + "*" + y + "^2");
+  }
   if (b.range.least < 0 && b.range.most > 0) {
     formulas.add(x + "_" + y + "_size", x + "*abs(" + y + ")");
   }

@@ -11,7 +11,8 @@ namespace fogcomp::diagnosis {
 
 /// Formulas that the catalogue lacks, as expressions without coefficients: of every signal of
 /// `inputs` that varies on these rows, squares, cubes, magnitudes, products of up to three factors
-/// of two signals, a lag, a kink and a sine of it. Bounds of their parameters come from the range
+/// of two signals (of a temperature as its distance from one that is searched for, too), a lag
+/// before or after it, a kink and a sine of it. Bounds of their parameters come from the range
 /// of the signal. What a formula has in common with the model or the catalogue is left to those by
 /// whoever lets them compete (find_candidates()).
 std::vector<model::EffectTerm> formulas_over(const series::SignalSeries& series,

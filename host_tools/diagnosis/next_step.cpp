@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/forms.hpp"
@@ -134,7 +135,36 @@ class Judge {
     return trial;
   }
 
+  // The same of something that describes and may be no physics: stretches left out of a run have
+  // the temperatures of those beside them, another run has not.
+  TriedAddition of_description(AdditionRequest request) {
+    TriedAddition trial = (*this)(std::move(request));
+    const std::size_t count = runs_.holdouts.empty() ? runs_.training.runs.size() : 0;
+    for (std::size_t run = 0; count > 1 && run < count && trial.accepted; ++run) {
+      const std::string objection = objection_of_run(trial.request, run);
+      if (objection.empty()) continue;
+      trial.accepted = false;
+      trial.reason = objection;
+    }
+    return trial;
+  }
+
  private:
+  // Why it is not fit for that run, when identified on the others; "" where it is, or where the
+  // others do not determine it.
+  std::string objection_of_run(const AdditionRequest& request, std::size_t run) const {
+    try {
+      const fit::Addition addition = try_to_add(model_, request, runs_.without(run));
+      const auto& judged = addition.out_of_sample;
+      if (!judged || judged->rms_after_dph < judged->rms_before_dph) return "";
+      return format("it does not hold on %s when that run is left out: %s -> %s deg/h",
+                    runs_.training.runs[run].file.c_str(), rounded(judged->rms_before_dph).c_str(),
+                    rounded(judged->rms_after_dph).c_str());
+    } catch (const InputError&) {
+      return "";
+    }
+  }
+
   model::Model model_;
   const JudgingRuns& runs_;
   fit::RefittedModel refitted_;
@@ -142,7 +172,8 @@ class Judge {
 
 // Whether it holds; either way `next` has it.
 bool try_out(AdditionRequest request, Judge& judge, NextStep& next) {
-  TriedAddition addition = judge(std::move(request));
+  TriedAddition addition =
+      next.describes ? judge.of_description(std::move(request)) : judge(std::move(request));
   const bool accepted = addition.accepted;
   if (accepted) {
     next.addition = std::move(addition);
@@ -169,12 +200,19 @@ bool has_no_own_input(const Diagnosis& diagnosis, const std::vector<std::string>
   });
 }
 
+// `add` takes an effect once: two ripples are one effect's two parts, added one after the other.
+bool names_twice(const std::vector<std::string>& effects) {
+  const std::set<std::string> different(effects.begin(), effects.end());
+  return different.size() < effects.size();
+}
+
 // `named` was refused. Where a random walk would do as well, sets around it are no better.
 void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
               const NextStep& next, std::vector<Description>& descriptions) {
   const bool may_be_walk = !next.refused.empty() && next.refused[0].may_be_walk;
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {
-    if (set.effects == named || !events_among(diagnosis, set.effects).empty()) continue;
+    if (set.effects == named || names_twice(set.effects)) continue;
+    if (!events_among(diagnosis, set.effects).empty()) continue;
     const bool is_around = std::all_of(named.begin(), named.end(), [&](const auto& effect) {
       return std::find(set.effects.begin(), set.effects.end(), effect) != set.effects.end();
     });
@@ -225,11 +263,11 @@ void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const D
   }
 }
 
-// The first few that could describe it, until one holds.
-bool describe(std::vector<Description> descriptions, Judge& judge, NextStep& next) {
+// The first few that could describe it, until one holds. `is_named`: as physics.
+bool describe(std::vector<Description> descriptions, bool is_named, Judge& judge, NextStep& next) {
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   for (Description& description : descriptions) {
-    next.describes = !description.is_part;
+    next.describes = !description.is_part && !is_named;
     if (!try_out(std::move(description.request), judge, next)) continue;
     next.together = std::move(description.effects);
     return true;
@@ -258,6 +296,14 @@ std::vector<std::string> AdditionRequest::names() const {
 
 bool AdditionRequest::is_network() const {
   return names() == std::vector<std::string>{fit::kNetworkName};
+}
+
+JudgingRuns JudgingRuns::without(std::size_t run) const {
+  JudgingRuns others = *this;
+  const auto left_out = others.training.runs.begin() + static_cast<std::ptrdiff_t>(run);
+  others.holdouts = {std::move(*left_out)};
+  others.training.runs.erase(left_out);
+  return others;
 }
 
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
@@ -291,10 +337,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
     }
     // The catalogue explains it: the likeliest of its sets first.
     add_sets(diagnosis, named, next, descriptions);
-    if (describe(std::move(descriptions), judge, next)) {
-      next.describes = false;
-      return next;
-    }
+    if (describe(std::move(descriptions), true, judge, next)) return next;
     descriptions.clear();
   } else {
     if (!named.empty()) {
@@ -307,9 +350,12 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
     add_formulas(model, diagnosis, data, settings, next, descriptions);
   }
   sort_by_explained(descriptions);
-  const bool described = describe(std::move(descriptions), judge, next);
+  const bool described = describe(std::move(descriptions), false, judge, next);
   next.together.clear();
-  if (!described && is_function_of_signals(diagnosis) && !model.network.present()) {
+  // In one run its inputs follow one path, beside which it is anything.
+  const bool has_other_runs = runs.training.runs.size() > 1 || !runs.holdouts.empty();
+  if (!described && is_function_of_signals(diagnosis) && !model.network.present() &&
+      has_other_runs) {
     next.describes = true;
     try_out({{fit::kNetworkName}, ""}, judge, next);
   }

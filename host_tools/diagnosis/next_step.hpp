@@ -58,6 +58,9 @@ struct NextStep {
 struct JudgingRuns {
   fit::TrainingRuns training;
   std::vector<compare::RunInBlocks> holdouts;
+
+  /// With one of the training runs as the holdout.
+  JudgingRuns without(std::size_t run) const;
 };
 
 /// As the command `add` does it, its network included, for the verdict and the model alone.
@@ -69,10 +72,11 @@ fit::Addition try_to_add(const model::Model& model, const AdditionRequest& reque
 /// effects that explain most, and formulas over the signals that vary (formulas_over()). What holds
 /// also has to lower the error of the training runs and, where no holdout judges, by no less than
 /// rules::kWorthAdding of what was taken out of it since it was fitted. A bias step comes first:
-/// what lies beside it is judged once it is masked. Where nothing else holds, a network on the
-/// temperature and its rate is tried, unless the model has one. Nothing is tried where nothing is
-/// missing, or where what is left is no function of the signals: a cycle, a random walk. `data` has
-/// the rows of `runs.training`.
+/// what lies beside it is judged once it is masked. What describes and is not named also has to
+/// hold on each of several runs when that is left out. Where nothing else holds, a network on the
+/// temperature and its rate is tried, unless the model has one or there is but one run. Nothing is
+/// tried where nothing is missing, or where what is left is no function of the signals: a cycle, a
+/// random walk. `data` has the rows of `runs.training`.
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisData& data, const JudgingRuns& runs,
                         const DiagnosisSettings& settings = {});

@@ -67,7 +67,8 @@ std::string nothing_holds_words(const diagnosis::NextStep& next) {
   }
   if (next.refused.empty()) return "";
   std::string text = "nothing to add: " + what_is_tried(next.refused[0].request) +
-                     " was tried and refused, " + next.refused[0].reason;
+                     (next.refused[0].request.names().size() > 1 ? " were" : " was") +
+                     " tried and refused, " + next.refused[0].reason;
   std::vector<std::string> others;
   for (std::size_t i = 1; i < next.refused.size(); ++i) {
     others.push_back(what_is_tried(next.refused[i].request));

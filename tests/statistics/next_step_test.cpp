@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fit/effect_change.hpp"
@@ -17,15 +18,17 @@ using fog::test::natural_term;
 using fog::test::recording_with;
 using fog::test::written_term;
 
-// The next step for a model of `effects` on one recording.
+// The next step for a model of `effects` on recordings of one noise.
 struct Asked {
-  Asked(const std::string& effects, const recording::Recording& recording)
+  Asked(const std::string& effects, const std::vector<recording::Recording>& recordings)
       : model(fog::test::incomplete(effects)) {
     fit::TrainingRuns& training = runs.training;
-    training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
-    training.noise_floor_dph = training.runs[0].noise_floor_dph;
     DiagnosisData data(model);
-    data.add(training.runs[0]);
+    for (const recording::Recording& recording : recordings) {
+      training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
+      data.add(training.runs.back());
+    }
+    training.noise_floor_dph = training.runs[0].noise_floor_dph;
     found = diagnose(model, data);
     next = find_next_step(model, found, data, runs);
   }
@@ -39,7 +42,7 @@ struct Asked {
 };
 
 TEST(NextStep, IsTheEffectThatIsNamed) {
-  const Asked asked("bias,bias_temperature:order=2", recording_with({}, 1));
+  const Asked asked("bias,bias_temperature:order=2", {recording_with({}, 1)});
   ASSERT_TRUE(asked.next.addition);
   EXPECT_FALSE(asked.next.describes);
   EXPECT_EQ(asked.next.addition->request.effects, std::vector<std::string>{"temperature_rate"});
@@ -47,7 +50,7 @@ TEST(NextStep, IsTheEffectThatIsNamed) {
 }
 
 TEST(NextStep, IsNothingWhereNothingIsMissing) {
-  const Asked asked(kBasic, recording_with({}, 1));
+  const Asked asked(kBasic, {recording_with({}, 1)});
   EXPECT_EQ(asked.found.verdict, Verdict::none);
   EXPECT_FALSE(asked.next.addition);
   EXPECT_TRUE(asked.next.refused.empty());
@@ -63,7 +66,7 @@ TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
     model::EffectTerm hidden = written_term(std::string("x = ") + form);
     hidden.coefficients_dph = {std::ldexp(1.5 * fog::test::kQuietNoise.white_dph / typical,
                                           hidden.expression->scale_log2)};
-    const Asked asked(kBasic, recording_with({hidden}, 1));
+    const Asked asked(kBasic, {recording_with({hidden}, 1)});
     EXPECT_EQ(asked.found.verdict, Verdict::unknown) << form;
     ASSERT_TRUE(asked.next.addition) << form;
     EXPECT_TRUE(asked.next.describes) << form;
@@ -74,15 +77,31 @@ TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
 }
 
 // Neither the catalogue nor a formula over its inputs has such a course.
-TEST(NextStep, IsANetworkWhereNothingElseHolds) {
-  model::EffectTerm hidden = written_term("x = tanh((T-20)/8)*tanh(4*dTdt)*sin(T/9)");
+TEST(NextStep, IsANetworkWhereNothingElseHoldsAndAnotherRunShowsThatItDoes) {
+  model::EffectTerm hidden = written_term("x = sin(T/9)*tanh(4*dTdt)");
   hidden.coefficients_dph = {std::ldexp(0.1, hidden.expression->scale_log2)};
-  const Asked asked(kBasic, recording_with({hidden}, 1));
-  ASSERT_TRUE(asked.next.addition);
-  EXPECT_TRUE(asked.next.describes);
-  EXPECT_TRUE(asked.next.addition->request.is_network());
-  EXPECT_FALSE(asked.next.refused.empty());
-  EXPECT_TRUE(asked.add_accepts());
+  const recording::Recording first = recording_with({hidden}, 1);
+  const Asked of_one(kBasic, {first});
+  EXPECT_FALSE(of_one.next.addition) << of_one.next.addition->request.names()[0];
+  EXPECT_FALSE(of_one.next.refused.empty());
+
+  const Asked of_two(kBasic, {first, recording_with({hidden}, 2)});
+  ASSERT_TRUE(of_two.next.addition) << of_two.next.refused.back().reason;
+  EXPECT_TRUE(of_two.next.describes);
+  EXPECT_TRUE(of_two.next.addition->request.is_network());
+  EXPECT_TRUE(of_two.add_accepts());
+}
+
+// In one of two runs: stretches of it show the formula, the other run does not.
+TEST(NextStep, IsNoDescriptionThatAnotherRunContradicts) {
+  model::EffectTerm hidden = written_term("x = abs(dTdt)");
+  hidden.coefficients_dph = {std::ldexp(0.2, hidden.expression->scale_log2)};
+  const Asked asked(kBasic, {recording_with({hidden}, 1), recording_with({}, 2)});
+  EXPECT_FALSE(asked.next.addition) << asked.next.addition->request.names()[0];
+  const auto& refused = asked.next.refused;
+  EXPECT_TRUE(std::any_of(refused.begin(), refused.end(), [](const TriedAddition& trial) {
+    return trial.reason.find("when that run is left out") != std::string::npos;
+  }));
 }
 
 }  // namespace

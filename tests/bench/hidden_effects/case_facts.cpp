@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 
 #include "made_case.hpp"
 #include "support/input_error.hpp"
@@ -26,11 +27,19 @@ std::string facts_of_hidden(const Sight& sight, const BesideDeclared& beside,
   return text;
 }
 
-double noise_rms(const TruthFile& truth) {
-  double sum = 0;
+// Of means over 10 s, as `compare` has them.
+double noise_rms(const TruthFile& truth, double rate_hz) {
   const std::vector<double> noise = truth.noise();
-  for (const double value : noise) sum += value * value;
-  return std::sqrt(sum / static_cast<double>(noise.size()));
+  const auto of_mean = static_cast<std::size_t>(std::lround(10 * rate_hz));
+  double sum = 0;
+  std::size_t means = 0;
+  for (std::size_t from = 0; from + of_mean <= noise.size(); from += of_mean, ++means) {
+    const auto first = noise.begin() + static_cast<std::ptrdiff_t>(from);
+    const double mean = std::accumulate(first, first + static_cast<std::ptrdiff_t>(of_mean), 0.0) /
+                        static_cast<double>(of_mean);
+    sum += mean * mean;
+  }
+  return std::sqrt(sum / static_cast<double>(means));
 }
 
 void write_facts(const std::string& runs, const std::string& truth) {
@@ -51,7 +60,8 @@ void write_facts(const std::string& runs, const std::string& truth) {
     text += facts_of_hidden(sight, beside, words[0], made.rows(sight, words[1]), noise_dph);
   }
   if (std::filesystem::exists(truth + "/unseen.csv")) {
-    text += format("unseen_noise_dph %.8g\n", noise_rms(TruthFile(truth + "/unseen.csv")));
+    text += format("unseen_noise_dph %.8g\n",
+                   noise_rms(TruthFile(truth + "/unseen.csv"), made.plan.number("rate_hz")));
   }
   write_file(truth + "/facts.txt", text);
 }

@@ -72,7 +72,8 @@ void draw_runs(Draws& draws, const CaseId& id, CasePlan& plan) {
 }
 
 bool wants_loop(const CaseKind& what) {
-  return what.hidden.size() > 1 || what.kind == "form" || what.kind == "beyond";
+  return what.hidden.size() > 1 || what.kind == "form" || what.kind == "beyond" ||
+         what.kind == "rate";
 }
 
 CasePlan draw(const CaseId& id, std::uint64_t attempt) {

@@ -1,6 +1,6 @@
 // form_likeness RUNS TRUTH ANSWERS: of the formulas that the tool says a hidden one looks like, how
-// much of its visible part each explains with its best shape: ANSWERS/form_likeness.txt, a number
-// from 0 to 1 for each of the first three.
+// much of its visible part each explains with its best shape, beside the effects that the loop has
+// added: ANSWERS/form_likeness.txt, a number from 0 to 1 for each of the first three.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -19,20 +19,36 @@ using namespace fogcomp::bench;
 
 constexpr std::size_t kMostForms = 3;
 
+JsonValue read_json(const std::string& path) {
+  return std::filesystem::exists(path) ? JsonValue::parse(read_file(path), path) : JsonValue();
+}
+
 void write_likeness(const std::string& runs, const std::string& truth, const std::string& answers) {
-  const std::string diagnosis = answers + "/diagnosis.json";
-  if (!std::filesystem::exists(diagnosis)) return;
-  const JsonValue said = JsonValue::parse(read_file(diagnosis), diagnosis);
+  const JsonValue said = read_json(answers + "/diagnosis.json");
+  if (said.is_null()) return;
   const MadeCase made(runs, truth);
-  Sight sight(split(made.plan.word("declared"), ','), made.recordings);
-  const BesideDeclared beside(sight, made.declared_rows(sight));
+  std::vector<std::string> effects = split(made.plan.word("declared"), ',');
+  Sight declared(effects, made.recordings);
+  const std::string effect = made.plan.all("hidden").at(0).at(1);
   const Eigen::VectorXd hidden =
-      beside.left_of(made.rows(sight, made.plan.all("hidden").at(0).at(1)));
+      BesideDeclared(declared, made.declared_rows(declared)).left_of(made.rows(declared, effect));
+
+  // A formula may be more than one regressor: (T - 20)^2 dT/dt has three.
+  const JsonValue loop = read_json(answers + "/loop.json");
+  for (const JsonValue& added : loop["added"].elements()) {
+    const std::string& name = added.text();
+    if (declared.model.find(name) == nullptr) effects.push_back(name);
+  }
+  Sight sight(effects, made.recordings);
+  const BesideDeclared beside(sight, made.declared_rows(sight));
+  const Eigen::VectorXd left = beside.left_of(hidden);
+  const double share_left = left.squaredNorm() / hidden.squaredNorm();
   std::string text;
   const std::vector<JsonValue>& forms = said["forms"].elements();
   for (std::size_t i = 0; i < std::min(kMostForms, forms.size()); ++i) {
     const model::EffectTerm term = model::expression_term(forms[i]["expression"].text());
-    text += format("likeness %.4f\n", imitation_by(term, sight, beside, hidden));
+    const double explained = imitation_by(term, sight, beside, left);
+    text += format("likeness %.4f\n", 1 - share_left * (1 - explained));
   }
   write_file(answers + "/form_likeness.txt", text);
 }

@@ -30,6 +30,7 @@ std::string plan_text(const std::string& id, const CasePlan& plan) {
   for (const PlannedRun& run : plan.runs) text += "programme " + run.programme + "\n";
   if (plan.unseen) text += "unseen " + plan.unseen->programme + "\n";
   text += format("row_noise_dph %.8g\n", plan.gyro.row_noise_dph());
+  text += format("rate_hz %g\n", plan.rate_hz);
   text += format("drawn %d\n", plan.drawn);
   return text + "flicker " + flickers[static_cast<std::size_t>(plan.what.flicker)] + "\n";
 }

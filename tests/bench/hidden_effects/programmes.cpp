@@ -27,18 +27,18 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 const std::vector<ProgrammeFacts>& programmes() {
   using Kind = ProgrammeFacts::Kind;
   static const std::vector<ProgrammeFacts> all{
-      {"paper", 5955, -40, 60, Kind::thermal},
-      {"reversed", 5955, -40, 60, Kind::thermal},
-      {"random_steps", 3780, 10, 30, Kind::thermal},
-      {"minor_loops", 8640, -40, 60, Kind::thermal},
-      {"ramp_rates", 8040, -40, 60, Kind::thermal},
-      {"power_cycles", 5640, -20, 50, Kind::thermal},
-      {"axis_flips", 5820, -40, 60, Kind::special},
-      {"rate_table", 3660, -40, 60, Kind::turning},
-      {"rate_steps", 3120, -30, 60, Kind::turning},
-      {"rate_sweeps", 420, 10, 45, Kind::turning},
-      {"heater_pulses", 2880, 20, 30, Kind::special},
-      {"field_and_vibration", 2760, 20, 20, Kind::special},
+      {"paper", 5955, -40, 60, 0, Kind::thermal},
+      {"reversed", 5955, -40, 60, 0, Kind::thermal},
+      {"random_steps", 3780, 10, 30, 0, Kind::thermal},
+      {"minor_loops", 8640, -40, 60, 0, Kind::thermal},
+      {"ramp_rates", 8040, -40, 60, 0, Kind::thermal},
+      {"power_cycles", 5640, -20, 50, 0, Kind::thermal},
+      {"axis_flips", 5820, -40, 60, 0, Kind::special},
+      {"rate_table", 3660, -40, 60, 10, Kind::turning},
+      {"rate_steps", 3120, -30, 60, 100, Kind::turning},
+      {"rate_sweeps", 420, 10, 45, 100, Kind::turning},
+      {"heater_pulses", 2880, 20, 30, 0, Kind::special},
+      {"field_and_vibration", 2760, 20, 20, 0, Kind::special},
   };
   return all;
 }
@@ -78,14 +78,16 @@ std::string draw_unseen(Draws& draws, const std::vector<std::string>& seen, bool
   const auto kind = turning ? ProgrammeFacts::Kind::turning : ProgrammeFacts::Kind::thermal;
   double least = 1e9;
   double most = -1e9;
+  double fastest_dps = 0;
   for (const std::string& name : seen) {
     least = std::min(least, facts_of(name).least_degc);
     most = std::max(most, facts_of(name).most_degc);
+    fastest_dps = std::max(fastest_dps, facts_of(name).fastest_dps);
   }
   std::vector<std::string> possible;
   for (const ProgrammeFacts& facts : programmes()) {
     if (facts.kind == kind && facts.least_degc >= least && facts.most_degc <= most &&
-        !contains(seen, facts.name)) {
+        facts.fastest_dps <= fastest_dps && !contains(seen, facts.name)) {
       possible.push_back(facts.name);
     }
   }

@@ -13,6 +13,7 @@ struct ProgrammeFacts {
   std::size_t rows;  ///< of 10 s
   double least_degc;
   double most_degc;
+  double fastest_dps;  ///< of the rate table
   /// A plain chamber test, one with a rate table, or for effects that need something else.
   enum class Kind { thermal, turning, special } kind;
 };
@@ -26,8 +27,8 @@ std::vector<std::string> draw_programmes(Draws& draws, const std::vector<std::st
 /// Whether it has a rate table.
 bool turns(const std::string& programme);
 
-/// A thermal programme, or one that turns, within the temperatures that `seen` covered and not
-/// among them, or "" where there is none.
+/// A thermal programme, or one that turns, within the temperatures and rates that `seen` covered
+/// and not among them, or "" where there is none.
 std::string draw_unseen(Draws& draws, const std::vector<std::string>& seen, bool turning);
 
 }  // namespace fogcomp::bench

@@ -51,16 +51,16 @@ void rate_tables(std::vector<Measure>& all, const std::vector<CaseResult>& resul
                   Sense::at_least, 0.9));
   std::vector<double> ratios;
   for (const CaseResult& r : results) {
-    if (!rate(r) || !r.answer.unseen_rms_dph || !r.truth.unseen_noise_dph) continue;
-    ratios.push_back(*r.answer.unseen_rms_dph / *r.truth.unseen_noise_dph);
+    if (!rate(r) || !r.answer.after_loop_dph || !r.truth.unseen_noise_dph) continue;
+    ratios.push_back(*r.answer.after_loop_dph / *r.truth.unseen_noise_dph);
   }
+  all.push_back(with_target(
+      quantile_of("rate_unseen_median", "rate table, after the loop: rms / noise, unseen, median",
+                  ratios, 0.5),
+      Sense::at_most, 1.03));
   all.push_back(
-      with_target(quantile_of("rate_unseen_median",
-                              "rate table, after adding: rms / noise, unseen, median", ratios, 0.5),
-                  Sense::at_most, 1.03));
-  all.push_back(
-      with_target(quantile_of("rate_unseen_90", "rate table, after adding: the same, 90 % of cases",
-                              ratios, 0.9),
+      with_target(quantile_of("rate_unseen_90",
+                              "rate table, after the loop: the same, 90 % of cases", ratios, 0.9),
                   Sense::at_most, 1.15));
 }
 
