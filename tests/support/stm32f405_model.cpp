@@ -13,6 +13,7 @@ constexpr std::uint32_t kGpio = 0x40020000;
 constexpr std::uint32_t kDma2 = 0x40026400;
 constexpr std::uint32_t kAdc1 = 0x40012000;
 constexpr std::uint32_t kWatchdog = 0x40003000;
+constexpr std::uint32_t kPower = 0x40007000;
 constexpr std::uint32_t kInterruptEnable = 0xE000E100;
 constexpr std::uint32_t kInterruptDisable = 0xE000E180;
 constexpr std::uint32_t kInterruptPend = 0xE000E200;
@@ -94,6 +95,18 @@ Stm32F405Model::Stm32F405Model(const Stm32Faults& wrong, Stm32Start start,
   usarts_[6] = UsartState(0x40011400, 2, 71);
 }
 
+void Stm32F405Model::pull_reset_pin(double seconds) {
+  registers_.clear();
+  registers_[kRccControl] = 0x00000083;
+  registers_[kRccPll] = 0x24003010;
+  enabled_interrupts_.clear();
+  pending_interrupts_.clear();
+  watchdog_started_ = false;
+  backup_domain.system_reset();
+  elapsed_s_ += seconds;
+  reset_flags |= 1U << 26U;
+}
+
 std::uint32_t Stm32F405Model::stored(std::uint32_t address) const {
   const auto found = registers_.find(address);
   return found == registers_.end() ? 0 : found->second;
@@ -112,6 +125,9 @@ void Stm32F405Model::pass_time() {
 std::uint32_t Stm32F405Model::read(std::uint32_t address) {
   pass_time();
   let_dma_run();
+  if (address == Stm32BackupDomain::kControl || within(address, Stm32BackupDomain::kRtc, 0x400)) {
+    return backup_domain.read(address, elapsed_s_);
+  }
   if (within(address, kRcc, 0x400)) return read_clock(address);
   if (address == kWatchdog + 0x0C) {
     return faults.watchdog_never_updates || accesses_ < watchdog_updated_at_ ? 3U : 0U;
@@ -128,7 +144,14 @@ std::uint32_t Stm32F405Model::read(std::uint32_t address) {
 void Stm32F405Model::write(std::uint32_t address, std::uint32_t value) {
   pass_time();
   let_dma_run();
+  if (address == Stm32BackupDomain::kControl || within(address, Stm32BackupDomain::kRtc, 0x400)) {
+    return backup_domain.write(address, value, elapsed_s_);
+  }
   if (within(address, kRcc, 0x400)) return write_clock(address, value);
+  if (address == kPower) {
+    need_clock(kApb1Enable, 28, "PWR");
+    backup_domain.writable = bit(value, 8);
+  }
   if (within(address, kWatchdog, 0x400)) return write_watchdog(address, value);
   for (auto& [number, usart] : usarts_) {
     if (within(address, usart.base, 0x400)) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/register_model.hpp"
+#include "support/stm32_backup_domain.hpp"
 
 namespace fog::test {
 
@@ -67,7 +68,13 @@ class Stm32F405Model : public RegisterModel {
     accesses_ += accesses;
     let_dma_run();
   }
+  /// Nothing is done for so long.
+  void let_pass_s(double seconds) { elapsed_s_ += seconds; }
+  /// Somebody holds the reset pin for so long: all is as after a reset, but the backup domain.
+  void pull_reset_pin(double seconds);
   std::uint32_t stored(std::uint32_t address) const;
+
+  Stm32BackupDomain backup_domain{[this](const std::string& what) { violate(what); }};
 
   std::uint32_t core_hz() const;
   std::uint32_t bus_hz(int bus) const;  ///< APB 1 or 2
