@@ -82,12 +82,28 @@ static_assert(offsetof(Rcc, ahb1_enable) == 0x30 && offsetof(Rcc, apb1_enable) =
 /// Flash interface: 3.9.
 struct Flash {
   Register access_control;
-  std::array<Register, 4> unused_04;
+  Register key;
+  Register option_key;
+  Register status;
+  Register control;
   Register options;
 
   // access_control (3.9.1)
   static constexpr std::uint32_t kLatency = 7U << 0U;
   static constexpr std::uint32_t kCaches = 6U << 8U;
+  static constexpr std::uint32_t kEmptyCaches = 6U << 10U;
+  // key (3.9.2)
+  static constexpr std::uint32_t kUnlock1 = 0x45670123U;
+  static constexpr std::uint32_t kUnlock2 = 0xCDEF89ABU;
+  // status (3.9.4): errors are cleared by writing 1
+  static constexpr std::uint32_t kErrors = 0xF2U;
+  static constexpr std::uint32_t kBusy = 1U << 16U;
+  // control (3.9.5); width of a write: bytes unless said otherwise
+  static constexpr std::uint32_t kProgram = 1U << 0U;
+  static constexpr std::uint32_t kEraseSector = 1U << 1U;
+  static constexpr std::uint32_t sector(std::uint32_t number) { return number << 3U; }
+  static constexpr std::uint32_t kStart = 1U << 16U;
+  static constexpr std::uint32_t kLock = 1U << 31U;
   // options (3.9.9): 0 resets below 2.7 V, 1 below 2.4 V, 2 below 2.1 V, 3 not at all
   static constexpr std::uint32_t kBrownOutLevel = 3U << 2U;
   static constexpr std::uint32_t kBrownOutOff = 3U << 2U;
@@ -105,10 +121,12 @@ struct Gpio {
   Register output_type;
   Register output_speed;
   Register pull;
-  std::array<Register, 4> unused_10;
+  Register input;
+  std::array<Register, 3> unused_14;
   std::array<Register, 2> alternate_function;
 
   // mode (8.4.1), pull (8.4.4): two bits a pin
+  static constexpr std::uint32_t kInput = 0;
   static constexpr std::uint32_t kAlternateFunction = 2;
   static constexpr std::uint32_t kAnalog = 3;
   static constexpr std::uint32_t kPullUp = 1;

@@ -22,6 +22,8 @@ constexpr Pin kSensorRx{Port::kA, 3, 7};  ///< sensor stream from the demodulato
 constexpr UsartPort kConsoleUsart = kUsart3;
 constexpr Pin kConsoleTx{Port::kB, 10, 7};
 
+constexpr Pin kServiceStrap{Port::kB, 12, 0};  ///< to ground: a model may be loaded
+
 // Only in images that are built with FOG_TEMPERATURE=ds18b20: 4.7 kOhm to 3.3 V.
 constexpr UsartPort kOneWireUsart = kUsart6;
 constexpr Pin kOneWire{Port::kC, 6, 8};

@@ -22,6 +22,8 @@ constexpr Pin kSensorRx{Port::kA, 3, 7};  ///< X4: sensor stream from the demodu
 constexpr UsartPort kConsoleUsart = kUsart3;
 constexpr Pin kConsoleTx{Port::kB, 10, 7};  ///< Y9
 
+constexpr Pin kServiceStrap{Port::kB, 12, 0};  ///< Y5, to ground: a model may be loaded
+
 // Only in images that are built with FOG_TEMPERATURE=ds18b20: X9, 4.7 kOhm to 3.3 V.
 constexpr UsartPort kOneWireUsart = kUsart1;
 constexpr Pin kOneWire{Port::kB, 6, 7};
