@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "board/board_query.hpp"
@@ -98,8 +99,8 @@ std::string reason(LoadRefusal refusal, const Words& slot, const fog::LoadTarget
   }
 }
 
-/// One step, and its answer.
-LoadAnswer send(BoardPort& port, const LoadMessage& message, const LoadRequest& request) {
+/// One step, and its answer; nothing where none comes.
+std::optional<LoadAnswer> send(BoardPort& port, const LoadMessage& message) {
   std::vector<std::uint8_t> bytes(fog::kMostLoadBytes);
   bytes.resize(fog::encode_load_message(message, bytes.data()));
   const bool erases = message.step == LoadStep::begin;
@@ -113,9 +114,7 @@ LoadAnswer send(BoardPort& port, const LoadMessage& message, const LoadRequest& 
                            erases ? kEraseS : kAnswerS, decode)) {
     return answer;
   }
-  throw InputError(request.port,
-                   "no answer while the table was loaded; the table in use is as it "
-                   "was; try again");
+  return {};
 }
 
 LoadMessage message_of(LoadStep step, std::uint32_t argument, const Words& slot, std::size_t at,
@@ -125,19 +124,30 @@ LoadMessage message_of(LoadStep step, std::uint32_t argument, const Words& slot,
   return message;
 }
 
-LoadRefusal send_all(BoardPort& port, const Words& slot, std::uint32_t options,
-                     const LoadRequest& request) {
-  LoadAnswer answer =
-      send(port, message_of(LoadStep::begin, options, slot, 0, fog::kLoadHeadWords), request);
-  std::size_t at = fog::kLoadHeadWords;
-  while (answer.refusal == LoadRefusal::none && at < slot.size()) {
-    const std::size_t size = std::min(fog::kMostLoadWords, slot.size() - at);
-    answer = send(port, message_of(LoadStep::block, static_cast<std::uint32_t>(at), slot, at, size),
-                  request);
-    at += size;
+// All but the end.
+LoadRefusal send_words(BoardPort& port, const Words& slot, std::uint32_t options,
+                       const LoadRequest& request) {
+  LoadMessage message = message_of(LoadStep::begin, options, slot, 0, fog::kLoadHeadWords);
+  for (std::size_t at = 0;;) {
+    const std::optional<LoadAnswer> answer = send(port, message);
+    if (!answer) {
+      throw InputError(request.port,
+                       "no answer while the table was loaded; the table in use is as "
+                       "it was; try again");
+    }
+    at += message.size;
+    if (answer->refusal != LoadRefusal::none || at == slot.size()) return answer->refusal;
+    message = message_of(LoadStep::block, static_cast<std::uint32_t>(at), slot, at,
+                         std::min(fog::kMostLoadWords, slot.size() - at));
   }
-  if (answer.refusal != LoadRefusal::none) return answer.refusal;
-  return send(port, message_of(LoadStep::end, 0, slot, 0, 0), request).refusal;
+}
+
+// A board whose answer was lost has restarted meanwhile, and expects no end: its slots say with
+// what.
+LoadRefusal send_end(BoardPort& port) {
+  const std::optional<LoadAnswer> answer = send(port, {LoadStep::end, 0, 0, {}});
+  const bool may_have_restarted = !answer || answer->refusal == LoadRefusal::not_expected;
+  return may_have_restarted ? LoadRefusal::none : answer->refusal;
 }
 
 LoadedTable await_restart(BoardPort& port, std::size_t slot, std::uint32_t table_crc,
@@ -167,7 +177,8 @@ LoadedTable load_table(BoardPort& port, const BoardTable& table, const LoadReque
   const Words slot = words_of(slot_bytes(table, newest_sequence(*slots) + 1, request.file));
   const std::uint32_t options = request.another_gyro ? fog::kMayBeAnotherGyro : 0;
   LoadRefusal refusal = fog::refusal_of_head(slot.data(), target, options);
-  if (refusal == LoadRefusal::none) refusal = send_all(port, slot, options, request);
+  if (refusal == LoadRefusal::none) refusal = send_words(port, slot, options, request);
+  if (refusal == LoadRefusal::none) refusal = send_end(port);
   if (refusal != LoadRefusal::none) refuse(refusal, slot, target, request);
   return await_restart(port, target.slot(), static_cast<std::uint32_t>(table.words.back()),
                        request);

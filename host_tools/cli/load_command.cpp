@@ -59,8 +59,7 @@ struct LoadCommand : Command {
   Flag json{this, "json", "print one JSON object"};
 
   LoadCommand()
-      : Command("load", {"PORT TABLE", 2, 2},
-                "a calibration into a board with the generic image, whose service strap is closed",
+      : Command("load", {"PORT TABLE", 2, 2}, "a calibration into a board with the generic image",
                 "fogcomp load /dev/ttyUSB0 results/tables/FOG-0042.bin") {}
 
   int run() const override {

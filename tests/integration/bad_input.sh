@@ -60,6 +60,8 @@ refuses '^no_port: .*connected' health no_port
 refuses '^kept: .*neither a serial device nor a socket' health kept
 refuses 'expects PORT' health
 refuses 'timeout' health kept --timeout never
+refuses 'expects PORT TABLE' load no_port
+refuses '^kept: is no table; fogcomp export' load no_port kept
 
 # Recordings.
 : >empty.csv
