@@ -110,6 +110,8 @@ grep -qE "^slot 1 +good, sequence 2, model CRC-32 $(sheet FOG-0042), .*, of gyro
 run 4
 plays_as_expected
 ! cmp -s first.bin expected.bin
+"$fogcomp" load "$scratch/output" results/tables/FOG-0043.bin --another-gyro --json | tee said.txt
+grep -qE '"slot": ?0,"sequence": ?3,.*"gyro_serial": ?"FOG-0043"' <(tr -d ' \n' <said.txt)
 stop
 
 strap=()
