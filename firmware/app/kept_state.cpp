@@ -34,7 +34,7 @@ std::size_t keep_words() {
 
 // When the newest sample of the state came, by the clock of this start. After a day nothing is left
 // of it, and milliseconds are about to go round.
-SampleTime newest_sample() {
+[[maybe_unused]] SampleTime newest_sample() {
   constexpr KeptTime kMostMs = 86'400'000;
   KeptTime then = 0;
   __builtin_memcpy(&then, kept.words() + kept.size() - kTimeWords, sizeof then);

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "board/model_slot.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/health/image_seal.hpp"
 #include "core/pipeline/slot_loader.hpp"
 #include "support/cut_flash.hpp"
 #include "support/sample_models.hpp"
