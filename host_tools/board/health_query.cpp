@@ -8,7 +8,6 @@ namespace fogcomp::board {
 namespace {
 
 constexpr double kAskAgainS = 0.5;
-constexpr double kSlotsPatienceS = 0.75;  // asked twice
 
 }  // namespace
 
@@ -27,13 +26,13 @@ fog::HealthRecord query_health(BoardPort& port, const std::string& name, double 
                              : "no answer; is the board powered, and is this its output port?");
 }
 
-std::optional<fog::SlotsRecord> query_slots(BoardPort& port) {
+std::optional<fog::SlotsRecord> query_slots(BoardPort& port, double patience_s) {
   fog::SlotsRecord record;
   const auto decode = [&](const std::uint8_t* bytes) {
     return fog::decode_slots_response(bytes, record);
   };
   BoardQuery query(port);
-  if (!query.ask(fog::kSlotsRequest, fog::kSlotsResponseBytes, kSlotsPatienceS, kAskAgainS, decode))
+  if (!query.ask(fog::kSlotsRequest, fog::kSlotsResponseBytes, patience_s, kAskAgainS, decode))
     return {};
   return record;
 }

@@ -167,7 +167,7 @@ LoadedTable await_restart(BoardPort& port, std::size_t slot, std::uint32_t table
 
 LoadedTable load_table(BoardPort& port, const BoardTable& table, const LoadRequest& request) {
   const fog::HealthRecord health = query_health(port, request.port, kPatienceS);
-  const auto slots = query_slots(port);
+  const auto slots = query_slots(port, kPatienceS);
   if (!slots) {
     throw InputError(request.port,
                      "this board's image has its model in it; flash the generic "
