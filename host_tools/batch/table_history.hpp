@@ -7,7 +7,7 @@ namespace fogcomp::batch {
 
 /// What a table is known by, as texts.
 struct TableIdentity {
-  std::string serial;     ///< of the gyro
+  std::string serial;     ///< of the gyro, as a cell
   std::string processor;  ///< that it is bound to; any
   std::string model_crc32;
   std::string table_crc32;

@@ -28,7 +28,9 @@ TableIdentity identity_of(const board::BoardTable& table) {
   board::ProcessorNumber processor{};
   std::copy_n(identity.begin() + fog::kSerialWords, processor.size(), processor.begin());
   const bool bound = processor != board::ProcessorNumber{};
-  return {board::serial_text(identity.data()), bound ? board::processor_text(processor) : "any",
+  const std::string serial = board::serial_text(identity.data());
+  return {serial.find(',') == std::string::npos ? serial : in_quotes(serial),
+          bound ? board::processor_text(processor) : "any",
           format("%08x", static_cast<unsigned>(table.words[fog::kIdentityAt - 1])),
           format("%08x", static_cast<unsigned>(table.words.back()))};
 }
