@@ -35,12 +35,12 @@ std::size_t keep_words() {
 // When the newest sample of the state came, by the clock of this start. After a day nothing is left
 // of it, and milliseconds are about to go round.
 [[maybe_unused]] SampleTime newest_sample() {
-  constexpr KeptTime kMostMs = 86'400'000;
+  constexpr KeptTime kMaxMs = 86'400'000;
   KeptTime then = 0;
   __builtin_memcpy(&then, kept.words() + kept.size() - kTimeWords, sizeof then);
   const KeptTime now = lasting_ms();
   const bool known =
-      hal::clock_is_accurate() && then != kUnknown && now != kUnknown && now - then < kMostMs;
+      hal::clock_is_accurate() && then != kUnknown && now != kUnknown && now - then < kMaxMs;
   return {known, hal::milliseconds() - static_cast<std::uint32_t>(now - then)};
 }
 

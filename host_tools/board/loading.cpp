@@ -101,7 +101,7 @@ std::string reason(LoadRefusal refusal, const Words& slot, const fog::LoadTarget
 
 /// One step, and its answer; nothing where none comes.
 std::optional<LoadAnswer> send(BoardPort& port, const LoadMessage& message) {
-  std::vector<std::uint8_t> bytes(fog::kMostLoadBytes);
+  std::vector<std::uint8_t> bytes(fog::kMaxLoadBytes);
   bytes.resize(fog::encode_load_message(message, bytes.data()));
   const bool erases = message.step == LoadStep::begin;
   LoadAnswer answer;
@@ -138,7 +138,7 @@ LoadRefusal send_words(BoardPort& port, const Words& slot, std::uint32_t options
     at += message.size;
     if (answer->refusal != LoadRefusal::none || at == slot.size()) return answer->refusal;
     message = message_of(LoadStep::block, static_cast<std::uint32_t>(at), slot, at,
-                         std::min(fog::kMostLoadWords, slot.size() - at));
+                         std::min(fog::kMaxLoadWords, slot.size() - at));
   }
 }
 

@@ -19,11 +19,11 @@ void load(const std::uint8_t* data, std::size_t size) {
   fog::LoadParser parser;
   const auto feed = [&](std::uint8_t byte) {
     if (!parser.feed(byte)) return;
-    promise(parser.message().size <= fog::kMostLoadWords, "no message is longer than any");
+    promise(parser.message().size <= fog::kMaxLoadWords, "no message is longer than any");
     loader.take(parser.message(), true);
   };
   for (std::size_t i = 0; i < size; ++i) feed(data[i]);
-  std::array<std::uint8_t, fog::kMostLoadBytes> sealed;
+  std::array<std::uint8_t, fog::kMaxLoadBytes> sealed;
   for (std::size_t at = 0; at + 8 <= size;) {
     fog::LoadMessage message{static_cast<fog::LoadStep>(data[at] % 3),
                              fog::load_le32(data + at + 4),

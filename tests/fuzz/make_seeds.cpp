@@ -89,8 +89,8 @@ std::string load_steps(const fogcomp::board::BoardTable& table) {
   };
   append_step(fog::LoadStep::begin, 0, fog::kLoadHeadWords);
   const std::size_t words = slot.size() / 4;
-  for (std::size_t at = fog::kLoadHeadWords; at < words; at += fog::kMostLoadWords) {
-    append_step(fog::LoadStep::block, at, std::min(fog::kMostLoadWords, words - at));
+  for (std::size_t at = fog::kLoadHeadWords; at < words; at += fog::kMaxLoadWords) {
+    append_step(fog::LoadStep::block, at, std::min(fog::kMaxLoadWords, words - at));
   }
   append_step(fog::LoadStep::end, 0, 0);
   return bytes;

@@ -64,7 +64,7 @@ LoadMessage begin_of(const Words& slot, std::uint32_t options = 0) {
   return message;
 }
 LoadMessage block_of(const Words& slot, std::size_t at) {
-  const std::size_t size = std::min(fog::kMostLoadWords, slot.size() - at);
+  const std::size_t size = std::min(fog::kMaxLoadWords, slot.size() - at);
   LoadMessage message{
       LoadStep::block, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(size), {}};
   std::copy_n(slot.begin() + static_cast<std::ptrdiff_t>(at), size, message.words.begin());

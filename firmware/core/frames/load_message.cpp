@@ -72,7 +72,7 @@ bool LoadParser::feed(std::uint8_t byte) {
 bool LoadParser::is_possible() const {
   return bytes_[0] == kMessageSync && (size_ < 2 || bytes_[1] == kSync1) &&
          (size_ <= kStepAt || bytes_[kStepAt] <= kLastStep) &&
-         (size_ <= kSizeAt || bytes_[kSizeAt] <= kMostLoadWords);
+         (size_ <= kSizeAt || bytes_[kSizeAt] <= kMaxLoadWords);
 }
 
 bool LoadParser::read() {

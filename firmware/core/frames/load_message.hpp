@@ -31,13 +31,13 @@ enum class LoadRefusal : std::uint8_t {
   not_expected,  ///< a step that does not follow the last one
 };
 
-constexpr std::size_t kMostLoadWords = 32;
+constexpr std::size_t kMaxLoadWords = 32;
 
 struct LoadMessage {
   LoadStep step = LoadStep::begin;
-  std::uint32_t at = 0;    ///< of a block: its first word in the slot; of a begin: LoadOption
+  std::uint32_t at = 0;    ///< of a block: its first word in the slot; of a begin: its options
   std::uint32_t size = 0;  ///< words
-  std::array<std::uint32_t, kMostLoadWords> words{};
+  std::array<std::uint32_t, kMaxLoadWords> words{};
 };
 
 /// Bits of `at` of a begin.
@@ -50,11 +50,11 @@ struct LoadAnswer {
 };
 
 constexpr std::size_t kLoadHeaderBytes = 8;
-constexpr std::size_t kMostLoadBytes = kLoadHeaderBytes + 4 * kMostLoadWords + 4;
+constexpr std::size_t kMaxLoadBytes = kLoadHeaderBytes + 4 * kMaxLoadWords + 4;
 constexpr std::size_t kLoadAnswerBytes = 12;
 using LoadAnswerBytes = std::array<std::uint8_t, kLoadAnswerBytes>;
 
-/// Writes a message to `out`, room for kMostLoadBytes, and returns its size in bytes.
+/// Writes a message to `out`, room for kMaxLoadBytes, and returns its size in bytes.
 std::size_t encode_load_message(const LoadMessage& message, std::uint8_t* out);
 
 LoadAnswerBytes encode_load_answer(const LoadAnswer& answer);
@@ -76,7 +76,7 @@ class LoadParser {
   bool read();
 
   std::size_t size_ = 0;
-  std::array<std::uint8_t, kMostLoadBytes> bytes_{};
+  std::array<std::uint8_t, kMaxLoadBytes> bytes_{};
   LoadMessage message_;
 };
 

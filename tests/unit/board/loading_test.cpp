@@ -188,7 +188,7 @@ TEST_F(LoadTable, ComesThroughALineThatLosesAnswers) {
   board_->lost_answers = {2};  // of a block: a begin is waited for longer
   EXPECT_EQ(load(table("G1")).slot, 0U);
   const std::size_t words = fogcomp::board::slot_bytes(table("G1"), 1, "").size() / 4;
-  const std::size_t blocks = (words - fog::kLoadHeadWords + 31) / fog::kMostLoadWords;
+  const std::size_t blocks = (words - fog::kLoadHeadWords + 31) / fog::kMaxLoadWords;
   board_->lost_answers = {static_cast<unsigned>(3 + blocks + 2 + blocks)};  // of the second end
   EXPECT_EQ(load(table("G1")).slot, 1U);
 }

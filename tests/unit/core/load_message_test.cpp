@@ -21,7 +21,7 @@ LoadMessage block(std::uint32_t at, std::uint32_t size) {
   return message;
 }
 Bytes bytes_of(const LoadMessage& message) {
-  Bytes bytes(fog::kMostLoadBytes);
+  Bytes bytes(fog::kMaxLoadBytes);
   bytes.resize(fog::encode_load_message(message, bytes.data()));
   return bytes;
 }
@@ -42,7 +42,7 @@ void expect_same(const LoadMessage& a, const LoadMessage& b) {
 
 TEST(LoadMessage, IsReadAsItWasSentWhateverItsSize) {
   LoadParser parser;
-  for (std::uint32_t size = 0; size <= fog::kMostLoadWords; ++size) {
+  for (std::uint32_t size = 0; size <= fog::kMaxLoadWords; ++size) {
     const auto found = parse(parser, bytes_of(block(size, size)));
     ASSERT_EQ(found.size(), 1U);
     expect_same(found[0], block(size, size));

@@ -195,7 +195,7 @@ std::vector<std::uint32_t> slot_of(std::uint32_t sequence) {
 void ask_to_load(const std::vector<std::uint32_t>& slot) {
   LoadMessage message{LoadStep::begin, 0, fog::kLoadHeadWords, {}};
   std::copy_n(slot.begin(), fog::kLoadHeadWords, message.words.begin());
-  std::array<std::uint8_t, fog::kMostLoadBytes> bytes{};
+  std::array<std::uint8_t, fog::kMaxLoadBytes> bytes{};
   const std::size_t size = fog::encode_load_message(message, bytes.data());
   board.requests.insert(board.requests.end(), bytes.begin(),
                         bytes.begin() + static_cast<std::ptrdiff_t>(size));
