@@ -22,7 +22,10 @@ endif()
 # KVH's commands come several in a row while a frame is sent, at the same bit rate: 64 bytes hold what comes meanwhile. A
 # request for the health record has 6.
 file(STRINGS "${FOG_MODEL_HEADER}" output_options REGEX "^#define FOG_MODEL_OUTPUT_OPTIONS 0x[8c]")
+# An image whose model is loaded takes a message of 140 (core/frames/load_message.hpp).
 set(FOG_REQUEST_BYTES 16)
-if(output_options)
+if(model_is_loaded)
+  set(FOG_REQUEST_BYTES 256)
+elseif(output_options)
   set(FOG_REQUEST_BYTES 64)
 endif()

@@ -5,6 +5,7 @@
 #include "app/crash_line.hpp"
 #include "app/health.hpp"
 #include "app/kept_state.hpp"
+#include "app/load.hpp"
 #include "app/own_temperature.hpp"
 #include "app/pipeline.hpp"
 #include "build_identity.h"
@@ -152,7 +153,7 @@ void run() {
   std::array<std::uint8_t, 64> chunk;
   SilenceClock silence = silence_from_now();
   for (bool proven = false;;) {
-    const std::size_t size = hal::read_sensor_stream(chunk.data(), chunk.size());
+    const std::size_t size = is_loading() ? 0 : hal::read_sensor_stream(chunk.data(), chunk.size());
     if (size == 0) hal::wait_for_event();
     for (std::size_t i = 0; i < size; ++i) send_compensated(chunk[i], silence);
     break_silence(silence);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/load.hpp"
 #include "app/pipeline.hpp"
 #include "build_identity.h"
 #include "core/frames/health_request.hpp"
@@ -75,15 +76,26 @@ void answer_kvh_command(std::uint8_t byte) {
   }
 }
 
-// A template, so that an image with a table of its own has none of it.
+// A template, so that an image with a table of its own has none of it; out of line as the health
+// record.
+template <class Table>
+[[gnu::noinline]] void send_slots(const Table& table) {
+  const SlotsResponse response = encode_slots_response(table.slots());
+  hal::write_output_stream(response.data(), response.size());
+}
+
 template <class Table>
 void answer_slots_request(std::uint8_t byte, const Table& table) {
   if constexpr (Table::is_loaded) {
     static RequestParser<kSlotsRequest> parser;
-    if (!parser.feed(byte)) return;
-    const SlotsResponse response = encode_slots_response(table.slots());
-    hal::write_output_stream(response.data(), response.size());
+    if (parser.feed(byte)) send_slots(table);
   }
+}
+
+// Out of line: its record and response are not to be on the stack while a table is checked.
+[[gnu::noinline]] void answer_health_request() {
+  const HealthResponse response = encode_health_response(health_now());
+  hal::write_output_stream(response.data(), response.size());
 }
 
 }  // namespace
@@ -102,12 +114,14 @@ void answer_requests() {
   std::array<std::uint8_t, 2 * kHealthRequestBytes> bytes;
   const std::size_t size = hal::read_requests(bytes.data(), bytes.size());
   for (std::size_t i = 0; i < size; ++i) {
+    if constexpr (ModelTable::is_loaded) {
+      if (take_load_byte(bytes[i])) continue;
+    }
     answer_kvh_command(bytes[i]);
     if constexpr (ModelTable::is_loaded) answer_slots_request<ModelTable>(bytes[i], model());
-    if (!parser.feed(bytes[i])) continue;
-    const HealthResponse response = encode_health_response(health_now());
-    hal::write_output_stream(response.data(), response.size());
+    if (parser.feed(bytes[i])) answer_health_request();
   }
+  if (is_loading()) end_loading();
 }
 
 }  // namespace fog::app

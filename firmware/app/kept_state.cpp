@@ -2,11 +2,47 @@
 
 #include "app/pipeline.hpp"
 #include "core/health/kept_words.hpp"
+#include "hal/clock.hpp"
+#include "hal/lasting_clock.hpp"
 
 namespace fog::app {
 namespace {
 
-[[gnu::section(".noinit")]] KeptWords<Pipeline::kMostStateWords> kept;
+// Whether the board has a clock that goes on during a reset (FOG_RESET_CLOCK of the build). Where
+// it has none, nothing of this costs anything.
+constexpr bool kHasLastingClock = FOG_RESET_CLOCK != 0;
+
+// What it said when the state was written, at the end of the words.
+using KeptTime = std::uint64_t;
+constexpr std::size_t kTimeWords = kHasLastingClock ? sizeof(KeptTime) / sizeof(std::uint32_t) : 0;
+constexpr KeptTime kUnknown = ~KeptTime{0};
+
+[[gnu::section(".noinit")]] KeptWords<Pipeline::kMostStateWords + kTimeWords> kept;
+
+KeptTime lasting_ms() {
+  const hal::LastingTime now = hal::lasting_time();
+  return now.known ? now.ms : kUnknown;
+}
+
+std::size_t keep_words() {
+  const std::size_t size = pipeline().keep(kept.words());
+  if constexpr (!kHasLastingClock) return size;
+  const KeptTime now = lasting_ms();
+  __builtin_memcpy(kept.words() + size, &now, sizeof now);
+  return size == 0 ? 0 : size + kTimeWords;
+}
+
+// When the newest sample of the state came, by the clock of this start. After a day nothing is left
+// of it, and milliseconds are about to go round.
+[[maybe_unused]] SampleTime newest_sample() {
+  constexpr KeptTime kMaxMs = 86'400'000;
+  KeptTime then = 0;
+  __builtin_memcpy(&then, kept.words() + kept.size() - kTimeWords, sizeof then);
+  const KeptTime now = lasting_ms();
+  const bool known =
+      hal::clock_is_accurate() && then != kUnknown && now != kUnknown && now - then < kMaxMs;
+  return {known, hal::milliseconds() - static_cast<std::uint32_t>(now - then)};
+}
 
 // No other image has this, nor the same with another model.
 std::uint32_t owner() {
@@ -30,7 +66,7 @@ bool keep_state_if_due() {
   static bool block_ended = false;
   const bool due = block_ended;
   block_ended = pipeline().ended_block();
-  if (due) kept.seal(pipeline().keep(kept.words()), owner());
+  if (due) kept.seal(keep_words(), owner());
   return due;
 }
 
@@ -41,6 +77,10 @@ void forget_state() {
 void resume_state(hal::ResetCause cause) {
   const unsigned bit = bit_of(cause);
   if ((bit & kPowerWasLost) == 0 && kept.are_intact(owner())) {
+    if constexpr (kHasLastingClock) {
+      const SampleTime newest = newest_sample();
+      if (newest.known) return pipeline().resume_after(kept.words(), newest);
+    }
     pipeline().resume(kept.words(), (bit & kOfItself) != 0);
   } else {
     forget_state();

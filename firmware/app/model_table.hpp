@@ -8,6 +8,7 @@
 #include "core/health/sealed_scan.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "core/pipeline/model_slot.hpp"
+#include "core/pipeline/slot_loader.hpp"
 #include "fog_model.h"
 #include "hal/model_memory.hpp"
 #include "hal/processor.hpp"
@@ -42,6 +43,15 @@ class ModelTable {
   }
   /// What no other table has that this image could use.
   std::uint32_t key() const { return is_used() ? table_crc(choice_.used()) : 0; }
+  /// What decides whether another may be loaded.
+  LoadTarget load_target() const {
+    LoadTarget target{kModelSlots, 0, {}, hal::processor_number()};
+    if (!is_used()) return target;
+    target.used = choice_.slot;
+    target.sequence = choice_.used().sequence;
+    __builtin_memcpy(target.serial.data(), serial(), sizeof target.serial);
+    return target;
+  }
   /// For whoever asks the board.
   SlotsRecord slots() const {
     SlotsRecord record{static_cast<std::uint8_t>(choice_.slot), {}};

@@ -11,7 +11,7 @@ enum class ResetCause : std::uint8_t {
   brown_out,
   reset_pin,
   watchdog,       ///< the main loop stopped
-  software,       ///< a restart that nobody gave a reason for: a debugger's, a boot loader's
+  software,       ///< a debugger's, a boot loader's, or that after a table was loaded
   clock_failure,  ///< the crystal died while it ran the core
   fault,          ///< an exception that nothing handles: see the crash record
   self_test,      ///< it found memory damaged while running

@@ -13,6 +13,9 @@ constexpr std::uint32_t kWatchdogLoopMs = 100;
 /// be stopped again; another call changes the timeout. Works before the board has been started.
 void start_watchdog(std::uint32_t timeout_ms);
 
+/// The same for what takes longer than any start: 500 to 20,000 ms. Until start_watchdog().
+void extend_watchdog(std::uint32_t timeout_ms);
+
 /// Tells the watchdog that the main loop made progress.
 void kick_watchdog();
 

@@ -24,6 +24,9 @@ BoardDescription describe_board();
 /// the reset cause.
 [[noreturn]] void restart_board();
 
+/// The same because somebody wants it: the reset cause is `software`.
+[[noreturn]] void restart_on_request();
+
 }  // namespace fog::platform
 
 namespace fog::app {

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "batch/table_history.hpp"
 #include "board/header.hpp"
 #include "board/identity.hpp"
 #include "board/model_slot.hpp"
@@ -21,19 +22,26 @@ std::string limits_text(const std::vector<Limit>& limits) {
   return join(texts, "; ");
 }
 
-// Limits and names of folders have neither quotes nor line ends.
-std::string sheet_line(const std::string& gyro, const board::BoardTable& table,
-                       const std::string& limits) {
+TableIdentity identity_of(const board::BoardTable& table) {
   std::array<std::uint32_t, fog::kSerialWords + fog::kProcessorWords> identity{};
   std::copy_n(table.words.begin() + fog::kIdentityAt, identity.size(), identity.begin());
   board::ProcessorNumber processor{};
   std::copy_n(identity.begin() + fog::kSerialWords, processor.size(), processor.begin());
   const bool bound = processor != board::ProcessorNumber{};
-  return "\"" + gyro + "\"," + board::serial_text(identity.data()) + "," +
-         (bound ? board::processor_text(processor) : "any") +
-         format(",%08x,%08x,", static_cast<unsigned>(table.words[fog::kIdentityAt - 1]),
-                static_cast<unsigned>(table.words.back())) +
-         "\"" + gyro + ".bin\",\"" + gyro + ".hex\",\"" + limits + "\"\n";
+  const std::string serial = board::serial_text(identity.data());
+  return {serial.find(',') == std::string::npos ? serial : in_quotes(serial),
+          bound ? board::processor_text(processor) : "any",
+          format("%08x", static_cast<unsigned>(table.words[fog::kIdentityAt - 1])),
+          format("%08x", static_cast<unsigned>(table.words.back()))};
+}
+
+// Limits and names of folders have neither quotes nor line ends.
+std::string sheet_line(const std::string& gyro, const TableIdentity& table,
+                       const std::string& limits) {
+  return join({in_quotes(gyro), table.serial, table.processor, table.model_crc32, table.table_crc32,
+               in_quotes(gyro + ".bin"), in_quotes(gyro + ".hex"), in_quotes(limits)},
+              ",") +
+         "\n";
 }
 
 }  // namespace
@@ -43,6 +51,7 @@ void write_tables(const Summary& summary, const std::string& folder) {
   make_folder(tables);
   std::string sheet = "gyro,serial,processor,model_crc32,table_crc32,bin,hex,limits\n";
   const std::string limits = limits_text(summary.limits);
+  TableHistory history(folder);
   for (const Summary::Gyro& gyro : summary.gyros) {
     const std::string& name = gyro.result.gyro;
     const std::string stem = tables + "/" + name;
@@ -52,10 +61,13 @@ void write_tables(const Summary& summary, const std::string& folder) {
     }
     const std::string header = folder + "/" + name + "/fog_model.h";
     const board::BoardTable table = board::parse_header(read_file(header), header);
-    const std::string bytes = board::slot_bytes(table, 1, header);
+    const TableIdentity identity = identity_of(table);
+    const std::uint32_t sequence = history.sequence_of(name, identity);
+    const std::string bytes = board::slot_bytes(table, sequence, header);
+    history.add(name, sequence, identity, limits, bytes);
     write_file(stem + ".bin", bytes);
     write_file(stem + ".hex", board::slot_hex(bytes, 0));
-    sheet += sheet_line(name, table, limits);
+    sheet += sheet_line(name, identity, limits);
   }
   write_file(tables + "/sheet.csv", sheet);
 }

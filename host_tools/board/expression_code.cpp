@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/expression/expression_program.hpp"
 #include "core/fixed_point/fixed.hpp"
 #include "core/signal/quantities.hpp"
 #include "model/drift_model.hpp"

@@ -12,8 +12,8 @@ namespace fogcomp::board {
 /// InputError where no answer comes within `patience_s`; asks again every half second until then.
 fog::HealthRecord query_health(BoardPort& port, const std::string& name, double patience_s);
 
-/// What lies in the slots of a board with the generic image; nothing where no answer comes soon, as
-/// from any other.
-std::optional<fog::SlotsRecord> query_slots(BoardPort& port);
+/// What lies in the slots of a board with the generic image; nothing where no answer comes within
+/// `patience_s`, as from any other. Unless given it is asked twice.
+std::optional<fog::SlotsRecord> query_slots(BoardPort& port, double patience_s = 0.75);
 
 }  // namespace fogcomp::board

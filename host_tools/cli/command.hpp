@@ -68,6 +68,7 @@ CommandPointer fit_command();
 CommandPointer health_command();
 CommandPointer history_command();
 CommandPointer info_command();
+CommandPointer load_command();
 CommandPointer man_command();
 CommandPointer paper_command();
 CommandPointer replay_command();

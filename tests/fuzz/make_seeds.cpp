@@ -1,15 +1,18 @@
 // make_seeds DIR: what the fuzzers begin with, DIR/TARGET/NAME: small good inputs of every kind.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <random>
 #include <string>
 
 #include "board/header.hpp"
+#include "board/model_slot.hpp"
 #include "core/bytes/byte_order.hpp"
 #include "core/frames/extension_frame.hpp"
 #include "core/frames/health_record.hpp"
 #include "core/frames/health_request.hpp"
 #include "core/frames/sensor_frame.hpp"
+#include "core/pipeline/slot_loader.hpp"
 #include "model/model_file.hpp"
 #include "support/output_file.hpp"
 #include "support/typical_effects.hpp"
@@ -73,6 +76,26 @@ std::string bare_header(const fogcomp::board::BoardTable& table) {
   return text + "}";
 }
 
+// What load_port.cpp makes the messages of that load a table.
+std::string load_steps(const fogcomp::board::BoardTable& table) {
+  const std::string slot = fogcomp::board::slot_bytes(table, 2, "seed");
+  std::string bytes;
+  const auto append_step = [&](fog::LoadStep step, std::size_t at, std::size_t words) {
+    bytes += static_cast<char>(step);
+    bytes += static_cast<char>(words);
+    bytes.append(2, '\0');
+    append32(bytes, static_cast<std::uint32_t>(step == fog::LoadStep::block ? at : 0));
+    bytes += slot.substr(4 * at, 4 * words);
+  };
+  append_step(fog::LoadStep::begin, 0, fog::kLoadHeadWords);
+  const std::size_t words = slot.size() / 4;
+  for (std::size_t at = fog::kLoadHeadWords; at < words; at += fog::kMaxLoadWords) {
+    append_step(fog::LoadStep::block, at, std::min(fog::kMaxLoadWords, words - at));
+  }
+  append_step(fog::LoadStep::end, 0, 0);
+  return bytes;
+}
+
 void add_models(const Seeds& seeds) {
   fogcomp::model::Model rough = fog::test::paper_like_model();
   rough.denoise.wavelet = "db2";
@@ -107,6 +130,8 @@ int main(int count, char** arguments) {
   append(answer, fog::encode_health_response({}));
   seeds.add("command_port", "request", request + request.substr(0, 3) + request);
   seeds.add("command_port", "answer", answer);
+  seeds.add("load_port", "table",
+            load_steps(fogcomp::board::make_board_table(fog::test::paper_like_model(), {})));
   seeds.add("recording", "frames", '\0' + stream());
   seeds.add("recording", "text",
             std::string(1, '\0') +

@@ -60,6 +60,20 @@ refuses '^no_port: .*connected' health no_port
 refuses '^kept: .*neither a serial device nor a socket' health kept
 refuses 'expects PORT' health
 refuses 'timeout' health kept --timeout never
+refuses 'expects PORT TABLE' load no_port
+refuses '^kept: is no table; fogcomp export' load no_port kept
+"$fogcomp" export good.model --format table -o good.bin --sample-rate 0.1 --serial G1 >/dev/null
+head -c 100 good.bin >short.bin
+refuses '^short\.bin: a table that is damaged' load no_port short.bin
+for byte in 4 200; do
+  cp good.bin "other$byte.bin"
+  printf '\7' | dd of="other$byte.bin" bs=1 seek="$byte" conv=notrunc status=none
+done
+refuses '^other4\.bin: a table that is of another layout version' load no_port other4.bin
+refuses '^other200\.bin: a table that is damaged' load no_port other200.bin
+refuses "^good\.bin: is of gyro 'G1', not of 'G2'" load no_port good.bin --serial G2
+refuses '^no_port: .*connected' load no_port good.bin
+rm ./*.bin
 
 # Recordings.
 : >empty.csv

@@ -79,6 +79,11 @@ cmp A2.bin out/tables/A2.bin
 "$fogcomp" replay out/A2/fog_model.h A2.in -o A2.expected >said.txt
 "$fogcomp" replay out/tables/A2.bin A2.in -o A2.out >said.txt
 cmp A2.expected A2.out
+# Each is kept; that a gyro calibrated again has the next number is a unit test (batch/tables_test).
+header=gyro,sequence,table_crc32,model_crc32,serial,processor,bin,limits
+[[ $(head -n 1 out/history/tables.csv) == "$header" && $(wc -l <out/history/tables.csv) == 4 ]] || fail "$(cat out/history/tables.csv)"
+grep -qE "^\"A2\",1,[0-9a-f]{8},$crc,A2,any,\"A2-1.bin\",\"\"$" out/history/tables.csv || fail "$(cat out/history/tables.csv)"
+cmp A2.bin out/history/A2-1.bin
 printf 'noise_dprh <= 0\n' >strict.txt
 batch 1 gyros -o out --average 20 --tables --limits strict.txt
 [[ $(ls out/tables) == sheet.csv ]] || fail "a table of a gyro that fails: $(ls out/tables)"

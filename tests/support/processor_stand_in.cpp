@@ -2,6 +2,7 @@
 
 #include "hal/clock.hpp"
 #include "platform/cortex_m/event.hpp"
+#include "platform/cortex_m/memory_protection.hpp"
 
 // The Cortex-M's parts that drivers call, for this computer: a clock that the test turns.
 namespace fog {
@@ -13,6 +14,15 @@ std::uint32_t& test::now_ms() {
 
 std::uint32_t hal::milliseconds() {
   return test::now_ms();
+}
+
+bool& test::writes_allowed() {
+  static bool allowed = false;
+  return allowed;
+}
+
+void platform::allow_writes(const void* /*start*/, bool allowed) {
+  test::writes_allowed() = allowed;
 }
 
 void platform::signal_event() {}

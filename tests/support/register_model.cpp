@@ -57,6 +57,10 @@ void write(volatile std::uint32_t& reg, std::uint32_t value) {
   plugged->write(register_address(reg), value);
 }
 
+void write_byte(std::uint32_t address, std::uint8_t value) {
+  plugged->write_byte(address, value);
+}
+
 void* at(std::uint32_t address) {
   return &pages()[address / kPageBytes][address % kPageBytes];
 }

@@ -16,6 +16,8 @@ class RegisterModel {
 
   virtual std::uint32_t read(std::uint32_t address) = 0;
   virtual void write(std::uint32_t address, std::uint32_t value) = 0;
+  /// To a memory that is written like a register.
+  virtual void write_byte(std::uint32_t address, std::uint8_t value) = 0;
 };
 
 /// The memory that a driver has given a DMA controller as `address`.

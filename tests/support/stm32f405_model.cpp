@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/processor_stand_in.hpp"
+
 namespace fog::test {
 namespace {
 
@@ -10,9 +12,11 @@ namespace {
 constexpr std::uint32_t kRcc = 0x40023800;
 constexpr std::uint32_t kFlash = 0x40023C00;
 constexpr std::uint32_t kGpio = 0x40020000;
+constexpr std::uint32_t kGpioB = 0x40020400;
 constexpr std::uint32_t kDma2 = 0x40026400;
 constexpr std::uint32_t kAdc1 = 0x40012000;
 constexpr std::uint32_t kWatchdog = 0x40003000;
+constexpr std::uint32_t kPower = 0x40007000;
 constexpr std::uint32_t kInterruptEnable = 0xE000E100;
 constexpr std::uint32_t kInterruptDisable = 0xE000E180;
 constexpr std::uint32_t kInterruptPend = 0xE000E200;
@@ -46,6 +50,7 @@ constexpr std::uint64_t kWatchdogUpdate = 70;
 constexpr std::uint64_t kByte = 11;
 constexpr std::uint64_t kConversion = 5;
 constexpr std::uint64_t kConverterStart = 12;
+constexpr std::uint64_t kPullUp = 60;  // of a pin with a cable at it
 
 bool bit(std::uint32_t value, unsigned number) {
   return ((value >> number) & 1U) != 0;
@@ -94,15 +99,30 @@ Stm32F405Model::Stm32F405Model(const Stm32Faults& wrong, Stm32Start start,
   usarts_[6] = UsartState(0x40011400, 2, 71);
 }
 
+void Stm32F405Model::pull_reset_pin(double seconds) {
+  registers_.clear();
+  registers_[kRccControl] = 0x00000083;
+  registers_[kRccPll] = 0x24003010;
+  enabled_interrupts_.clear();
+  pending_interrupts_.clear();
+  watchdog_started_ = false;
+  backup_domain.system_reset();
+  elapsed_s_ += seconds;
+  reset_flags |= 1U << 26U;
+}
+
 std::uint32_t Stm32F405Model::stored(std::uint32_t address) const {
   const auto found = registers_.find(address);
   return found == registers_.end() ? 0 : found->second;
 }
 
-// Five cycles of whatever the core runs from; and the watchdog does not wait.
+// Five cycles of whatever the core runs from; and the watchdog does not wait. While the flash is
+// busy, code that is in none of its caches stands still.
 void Stm32F405Model::pass_time() {
   ++accesses_;
   elapsed_s_ += 5.0 / core_hz();
+  const bool runs_from_caches = (stored(kFlashAccess) & 7U << 8U) != 0;
+  if (!runs_from_caches) elapsed_s_ = std::max(elapsed_s_, flash.done_at_s());
   constexpr double kSlowestLsiHz = 47'000;  // for the firmware the fastest is the worst
   if (watchdog_started_ && elapsed_s_ - watchdog_kicked_at_s_ > watchdog_timeout_s(kSlowestLsiHz)) {
     violate("the watchdog bit");
@@ -112,6 +132,9 @@ void Stm32F405Model::pass_time() {
 std::uint32_t Stm32F405Model::read(std::uint32_t address) {
   pass_time();
   let_dma_run();
+  if (address == Stm32BackupDomain::kControl || within(address, Stm32BackupDomain::kRtc, 0x400)) {
+    return backup_domain.read(address, elapsed_s_);
+  }
   if (within(address, kRcc, 0x400)) return read_clock(address);
   if (address == kWatchdog + 0x0C) {
     return faults.watchdog_never_updates || accesses_ < watchdog_updated_at_ ? 3U : 0U;
@@ -119,6 +142,8 @@ std::uint32_t Stm32F405Model::read(std::uint32_t address) {
   for (auto& [number, usart] : usarts_) {
     if (within(address, usart.base, 0x400)) return read_usart(usart, address - usart.base);
   }
+  if (within(address, kFlash + 4, 0x10)) return flash.read(address - kFlash, elapsed_s_);
+  if (within(address, kGpio, 0x2000) && (address & 0x3FFU) == 0x10) return read_inputs(address);
   if (within(address, kAdc1, 0x400)) return read_converter(address);
   // 39.1: 96 bits, in memory that is read like a register.
   if (within(address, 0x1FFF7A10, 12)) return unique_number.at((address - 0x1FFF7A10) / 4);
@@ -128,7 +153,14 @@ std::uint32_t Stm32F405Model::read(std::uint32_t address) {
 void Stm32F405Model::write(std::uint32_t address, std::uint32_t value) {
   pass_time();
   let_dma_run();
+  if (address == Stm32BackupDomain::kControl || within(address, Stm32BackupDomain::kRtc, 0x400)) {
+    return backup_domain.write(address, value, elapsed_s_);
+  }
   if (within(address, kRcc, 0x400)) return write_clock(address, value);
+  if (address == kPower) {
+    need_clock(kApb1Enable, 28, "PWR");
+    backup_domain.writable = bit(value, 8);
+  }
   if (within(address, kWatchdog, 0x400)) return write_watchdog(address, value);
   for (auto& [number, usart] : usarts_) {
     if (within(address, usart.base, 0x400)) {
@@ -137,8 +169,13 @@ void Stm32F405Model::write(std::uint32_t address, std::uint32_t value) {
   }
   if (within(address, kDma2, 0x400)) return write_dma(address, value);
   if (within(address, kAdc1, 0x400)) return write_converter(address, value);
+  if (within(address, kFlash + 4, 0x10)) {
+    return flash.write(address - kFlash, value, elapsed_s_, supply_v);
+  }
   if (within(address, kGpio, 0x2000)) {
     need_clock(kAhb1Enable, (address - kGpio) / 0x400, "GPIO");
+    const bool strap = address == kGpioB + 0x0C && (stored(address) ^ value) >> 24U & 3U;
+    if (strap) strap_pulled_up_at_ = accesses_ + kPullUp;
   }
   for (unsigned i = 0; i < 32; ++i) {
     if (!bit(value, i)) continue;
@@ -157,6 +194,7 @@ void Stm32F405Model::write(std::uint32_t address, std::uint32_t value) {
   }
   if (address == kFlashAccess && (value & 8U) != 0) violate("there are 7 wait states at most");
   if (address == kFlashAccess && faults.latency_not_taken) value &= ~7U;
+  if (address == kFlashAccess) check_caches(value);
   registers_[address] = value;
   if (address == kFlashAccess) check_flash();
 }
@@ -270,6 +308,25 @@ void Stm32F405Model::check_flash() {
   const double highest = hz_per_state * ((access & 7U) + 1) * (1 + std::abs(internal_error));
   if (core_hz() > highest) violate("flash too slow for the clock");
   if (supply_v < 2.1 && bit(access, 8)) violate("prefetch below 2.1 V");
+}
+
+// 3.9.1: a cache is emptied while it is off.
+void Stm32F405Model::check_caches(std::uint32_t access) {
+  if (((access >> 11U & 3U) & (access >> 9U & 3U)) != 0) violate("a cache emptied that is on");
+}
+
+void Stm32F405Model::write_byte(std::uint32_t address, std::uint8_t value) {
+  pass_time();
+  flash.write_byte(address, value, elapsed_s_, writes_allowed());
+}
+
+// PB12: an input that is not pulled up yet, or not at all, is low.
+std::uint32_t Stm32F405Model::read_inputs(std::uint32_t port) {
+  if (port != kGpioB + 0x10) return 0;
+  const bool input = (stored(kGpioB) >> 24U & 3U) == 0;
+  const bool pulled_up =
+      (stored(kGpioB + 0x0C) >> 24U & 3U) == 1 && accesses_ >= strap_pulled_up_at_;
+  return input && pulled_up && !strap_closed() ? 1U << 12U : 0U;
 }
 
 // 7.3.3.

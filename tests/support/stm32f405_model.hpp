@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "support/register_model.hpp"
+#include "support/stm32_backup_domain.hpp"
+#include "support/stm32_flash.hpp"
 
 namespace fog::test {
 
@@ -57,6 +59,7 @@ class Stm32F405Model : public RegisterModel {
 
   std::uint32_t read(std::uint32_t address) override;
   void write(std::uint32_t address, std::uint32_t value) override;
+  void write_byte(std::uint32_t address, std::uint8_t value) override;
 
   const std::set<std::string>& violations() const { return violations_; }
   std::uint64_t accesses() const { return accesses_; }
@@ -67,7 +70,15 @@ class Stm32F405Model : public RegisterModel {
     accesses_ += accesses;
     let_dma_run();
   }
+  /// Nothing is done for so long.
+  void let_pass_s(double seconds) { elapsed_s_ += seconds; }
+  /// Somebody holds the reset pin for so long: all is as after a reset, but the backup domain.
+  void pull_reset_pin(double seconds);
   std::uint32_t stored(std::uint32_t address) const;
+
+  Stm32BackupDomain backup_domain{[this](const std::string& what) { violate(what); }};
+  Stm32Flash flash{[this](const std::string& what) { violate(what); }};
+  std::function<bool()> strap_closed = [] { return false; };  ///< of PB12 to ground
 
   std::uint32_t core_hz() const;
   std::uint32_t bus_hz(int bus) const;  ///< APB 1 or 2
@@ -107,6 +118,8 @@ class Stm32F405Model : public RegisterModel {
   bool oscillator_ready(bool crystal) const;
   double internal_hz() const;
   void check_flash();
+  void check_caches(std::uint32_t access);
+  std::uint32_t read_inputs(std::uint32_t port);
   void pass_time();
 
   std::uint32_t read_clock(std::uint32_t address);
@@ -132,6 +145,7 @@ class Stm32F405Model : public RegisterModel {
   std::uint64_t crystal_ready_at_ = 0;
   std::uint64_t pll_ready_at_ = 0;
   std::uint64_t pll_stopped_at_ = 0;
+  std::uint64_t strap_pulled_up_at_ = 0;
   double watchdog_kicked_at_s_ = 0;
   bool watchdog_started_ = false;
   bool watchdog_unlocked_ = false;

@@ -47,6 +47,7 @@ class SampleMonitor {
     sequence_.carry(state);
     if (state.restores()) temperature_.resume(temperature);
   }
+  void newest_came(SampleTime then) { sequence_.newest_came(then); }
 
  private:
   SequenceMonitor sequence_;

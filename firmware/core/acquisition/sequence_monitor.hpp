@@ -33,6 +33,8 @@ class SequenceMonitor {
     state(newest_);
     first_ = false;
   }
+  /// Where a clock says so all the same: when the newest sample that was read back came.
+  void newest_came(SampleTime then) { newest_time_ = then; }
 
  private:
   std::int32_t samples_in(std::uint32_t passed_ms) const;

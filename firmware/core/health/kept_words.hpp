@@ -23,6 +23,8 @@ class KeptWords {
     crc_ = crc(owner);
   }
   void forget() { size_ = 0; }
+  /// How many are written; only where they are intact.
+  std::size_t size() const { return size_; }
   /// Whether there are any, as they were sealed.
   bool are_intact(std::uint32_t owner) const {
     return size_ - 1U < kCapacity && crc_ == crc(owner);

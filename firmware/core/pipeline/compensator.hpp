@@ -177,6 +177,12 @@ class Compensator {
     if (!was_short) drift_model_.stop();
     extension_monitor_.resume(drift_model_.last_block().extension);
   }
+  /// The same where a clock that the reset did not stop says when the newest sample of `words`
+  /// came, by the clock that the next ones come with: then the gap is as long as it says.
+  void resume_after(std::uint32_t* words, SampleTime newest) {
+    resume(words, newest.known);
+    monitor_.newest_came(newest);
+  }
 
   /// One sample, which came `now`, through all stages.
   OutputSample process(const SensorSample& sample, SampleTime now = {}) {

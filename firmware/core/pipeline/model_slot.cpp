@@ -26,8 +26,12 @@ ModelError read_for(const SlotContents& slot, const ModelShape& room,
 }  // namespace
 
 SlotContents read_slot(SlotMemory memory) {
+  if (memory.size < kSlotHeaderWords || memory[0] != kSlotMagic) return {};
+  return read_slot_behind_magic(memory);
+}
+
+SlotContents read_slot_behind_magic(SlotMemory memory) {
   SlotContents slot;
-  if (memory.size < kSlotHeaderWords || memory[0] != kSlotMagic) return slot;
   slot.sequence = static_cast<std::uint32_t>(memory[2]);
   slot.error = ModelError::other_layout;
   if (memory[1] != kSlotLayout) return slot;
@@ -36,7 +40,12 @@ SlotContents read_slot(SlotMemory memory) {
   if (words > kMostSlotWords || kSlotHeaderWords + words + 1 > memory.size) return slot;
   const Span<const std::uint8_t> sealed{reinterpret_cast<const std::uint8_t*>(memory.data),
                                         (kSlotHeaderWords + words + 1) * sizeof(std::int32_t)};
-  if (crc32(sealed.data, sealed.size, kIntactImage) != kIntactImage) return slot;
+  constexpr std::size_t kMagicBytes = sizeof(std::int32_t);
+  const std::uint32_t magic_crc =
+      crc32(reinterpret_cast<const std::uint8_t*>(&kSlotMagic), kMagicBytes, kIntactImage);
+  if (crc32(sealed.data + kMagicBytes, sealed.size - kMagicBytes, magic_crc) != kIntactImage) {
+    return slot;
+  }
   slot.error = ModelError::none;
   slot.table = {memory.data + kSlotHeaderWords, words};
   slot.sealed = sealed;

@@ -36,6 +36,8 @@ struct SlotContents {
   Span<const std::uint8_t> sealed;             ///< all of it, with its seal
 };
 SlotContents read_slot(SlotMemory memory);
+/// The same of one whose first word is to be written yet; of at least kSlotHeaderWords words.
+SlotContents read_slot_behind_magic(SlotMemory memory);
 
 /// What a board makes of its slots.
 struct SlotChoice {

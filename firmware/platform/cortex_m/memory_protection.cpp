@@ -43,4 +43,12 @@ void protect_memory() {
   asm volatile("dsb\n isb" ::: "memory");
 }
 
+void allow_writes(const void* start, bool allowed) {
+  constexpr std::uint32_t kLog2Bytes = 14;
+  set_region(
+      3, start,
+      allowed ? attributes(Mpu::kReadWrite | Mpu::kExecuteNever) | Mpu::size_field(kLog2Bytes) : 0);
+  asm volatile("dsb\n isb" ::: "memory");
+}
+
 }  // namespace fog::platform

@@ -6,4 +6,8 @@ namespace fog::platform {
 /// a write to the image, an instruction fetched from RAM.
 void protect_memory();
 
+/// Whether the 16 KiB of flash from `start` on, a multiple of that, may be written, which the image
+/// may not. One such place at a time.
+void allow_writes(const void* start, bool allowed);
+
 }  // namespace fog::platform

@@ -42,4 +42,8 @@ void restart_board() {
   restart(hal::ResetCause::self_test);
 }
 
+void restart_on_request() {
+  restart(hal::ResetCause::software);
+}
+
 }  // namespace fog::platform

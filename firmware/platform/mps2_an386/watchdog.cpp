@@ -12,6 +12,10 @@ void start_watchdog(std::uint32_t timeout_ms) {
   platform::watchdog().control.write(CmsdkWatchdog::kInterrupt | CmsdkWatchdog::kReset);
 }
 
+void extend_watchdog(std::uint32_t timeout_ms) {
+  start_watchdog(timeout_ms);
+}
+
 void kick_watchdog() {
   platform::watchdog().interrupt_clear.write(1);
 }

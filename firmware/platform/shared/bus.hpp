@@ -11,6 +11,7 @@ namespace fog::platform::bus {
 
 std::uint32_t read(const volatile std::uint32_t& reg);
 void write(volatile std::uint32_t& reg, std::uint32_t value);
+void write_byte(std::uint32_t address, std::uint8_t value);
 void* at(std::uint32_t address);
 std::uint32_t address_of(const volatile void* memory);
 
@@ -21,6 +22,11 @@ inline std::uint32_t read(const volatile std::uint32_t& reg) {
 }
 inline void write(volatile std::uint32_t& reg, std::uint32_t value) {
   reg = value;
+}
+/// To a memory that is written like a register: a flash. Before the next access to anything.
+inline void write_byte(std::uint32_t address, std::uint8_t value) {
+  *reinterpret_cast<volatile std::uint8_t*>(address) = value;
+  __atomic_thread_fence(__ATOMIC_SEQ_CST);
 }
 inline void* at(std::uint32_t address) {
   return reinterpret_cast<void*>(address);

@@ -19,7 +19,8 @@ struct Rcc {
   std::array<Register, 3> unused_34;
   Register apb1_enable;
   Register apb2_enable;
-  std::array<Register, 11> unused_48;
+  std::array<Register, 10> unused_48;
+  Register backup_domain;
   Register status;
 
   // control (7.3.1)
@@ -57,7 +58,15 @@ struct Rcc {
   static constexpr std::uint32_t kGpioA = 1U << 0U;  // and so on, by port
   static constexpr std::uint32_t kDma2 = 1U << 22U;
   static constexpr std::uint32_t kTimer2 = 1U << 0U;
+  static constexpr std::uint32_t kPower = 1U << 28U;
   static constexpr std::uint32_t kAdc1 = 1U << 8U;
+
+  // backup_domain (7.3.20): what no reset changes but that of the domain
+  static constexpr std::uint32_t kLseOn = 1U << 0U;
+  static constexpr std::uint32_t kLseReady = 1U << 1U;
+  static constexpr std::uint32_t kRtcClock = 3U << 8U;  // once other than 0 it stays
+  static constexpr std::uint32_t kRtcClockIsLse = 1U << 8U;
+  static constexpr std::uint32_t kRtcOn = 1U << 15U;
 
   // status (7.3.21)
   static constexpr std::uint32_t kForgetResetCause = 1U << 24U;
@@ -68,17 +77,33 @@ struct Rcc {
   static constexpr std::uint32_t kWatchdogReset = 1U << 29U;
 };
 static_assert(offsetof(Rcc, ahb1_enable) == 0x30 && offsetof(Rcc, apb1_enable) == 0x40 &&
-              offsetof(Rcc, status) == 0x74);
+              offsetof(Rcc, backup_domain) == 0x70 && offsetof(Rcc, status) == 0x74);
 
 /// Flash interface: 3.9.
 struct Flash {
   Register access_control;
-  std::array<Register, 4> unused_04;
+  Register key;
+  Register option_key;
+  Register status;
+  Register control;
   Register options;
 
   // access_control (3.9.1)
   static constexpr std::uint32_t kLatency = 7U << 0U;
   static constexpr std::uint32_t kCaches = 6U << 8U;
+  static constexpr std::uint32_t kEmptyCaches = 6U << 10U;
+  // key (3.9.2)
+  static constexpr std::uint32_t kUnlock1 = 0x45670123U;
+  static constexpr std::uint32_t kUnlock2 = 0xCDEF89ABU;
+  // status (3.9.4): errors are cleared by writing 1
+  static constexpr std::uint32_t kErrors = 0xF2U;
+  static constexpr std::uint32_t kBusy = 1U << 16U;
+  // control (3.9.5); width of a write: bytes unless said otherwise
+  static constexpr std::uint32_t kProgram = 1U << 0U;
+  static constexpr std::uint32_t kEraseSector = 1U << 1U;
+  static constexpr std::uint32_t sector(std::uint32_t number) { return number << 3U; }
+  static constexpr std::uint32_t kStart = 1U << 16U;
+  static constexpr std::uint32_t kLock = 1U << 31U;
   // options (3.9.9): 0 resets below 2.7 V, 1 below 2.4 V, 2 below 2.1 V, 3 not at all
   static constexpr std::uint32_t kBrownOutLevel = 3U << 2U;
   static constexpr std::uint32_t kBrownOutOff = 3U << 2U;
@@ -96,10 +121,12 @@ struct Gpio {
   Register output_type;
   Register output_speed;
   Register pull;
-  std::array<Register, 4> unused_10;
+  Register input;
+  std::array<Register, 3> unused_14;
   std::array<Register, 2> alternate_function;
 
   // mode (8.4.1), pull (8.4.4): two bits a pin
+  static constexpr std::uint32_t kInput = 0;
   static constexpr std::uint32_t kAlternateFunction = 2;
   static constexpr std::uint32_t kAnalog = 3;
   static constexpr std::uint32_t kPullUp = 1;
@@ -195,6 +222,44 @@ struct IndependentWatchdog {
   static constexpr std::uint32_t kUpdating = 3U << 0U;
 };
 
+/// Power controller: 5.4.
+struct Power {
+  Register control;
+
+  static constexpr std::uint32_t kBackupDomainWritable = 1U << 8U;
+};
+
+/// Real-time clock: 26.6. Time and date in BCD.
+struct Rtc {
+  Register time;
+  Register date;
+  Register control;
+  Register status;
+  Register prescaler;
+  std::array<Register, 4> unused_14;
+  Register key;
+  Register subsecond;
+
+  // date (26.6.2)
+  static constexpr std::uint32_t kYear1 = 0x00012101U;  // the first of January, a Monday
+  // control (26.6.3)
+  static constexpr std::uint32_t kBypassShadow = 1U << 5U;
+  static constexpr std::uint32_t kTwelveHours = 1U << 6U;
+  // status (26.6.4): flags are cleared by writing 0
+  static constexpr std::uint32_t kHasYear = 1U << 4U;
+  static constexpr std::uint32_t kSynchronised = 1U << 5U;
+  static constexpr std::uint32_t kMayBeSet = 1U << 6U;
+  static constexpr std::uint32_t kSet = 1U << 7U;
+  // prescaler (26.6.5): 128 * 256 of the crystal's 32,768 a second
+  static constexpr std::uint32_t kSubsecondsLessOne = 255U;
+  static constexpr std::uint32_t kSecondsOfLse = (127U << 16U) | kSubsecondsLessOne;
+  // key (26.3.5)
+  static constexpr std::uint32_t kUnlock1 = 0xCA;
+  static constexpr std::uint32_t kUnlock2 = 0x53;
+  static constexpr std::uint32_t kLock = 0xFF;
+};
+static_assert(offsetof(Rtc, key) == 0x24);
+
 /// TIM2, 32 bits wide: 18.4.
 struct Timer {
   Register control1;
@@ -234,6 +299,12 @@ inline AdcCommon& adc_common() {
 }
 inline Timer& timer2() {
   return peripheral_at<Timer>(0x40000000U);
+}
+inline Power& power() {
+  return peripheral_at<Power>(0x40007000U);
+}
+inline Rtc& rtc() {
+  return peripheral_at<Rtc>(0x40002800U);
 }
 inline IndependentWatchdog& watchdog() {
   return peripheral_at<IndependentWatchdog>(0x40003000U);

@@ -31,6 +31,16 @@ void make_open_drain(const Pin& pin) {
   port_of(pin).output_type.set(1U << pin.number);
 }
 
+void connect_input(const Pin& pin) {
+  Gpio& port = port_of(pin);
+  port.pull.replace(3U << (2U * pin.number), Gpio::kPullUp << (2U * pin.number));
+  set_mode(port, pin, Gpio::kInput);
+}
+
+bool is_high(const Pin& pin) {
+  return gpio(static_cast<std::uint32_t>(pin.port)).input.any(1U << pin.number);
+}
+
 void connect_analog(const Pin& pin) {
   set_mode(port_of(pin), pin, Gpio::kAnalog);
 }

@@ -10,23 +10,33 @@ namespace {
 // 100 ms.
 constexpr std::uint32_t kLsiHz = 32'000;
 constexpr std::uint32_t kPrescaleBy4 = 0;
+constexpr std::uint32_t kPrescaleBy256 = 6;
 constexpr std::uint32_t kTicksPerMs = kLsiHz / 4U / 1000U;
+constexpr std::uint32_t kMsPerSlowTick = 256U * 1000U / kLsiHz;
 static_assert(hal::kWatchdogStartMs * kTicksPerMs <= 4096, "the counter has 12 bits");
 
 // Settings cross to the slow oscillator's side within five of its periods, 0.3 ms.
 constexpr std::uint32_t kUpdatePolls = 100'000;
 
-}  // namespace
-
-void start_watchdog(std::uint32_t timeout_ms) {
+[[gnu::always_inline]] inline void start(std::uint32_t prescaler, std::uint32_t ticks) {
   auto& watchdog = platform::watchdog();
   using Keys = platform::IndependentWatchdog;
   watchdog.key.write(Keys::kStart);
   watchdog.key.write(Keys::kUnlock);
-  watchdog.prescaler.write(kPrescaleBy4);
-  watchdog.reload.write(timeout_ms * kTicksPerMs - 1U);
+  watchdog.prescaler.write(prescaler);
+  watchdog.reload.write(ticks - 1U);
   platform::wait_for_bits(watchdog.status, Keys::kUpdating, 0, kUpdatePolls);
   watchdog.key.write(Keys::kKick);
+}
+
+}  // namespace
+
+void start_watchdog(std::uint32_t timeout_ms) {
+  start(kPrescaleBy4, timeout_ms * kTicksPerMs);
+}
+
+void extend_watchdog(std::uint32_t timeout_ms) {
+  start(kPrescaleBy256, timeout_ms / kMsPerSlowTick);
 }
 
 void kick_watchdog() {

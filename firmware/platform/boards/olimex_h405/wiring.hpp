@@ -10,6 +10,7 @@ namespace fog::platform {
 
 constexpr std::uint32_t kCrystalHz = 8'000'000;
 constexpr bool kCrystalIsOscillator = false;  ///< OSC_IN is driven: there is nothing to excite
+constexpr bool kHasClockCrystal = true;       ///< 32,768 Hz at PC14 and PC15: FOG_RESET_CLOCK=lse
 
 constexpr UsartPort kOutputUsart = kUsart1;
 constexpr Pin kOutputTx{Port::kA, 9, 7};    ///< output frames to the user
@@ -20,6 +21,8 @@ constexpr Pin kSensorRx{Port::kA, 3, 7};  ///< sensor stream from the demodulato
 
 constexpr UsartPort kConsoleUsart = kUsart3;
 constexpr Pin kConsoleTx{Port::kB, 10, 7};
+
+constexpr Pin kServiceStrap{Port::kB, 12, 0};  ///< to ground: a model may be loaded
 
 // Only in images that are built with FOG_TEMPERATURE=ds18b20: 4.7 kOhm to 3.3 V.
 constexpr UsartPort kOneWireUsart = kUsart6;

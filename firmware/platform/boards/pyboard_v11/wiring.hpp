@@ -10,6 +10,7 @@ namespace fog::platform {
 
 constexpr std::uint32_t kCrystalHz = 12'000'000;
 constexpr bool kCrystalIsOscillator = false;  ///< OSC_IN is driven: there is nothing to excite
+constexpr bool kHasClockCrystal = true;       ///< 32,768 Hz at PC14 and PC15: FOG_RESET_CLOCK=lse
 
 constexpr UsartPort kOutputUsart = kUsart6;
 constexpr Pin kOutputTx{Port::kC, 6, 8};   ///< Y1: output frames to the user
@@ -20,6 +21,8 @@ constexpr Pin kSensorRx{Port::kA, 3, 7};  ///< X4: sensor stream from the demodu
 
 constexpr UsartPort kConsoleUsart = kUsart3;
 constexpr Pin kConsoleTx{Port::kB, 10, 7};  ///< Y9
+
+constexpr Pin kServiceStrap{Port::kB, 12, 0};  ///< Y5, to ground: a model may be loaded
 
 // Only in images that are built with FOG_TEMPERATURE=ds18b20: X9, 4.7 kOhm to 3.3 V.
 constexpr UsartPort kOneWireUsart = kUsart1;

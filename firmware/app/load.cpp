@@ -1,0 +1,64 @@
+#include "app/load.hpp"
+
+#ifdef FOG_MODEL_IN_SLOTS
+
+#include "app/kept_state.hpp"
+#include "app/pipeline.hpp"
+#include "core/pipeline/slot_loader.hpp"
+#include "hal/clock.hpp"
+#include "hal/model_memory.hpp"
+#include "hal/rate_sink.hpp"
+#include "hal/service_strap.hpp"
+#include "platform/board.hpp"
+
+namespace fog::app {
+namespace {
+
+struct ModelFlash {
+  static bool erase(std::size_t slot) { return hal::erase_model_memory(slot); }
+  static bool program(std::size_t slot, std::size_t at, const std::uint32_t* words,
+                      std::size_t count) {
+    return hal::program_model_memory(slot, at, words, count);
+  }
+  static SlotMemory memory(std::size_t slot) {
+    const hal::ModelMemory found = hal::model_memories()[slot];
+    return {found.words, found.size};
+  }
+};
+
+ModelFlash flash;
+std::uint32_t heard_ms = 0;  // when the last message came
+
+SlotLoader<ModelFlash>& loader() {
+  static SlotLoader<ModelFlash> instance(flash, model().load_target(), Pipeline::room);
+  return instance;
+}
+
+}  // namespace
+
+bool take_load_byte(std::uint8_t byte) {
+  static LoadParser parser;
+  if (parser.feed(byte)) {
+    const LoadAnswer answer = loader().take(parser.message(), hal::service_strap_closed());
+    heard_ms = hal::milliseconds();
+    if (loader().has_begun()) forget_state();
+    const LoadAnswerBytes bytes = encode_load_answer(answer);
+    hal::write_output_stream(bytes.data(), bytes.size());
+  }
+  return table_comes();
+}
+
+bool table_comes() {
+  return loader().has_begun();
+}
+
+void end_loading() {
+  constexpr std::uint32_t kPatienceMs = 5000;     // of several tries of the tool
+  constexpr std::uint32_t kAnswerLeavesMs = 100;  // and may be asked for once more
+  const std::uint32_t patience_ms = loader().has_ended() ? kAnswerLeavesMs : kPatienceMs;
+  if (hal::milliseconds() - heard_ms >= patience_ms) platform::restart_on_request();
+}
+
+}  // namespace fog::app
+
+#endif

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace fog {
+
+// How a model table gets into a slot of a board over its command port (SPEC.md, "Loading a table"):
+// a message, its answer, the next message.
+
+enum class LoadStep : std::uint8_t {
+  begin,  ///< the first words of the slot: whether the rest may come; erases
+  block,  ///< the next words
+  end,    ///< all have come: verifies them, and makes them a slot
+};
+
+/// Why a board refuses a step. Numbers up to other_board are those of ModelError.
+enum class LoadRefusal : std::uint8_t {
+  none,
+  not_a_model,
+  other_layout,
+  damaged,
+  out_of_range,
+  not_in_image,
+  other_board,
+  other_gyro,    ///< the table in use is of another one
+  not_newer,     ///< than the table in use: it would not be used
+  strap_open,    ///< nobody has closed the board's service strap
+  flash_failed,  ///< does not hold what is written to it
+  not_expected,  ///< a step that does not follow the last one
+};
+
+constexpr std::size_t kMaxLoadWords = 32;
+
+struct LoadMessage {
+  LoadStep step = LoadStep::begin;
+  std::uint32_t at = 0;    ///< of a block: its first word in the slot; of a begin: its options
+  std::uint32_t size = 0;  ///< words
+  std::array<std::uint32_t, kMaxLoadWords> words{};
+};
+
+/// Bits of `at` of a begin.
+constexpr std::uint32_t kMayBeAnotherGyro = 1;
+
+struct LoadAnswer {
+  LoadStep step = LoadStep::begin;
+  LoadRefusal refusal = LoadRefusal::none;
+  std::uint32_t next = 0;  ///< words of the slot that the board has
+};
+
+constexpr std::size_t kLoadHeaderBytes = 8;
+constexpr std::size_t kMaxLoadBytes = kLoadHeaderBytes + 4 * kMaxLoadWords + 4;
+constexpr std::size_t kLoadAnswerBytes = 12;
+using LoadAnswerBytes = std::array<std::uint8_t, kLoadAnswerBytes>;
+
+/// Writes a message to `out`, room for kMaxLoadBytes, and returns its size in bytes.
+std::size_t encode_load_message(const LoadMessage& message, std::uint8_t* out);
+
+LoadAnswerBytes encode_load_answer(const LoadAnswer& answer);
+
+/// Reads kLoadAnswerBytes bytes; false, with nothing changed, unless sync, numbers and CRC are
+/// right.
+bool decode_load_answer(const std::uint8_t* bytes, LoadAnswer& answer);
+
+/// Finds messages in what comes in. After damage it may miss the next one: whoever gets no answer
+/// sends it again.
+class LoadParser {
+ public:
+  /// Whether this byte completes a message with a right CRC.
+  bool feed(std::uint8_t byte);
+  const LoadMessage& message() const { return message_; }
+
+ private:
+  bool is_possible() const;
+  bool read();
+
+  std::size_t size_ = 0;
+  std::array<std::uint8_t, kMaxLoadBytes> bytes_{};
+  LoadMessage message_;
+};
+
+}  // namespace fog

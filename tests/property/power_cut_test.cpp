@@ -1,0 +1,270 @@
+// A table is loaded, and the power goes: at every byte, by the code that is flashed. The board has
+// a good table all the time, the old one or the new one, and can be loaded again.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "board/model_slot.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/health/image_seal.hpp"
+#include "core/pipeline/slot_loader.hpp"
+#include "support/cut_flash.hpp"
+#include "support/sample_models.hpp"
+
+namespace {
+
+using fog::LoadAnswer;
+using fog::LoadMessage;
+using fog::LoadRefusal;
+using fog::LoadStep;
+using fog::LoadTarget;
+using fog::SlotChoice;
+using fog::test::CutFlash;
+using fogcomp::board::BoardSettings;
+using Loader = fog::SlotLoader<CutFlash>;
+using Words = std::vector<std::uint32_t>;
+
+constexpr fogcomp::board::ProcessorNumber kProcessor{1, 2, 3};
+
+BoardSettings of_gyro(const std::string& serial) {
+  BoardSettings settings = fog::test::lenient_board();
+  settings.serial = serial;
+  return settings;
+}
+
+Words slot_of(std::uint32_t sequence, const BoardSettings& settings = of_gyro("G1")) {
+  const auto table = fogcomp::board::make_board_table(fog::test::paper_like_model(), settings);
+  const std::string bytes = fogcomp::board::slot_bytes(table, sequence, "test");
+  Words words(bytes.size() / 4);
+  std::memcpy(words.data(), bytes.data(), bytes.size());
+  return words;
+}
+
+SlotChoice boot(const CutFlash& flash) {
+  fog::ModelParameters parameters;
+  return fog::choose_slot(flash.both(), fog::kGenericImage, kProcessor, parameters);
+}
+
+// As the board's application makes it of what it has found at its start.
+LoadTarget target_of(const SlotChoice& choice) {
+  LoadTarget target;
+  target.processor = kProcessor;
+  if (choice.error != fog::ModelError::none) return target;
+  target.used = choice.slot;
+  target.sequence = choice.used().sequence;
+  std::memcpy(target.serial.data(), choice.used().table.data + fog::kIdentityAt, 16);
+  return target;
+}
+
+LoadMessage begin_of(const Words& slot, std::uint32_t options = 0) {
+  LoadMessage message{LoadStep::begin, options, fog::kLoadHeadWords, {}};
+  std::copy_n(slot.begin(), fog::kLoadHeadWords, message.words.begin());
+  return message;
+}
+LoadMessage block_of(const Words& slot, std::size_t at) {
+  const std::size_t size = std::min(fog::kMaxLoadWords, slot.size() - at);
+  LoadMessage message{
+      LoadStep::block, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(size), {}};
+  std::copy_n(slot.begin() + static_cast<std::ptrdiff_t>(at), size, message.words.begin());
+  return message;
+}
+const LoadMessage kEnd{LoadStep::end, 0, 0, {}};
+
+LoadRefusal load(Loader& loader, const Words& slot, std::uint32_t options = 0) {
+  LoadAnswer answer = loader.take(begin_of(slot, options), true);
+  while (answer.refusal == LoadRefusal::none && answer.next < slot.size()) {
+    answer = loader.take(block_of(slot, answer.next), true);
+  }
+  if (answer.refusal == LoadRefusal::none) answer = loader.take(kEnd, true);
+  return answer.refusal;
+}
+LoadRefusal load(CutFlash& flash, const Words& slot, std::uint32_t options = 0) {
+  Loader loader(flash, target_of(boot(flash)), fog::kGenericImage);
+  return load(loader, slot, options);
+}
+
+TEST(PowerCut, AtEveryByteTheOldTableOrTheNewOneIsUsed) {
+  CutFlash flash;
+  ASSERT_EQ(load(flash, slot_of(1)), LoadRefusal::none);
+  std::size_t all_cuts = 0;
+  for (std::uint32_t sequence = 2; sequence < 5; ++sequence) {  // both slots, empty and not
+    const SlotChoice old = boot(flash);
+    ASSERT_EQ(old.used().sequence, sequence - 1);
+    std::size_t cuts = 0;
+    flash.may_be_cut = [&] {
+      ++cuts;
+      const SlotChoice choice = boot(flash);
+      ASSERT_EQ(choice.error, fog::ModelError::none) << "cut " << cuts;
+      ASSERT_EQ(choice.slot, old.slot) << "cut " << cuts;
+    };
+    ASSERT_EQ(load(flash, slot_of(sequence)), LoadRefusal::none);
+    flash.may_be_cut = {};
+    EXPECT_GE(cuts, 4 * slot_of(sequence).size());
+    EXPECT_EQ(boot(flash).used().sequence, sequence);
+    EXPECT_NE(boot(flash).slot, old.slot);
+    all_cuts += cuts;
+  }
+  std::printf("%zu cuts: the table before, each time\n", all_cuts);
+}
+
+// Again and again, at any byte, until one comes through.
+TEST(PowerCut, LeavesABoardThatCanBeLoaded) {
+  struct PowerIsGone {};
+  std::mt19937 random(7);
+  CutFlash flash;
+  ASSERT_EQ(load(flash, slot_of(1)), LoadRefusal::none);
+  std::uint32_t used = 1;
+  for (int i = 0; i < 200; ++i) {
+    const Words slot = slot_of(used + 1);
+    const std::size_t last = flash.writes + 1 + random() % (4 * slot.size() + 200);
+    flash.may_be_cut = [&] {
+      if (flash.writes >= last) throw PowerIsGone();
+    };
+    try {
+      ASSERT_EQ(load(flash, slot), LoadRefusal::none);
+      ++used;
+    } catch (const PowerIsGone&) {
+    }
+    flash.may_be_cut = {};
+    const SlotChoice choice = boot(flash);
+    ASSERT_EQ(choice.error, fog::ModelError::none) << i;
+    ASSERT_EQ(choice.used().sequence, used) << i;
+  }
+  EXPECT_GT(used, 10U);
+}
+
+class Loading : public testing::Test {
+ protected:
+  Loading() { EXPECT_EQ(load(flash_, slot_of(1)), LoadRefusal::none); }
+  // Refused, by name, with the table in use as it was; nothing erased but where `erases` says so.
+  void expect_refused(LoadRefusal refusal, const Words& slot, bool erases = false) {
+    const std::size_t before = flash_.erases;
+    EXPECT_EQ(load(flash_, slot), refusal);
+    EXPECT_EQ(flash_.erases, before + (erases ? 1 : 0));
+    EXPECT_EQ(boot(flash_).error, fog::ModelError::none);
+    EXPECT_EQ(boot(flash_).used().sequence, 1U);
+  }
+  static Words sealed(Words slot) {
+    auto* const bytes = reinterpret_cast<std::uint8_t*>(slot.data());
+    const std::size_t size = 4 * slot.size() - 4;
+    const auto seal = fog::seal_of(fog::crc32(bytes, size, fog::kIntactImage));
+    std::copy(seal.begin(), seal.end(), bytes + size);
+    return slot;
+  }
+  Loader loader() { return {flash_, target_of(boot(flash_)), fog::kGenericImage}; }
+
+  CutFlash flash_;
+};
+
+TEST_F(Loading, NeedsTheStrapAtEveryStep) {
+  const Words slot = slot_of(2);
+  Loader open = loader();
+  EXPECT_EQ(open.take(begin_of(slot), false).refusal, LoadRefusal::strap_open);
+  EXPECT_FALSE(open.has_begun());
+  Loader opened_later = loader();
+  EXPECT_EQ(opened_later.take(begin_of(slot), true).refusal, LoadRefusal::none);
+  EXPECT_EQ(opened_later.take(block_of(slot, fog::kLoadHeadWords), false).refusal,
+            LoadRefusal::strap_open);
+  EXPECT_EQ(opened_later.take(kEnd, false).refusal, LoadRefusal::strap_open);
+  EXPECT_EQ(boot(flash_).used().sequence, 1U);
+}
+
+TEST_F(Loading, RefusesWhatIsNotForThisBoardBeforeAnythingIsErased) {
+  BoardSettings elsewhere = of_gyro("G1");
+  elsewhere.processor = {3, 2, 1};
+  expect_refused(LoadRefusal::other_board, slot_of(2, elsewhere));
+  expect_refused(LoadRefusal::other_gyro, slot_of(2, of_gyro("G2")));
+  expect_refused(LoadRefusal::not_newer, slot_of(1));
+  expect_refused(LoadRefusal::not_newer, slot_of(0));
+  Words slot = slot_of(2);
+  slot[0] ^= 1U;
+  expect_refused(LoadRefusal::not_a_model, slot);
+  slot = slot_of(2);
+  slot[4] ^= 1U;
+  expect_refused(LoadRefusal::not_a_model, slot);
+  for (const std::size_t layout : {1U, 5U}) {
+    slot = slot_of(2);
+    ++slot[layout];
+    expect_refused(LoadRefusal::other_layout, slot);
+  }
+  slot = slot_of(2);
+  slot[3] = slot[6] = fog::kMostSlotWords + 1;
+  expect_refused(LoadRefusal::not_in_image, slot);
+  slot = slot_of(2);
+  ++slot[3];
+  expect_refused(LoadRefusal::damaged, slot);
+}
+
+TEST_F(Loading, TakesTheTableOfAnotherGyroWhereItIsToldSo) {
+  EXPECT_EQ(load(flash_, slot_of(2, of_gyro("G2")), fog::kMayBeAnotherGyro), LoadRefusal::none);
+  EXPECT_EQ(boot(flash_).used().sequence, 2U);
+}
+
+TEST_F(Loading, RefusesWhatTurnsOutToBeNoGoodTableBeforeItIsOne) {
+  Words damaged = slot_of(2);
+  damaged[60] ^= 4U;
+  expect_refused(LoadRefusal::damaged, damaged, true);
+  Words table_damaged = slot_of(2);
+  table_damaged[60] ^= 4U;
+  expect_refused(LoadRefusal::damaged, sealed(table_damaged), true);
+  BoardSettings settings = of_gyro("G1");
+  auto model = fog::test::paper_like_model();
+  model.denoise.levels = fog::kGenericLevels + 1;
+  const auto table = fogcomp::board::make_board_table(model, settings);
+  Words large = slot_of(2);
+  large.resize(fog::kSlotHeaderWords);
+  large[3] = static_cast<std::uint32_t>(table.words.size());
+  for (const std::int32_t word : table.words) large.push_back(static_cast<std::uint32_t>(word));
+  large.push_back(0);
+  expect_refused(LoadRefusal::not_in_image, sealed(large), true);
+}
+
+TEST_F(Loading, RefusesATableThatEndsEarlyAndBlocksThatDoNotFollow) {
+  const Words slot = slot_of(2);
+  Loader board = loader();
+  EXPECT_EQ(board.take(kEnd, true).refusal, LoadRefusal::not_expected);
+  EXPECT_EQ(board.take(block_of(slot, fog::kLoadHeadWords), true).refusal,
+            LoadRefusal::not_expected);
+  ASSERT_EQ(board.take(begin_of(slot), true).refusal, LoadRefusal::none);
+  EXPECT_EQ(board.take(block_of(slot, fog::kLoadHeadWords + 1), true).refusal,
+            LoadRefusal::not_expected);
+  EXPECT_EQ(board.take(block_of(slot, fog::kLoadHeadWords), true).refusal, LoadRefusal::none);
+  EXPECT_EQ(board.take(kEnd, true).refusal, LoadRefusal::not_expected);
+  LoadMessage beyond = block_of(slot, fog::kLoadHeadWords + 32);
+  while (board.take(beyond, true).refusal == LoadRefusal::none) beyond.at += 32;
+  EXPECT_LE(beyond.at, slot.size()) << "nothing behind the slot is written";
+  EXPECT_EQ(boot(flash_).used().sequence, 1U);
+}
+
+TEST_F(Loading, TakesAStepOnceWhoseAnswerWasLost) {
+  const Words slot = slot_of(2);
+  Loader board = loader();
+  LoadAnswer answer = board.take(begin_of(slot), true);
+  answer = board.take(begin_of(slot), true);
+  while (answer.next < slot.size()) {
+    const LoadMessage block = block_of(slot, answer.next);
+    const std::size_t before = flash_.writes;
+    answer = board.take(block, true);
+    ASSERT_EQ(flash_.writes, before + 4 * block.size);
+    ASSERT_EQ(board.take(block, true).refusal, LoadRefusal::none);
+    ASSERT_EQ(flash_.writes, before + 4 * block.size);
+  }
+  EXPECT_EQ(board.take(kEnd, true).refusal, LoadRefusal::none);
+  EXPECT_EQ(board.take(kEnd, true).refusal, LoadRefusal::none);
+  EXPECT_TRUE(board.has_ended());
+  EXPECT_EQ(board.take(begin_of(slot), true).refusal, LoadRefusal::not_expected);
+  EXPECT_EQ(boot(flash_).used().sequence, 2U);
+}
+
+TEST_F(Loading, FindsAFlashThatDoesNotHoldWhatIsWritten) {
+  flash_.fails = true;
+  EXPECT_EQ(load(flash_, slot_of(2)), LoadRefusal::flash_failed);
+  flash_.fails = false;
+  flash_.is_deaf = true;
+  EXPECT_EQ(load(flash_, slot_of(2)), LoadRefusal::flash_failed);
+  EXPECT_EQ(boot(flash_).used().sequence, 1U);
+}
+
+}  // namespace

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "core/pipeline/model_slot.hpp"
+
+namespace fog::test {
+
+/// Two slots of flash as they are: bits are only cleared but by erasing, and a write that the power
+/// leaves halfway has cleared some of its bits, an erase has set some.
+class CutFlash {
+ public:
+  using Memory = std::vector<std::int32_t>;
+
+  CutFlash() : slots_{Memory(kWords, -1), Memory(kWords, -1)} {}
+
+  /// Asked before every byte that is written and around every erase, with the flash as the power
+  /// would leave it there. May throw, as the power does.
+  std::function<void()> may_be_cut;
+  bool fails = false;      ///< the flash says so
+  bool is_deaf = false;    ///< it takes nothing, and does not say so
+  std::size_t writes = 0;  ///< bytes and erases
+  std::size_t erases = 0;
+
+  bool erase(std::size_t slot) {
+    if (fails) return false;
+    cut();
+    if (may_be_cut) {
+      const Memory before = slots_[slot];
+      for (std::int32_t& word : slots_[slot]) word |= static_cast<std::int32_t>(random_());
+      cut();
+      slots_[slot] = before;
+    }
+    ++erases;
+    if (!is_deaf) slots_[slot].assign(kWords, -1);
+    cut();
+    return true;
+  }
+  bool program(std::size_t slot, std::size_t at, const std::uint32_t* words, std::size_t count) {
+    for (std::size_t i = 0; i < count && !fails; ++i) {
+      for (unsigned shift = 0; shift < 32; shift += 8) {
+        write_byte(slots_[slot].at(at + i), words[i] | ~(0xFFU << shift));
+      }
+    }
+    return !fails;
+  }
+  SlotMemory memory(std::size_t slot) const { return {slots_[slot].data(), slots_[slot].size()}; }
+  Memory& slot(std::size_t number) { return slots_[number]; }
+  std::array<SlotMemory, kModelSlots> both() const { return {memory(0), memory(1)}; }
+
+ private:
+  static constexpr std::size_t kWords = kSlotBytes / sizeof(std::int32_t);
+
+  void cut() {
+    ++writes;
+    if (may_be_cut) may_be_cut();
+  }
+  void write_byte(std::int32_t& word, std::uint32_t mask) {
+    if (is_deaf) return;
+    const std::int32_t before = word;
+    word &= static_cast<std::int32_t>(mask | static_cast<std::uint32_t>(random_()));
+    cut();
+    word = before & static_cast<std::int32_t>(mask);
+  }
+
+  std::array<Memory, kModelSlots> slots_;
+  std::mt19937 random_{1};
+};
+
+}  // namespace fog::test
