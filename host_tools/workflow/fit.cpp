@@ -118,14 +118,21 @@ void check(const FitRequest& request) {
   plan_of(request);
 }
 
+fit::TrainingRuns training_runs(const FitRequest& request, const Observer& observer) {
+  return fit::read_training_runs(request.runs, observer.heard(plan_of(request).reading),
+                                 request.average_s);
+}
+
 FitOutcome fit(const FitRequest& request, const Observer& observer) {
+  return fit(request, training_runs(request, observer), observer);
+}
+
+FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Observer& observer) {
   auto [wanted, settings, wanted_terms, reading] = plan_of(request);
   FitOutcome outcome;
   model::Model& model = outcome.model;
   model = std::move(wanted_terms);
   outcome.searched_steps = fit::searches_steps(model.terms);
-  fit::TrainingRuns training =
-      fit::read_training_runs(request.runs, observer.heard(reading), model.average_s);
   observer.say(training.notes);
   observer.say(training.doubts);
   model.noise_dph_rthz = training.noise_dph_rthz;

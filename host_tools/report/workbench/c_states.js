@@ -1,0 +1,56 @@
+// Where the reader is: each state is a model and the command lines that make it. What is undone stays
+// until something else is done.
+"use strict";
+const setup = JSON.parse(text_of("setup"));
+
+const shell_word = (word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
+const shell_line = (words) => ["fogcomp", ...words].map(shell_word).join(" ");
+
+class States {
+  list = [];
+  at = -1;
+  #models = 0;
+
+  get now() { return this.list[this.at]; }
+  get path() { return this.list.slice(0, this.at + 1); }
+  next_model() { return `m${++this.#models}.model`; }
+  push(state) {
+    this.list.splice(this.at + 1);
+    this.list.push(state);
+    this.at = this.list.length - 1;
+  }
+  go(index) { if (index >= 0 && index < this.list.length) this.at = index; }
+
+  // The commands that make the model of now: from the last one that began anew.
+  commands() {
+    const begin = this.path.map((state) => state.words && state.words[0] === "fit").lastIndexOf(true);
+    return this.path.slice(Math.max(begin, 0)).filter((state) => state.words).map((state) => state.words);
+  }
+}
+
+const states = new States();
+
+// Everything that a command has beside the effects: recordings, those that judge, how they are read.
+const judged_by = () => setup.holdouts.flatMap((name) => ["--holdout", name]);
+const fit_words = (effects, expressions, model) => [
+  "fit", ...setup.runs, ...setup.reading, "--effects", effects.join(","),
+  ...expressions.flatMap((one) => ["--effect-expr", one]), "-o", model,
+];
+const add_words = (from, what, model, verb = "add") => [
+  verb, from, ...(what.expression ? [] : what.effects), ...setup.runs, ...judged_by(), ...setup.reading,
+  ...(what.expression ? ["--effect-expr", what.expression] : []), "-o", model,
+];
+const compare_words = (model) => ["compare", model, ...setup.runs, ...setup.holdouts, ...setup.reading];
+const diagnose_words = (model) => ["diagnose", model, ...setup.runs, ...judged_by(), ...setup.reading];
+
+const effects_of = (view) => view.terms.filter((term) => !term.is_expression).map((term) => term.words)
+  .filter((words, i, all) => all.indexOf(words) === i);
+const expressions_of = (view) => view.terms.filter((term) => term.is_expression).map((term) => term.words);
+const effect_name = (words) => words.split(":")[0];
+
+// A shape parameter given, or ("?") to be identified.
+const with_parameter = (words, parameter, value) => {
+  const [name, ...given] = words.split(":");
+  const others = given.filter((one) => !one.startsWith(parameter + "="));
+  return [name, ...others, `${parameter}=${value}`].join(":");
+};

@@ -1,0 +1,297 @@
+// What happens on the page: a change makes a command, the command a state, the state is shown and then
+// diagnosed beside.
+"use strict";
+(async () => {
+  let fitting = null;   // the engine that answers what the reader does
+  let diagnosing = null; // another one, for what takes longer
+  let catalogue = [];
+  let run = 0;
+  let variable = "temperature_degc";
+  const columns = ["time_s", "gap_before", "outlier", "branch", "measured_dph", "modelled_dph", "residual_dph",
+                   "temperature_degc", "temperature_rate"];
+
+  const trouble = (what) => {
+    byId("trouble").textContent = what || "";
+    byId("trouble").hidden = !what;
+  };
+  const working = (stage, done) => {
+    byId("working").hidden = stage === null;
+    byId("working").firstElementChild.style.width = `${100 * (done || 0)}%`;
+  };
+
+  const checked = ({ found, values }) => {
+    if (found.error) throw new Error(found.error);
+    return { ...found, values };
+  };
+
+  // A model file that one engine has made, for both.
+  const keep_model = (name, text) => {
+    const bytes = new TextEncoder().encode(text);
+    fitting.files.set(name, bytes);
+    diagnosing.files.set(name, bytes);
+  };
+
+  const view_of = async (model) => {
+    const inputs = setup.columns || [];
+    const view = checked(await fitting.call(compare_words(model), [...columns, ...inputs]));
+    // What a recording has beside the three columns is known by now.
+    const more = view.runs.flatMap((one) => one.variables.map(({ name }) => name)).filter((name) => ![...columns, ...inputs].includes(name));
+    if (more.length === 0) return view;
+    setup.columns = [...inputs, ...new Set(more)];
+    return view_of(model);
+  };
+
+  const diagnose = async (state) => {
+    diagnosing.cancel();
+    try {
+      state.diagnosis = checked(await diagnosing.call(diagnose_words(state.model)));
+    } catch (fault) {
+      if (fault instanceof Cancelled) return;
+      state.trouble = fault.message;
+    }
+    if (states.now === state) show_findings();
+  };
+
+  const show_findings = () => {
+    const state = states.now;
+    show_effects(catalogue, state.view, state.diagnosis && state.diagnosis.diagnosis, actions);
+    show_diagnosis(state, actions);
+    document.body.dataset.diagnosed = state.diagnosis ? "yes" : "no";
+  };
+
+  const show_runs = (view) => {
+    const group = byId("runs");
+    group.hidden = view.runs.length < 2;
+    group.replaceChildren(...view.runs.map(({ file }, i) => make("button", {
+      type: "button", textContent: file + (i < setup.runs.length ? "" : " (judges)"), ariaPressed: String(i === run),
+      onclick: () => { run = i; show(); },
+    })));
+    byId("variable").replaceChildren(...view.runs[run].variables.map(({ name, label }) =>
+      make("option", { value: name, textContent: label, selected: name === variable })));
+  };
+
+  const show = () => {
+    const { view } = states.now;
+    run = Math.min(run, view.runs.length - 1);
+    show_runs(view);
+    draw_run(view, run, variable);
+    const [found, ...rest] = view.runs[run].words;
+    byId("found").textContent = found;
+    byId("depends").textContent = rest.join(" ");
+    show_ladder(go);
+    show_findings();
+    byId("commands").textContent = states.commands().map((words) => "$ " + shell_line(words)).join("\n") || `$ ${shell_line(compare_words(states.now.model))}`;
+    const notes = [...(states.now.notes || [])];
+    byId("notes").replaceChildren(...notes.map((note) => make("li", { textContent: note })));
+    byId("notes_box").hidden = notes.length === 0;
+    byId("undo").disabled = states.at <= 0;
+    byId("redo").disabled = states.at >= states.list.length - 1;
+    document.body.dataset.state = states.at;
+  };
+
+  const go = (index) => {
+    states.go(index);
+    preview(null, false);
+    trouble("");
+    show();
+    if (!states.now.diagnosis) diagnose(states.now);
+  };
+
+  // One after the other: what comes while another is under way waits for it.
+  let last = Promise.resolve();
+  const in_turn = (work) => {
+    last = last.then(work).catch((fault) => {
+      if (fault instanceof Cancelled) return;
+      trouble(fault.message);
+      if (states.now) show();
+    });
+    return last;
+  };
+
+  const enter = (state) => {
+    states.push(state);
+    trouble("");
+    show();
+    diagnose(state);
+  };
+
+  const fit = (effects, expressions, label) => in_turn(async () => {
+    const model = states.next_model();
+    const words = fit_words(effects, expressions, model);
+    const fitted = checked(await fitting.call(words));
+    keep_model(model, fitted.text);
+    enter({ model, words, label, notes: [...fitted.fit.notes, ...fitted.remarks], view: await view_of(model) });
+  });
+
+  const judge = (what, force = false) => in_turn(async () => {
+    const model = states.next_model();
+    const words = add_words(states.now.model, what, model);
+    const answer = checked(await fitting.call(words));
+    if (!answer.add.model) {
+      states.now.judged = { good: false, reason: `Not added: ${answer.add.reason}` };
+      show_findings();
+      return;
+    }
+    keep_model(model, answer.text);
+    enter({ model, words, label: `+ ${answer.add.effects.join(", ")}`, judged: { good: true, reason: answer.add.reason },
+            notes: [...answer.add.notes, ...answer.remarks], view: await view_of(model) });
+  });
+
+  // The candidate under the mouse over what is left; a change does not wait for it.
+  let wanted = null;
+  const preview = async (effect, on) => {
+    wanted = on ? effect : null;
+    const state = states.now;
+    if (!on) {
+      state.view.values.forEach((values) => { delete values.preview; });
+      byId("candidate").textContent = "";
+      draw_run(state.view, run, variable);
+      return;
+    }
+    await new Promise((done) => setTimeout(done, 150));
+    if (wanted !== effect || fitting.busy) return;
+    state.previews = state.previews || new Map();
+    if (!state.previews.has(effect)) {
+      const { found, values } = await fitting.call(add_words(state.model, { effects: [effect] }, "preview.model", "preview"), ["preview"]).catch(() => ({ found: { error: "" }, values: [] }));
+      state.previews.set(effect, { found, values });
+    }
+    if (wanted !== effect || states.now !== state) return;
+    const { found, values } = state.previews.get(effect);
+    byId("candidate").textContent = found.error || `with ${effect}: ${significant(found.rms_after_dph)}`;
+    values.forEach((one, i) => { if (one.preview) state.view.values[i].preview = one.preview; });
+    draw_run(state.view, run, variable);
+  };
+
+  const actions = {
+    add: (effect) => fit([...effects_of(states.now.view), effect], expressions_of(states.now.view), `+ ${effect}`),
+    remove: (term) => fit(effects_of(states.now.view).filter((words) => words !== term.words), expressions_of(states.now.view).filter((words) => words !== term.words), `− ${term.effect}`),
+    change: (words) => fit(effects_of(states.now.view).map((one) => (effect_name(one) === effect_name(words) ? words : one)), expressions_of(states.now.view), words),
+    judge, preview,
+  };
+
+  const save = (name, text) => {
+    const link = make("a", { href: URL.createObjectURL(new Blob([text])), download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  };
+  const copy = async (text, button) => {
+    const said = button.textContent;
+    await navigator.clipboard.writeText(text).then(() => { button.textContent = "Copied"; }, () => { trouble(text); });
+    setTimeout(() => { button.textContent = said; }, 1200);
+  };
+
+  byId("undo").onclick = () => go(states.at - 1);
+  byId("redo").onclick = () => go(states.at + 1);
+  byId("variable").onchange = () => { variable = byId("variable").value; draw_variable(states.now.view, run, variable); };
+  byId("save_model").onclick = () => save(states.now.model, states.now.view.text);
+  byId("save_header").onclick = () => in_turn(async () => save("fog_model.h", checked(await fitting.call(["export", states.now.model])).header));
+  byId("copy_commands").onclick = () => copy(byId("commands").textContent.replaceAll("$ ", ""), byId("copy_commands"));
+  byId("link").onclick = () => copy(location.href.split("#")[0] + "#" + encodeURIComponent(JSON.stringify(states.commands())), byId("link"));
+  addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.target.matches("input:not([type])")) return;
+    const key = event.key.toLowerCase();
+    if (key === "z" && !event.shiftKey) byId("undo").click();
+    else if (key === "y" || (key === "z" && event.shiftKey)) byId("redo").click();
+    else return;
+    event.preventDefault();
+  });
+
+  // A formula is read as it is typed.
+  byId("expression").oninput = () => {
+    const text = byId("expression").value.trim();
+    if (!text) { byId("formula_error").textContent = ""; return; }
+    in_turn(async () => {
+      if (text !== byId("expression").value.trim()) return;
+      const { found } = await fitting.call(["formula", states.now.model, text]);
+      byId("formula_error").textContent = found.error || "";
+    });
+  };
+  byId("formula").onsubmit = (event) => {
+    event.preventDefault();
+    const text = byId("expression").value.trim();
+    if (text) fit(effects_of(states.now.view), [...expressions_of(states.now.view), text], `+ ${text}`);
+  };
+
+  // The commands of a link, in the order in which they were given.
+  const replay = async (commands) => {
+    for (const words of commands) {
+      const model = words[words.indexOf("-o") + 1];
+      const answer = checked(await fitting.call(words));
+      keep_model(model, answer.text);
+      states.next_model();
+      states.push({ model, words, label: words[0] === "fit" ? words[words.indexOf("--effects") + 1] : `+ ${answer.add.effects.join(", ")}`, view: await view_of(model) });
+    }
+    go(states.list.length - 1);
+  };
+
+  const begin = async (module, files) => {
+    fitting = new Engine(module, new Map(files), working);
+    diagnosing = new Engine(module, new Map(files), () => {});
+    catalogue = checked(await fitting.call(["effects"])).effects;
+    byId("opening").hidden = true;
+    byId("bench").hidden = false;
+    byId("link").disabled = false;
+    await in_turn(async () => {
+      if (location.hash.length > 1) return replay(JSON.parse(decodeURIComponent(location.hash.slice(1))));
+      if (!setup.model) {
+        const model = states.next_model();
+        const words = fit_words(["bias"], [], model);
+        const fitted = checked(await fitting.call(words));
+        keep_model(model, fitted.text);
+        return enter({ model, words, label: "bias", notes: [...fitted.fit.notes, ...fitted.remarks], view: await view_of(model) });
+      }
+      return enter({ model: setup.model, label: setup.model, view: await view_of(setup.model) });
+    });
+  };
+
+  // Without recordings in the page, the reader brings them.
+  const ask_for_files = (module) => {
+    const form = byId("opening");
+    const files = new Map();
+    const judges = new Set();
+    form.hidden = false;
+    const engine = new Engine(module, files, working);
+    const list = async () => {
+      const reading = byId("reading").value.trim();
+      setup.reading = reading ? reading.match(/'[^']*'|"[^"]*"|\S+/g).map((word) => word.replace(/^(['"])(.*)\1$/, "$2")) : [];
+      const rows = [];
+      let good = files.size > judges.size;
+      for (const name of files.keys()) {
+        const { found } = await engine.call(["info", name, ...setup.reading]);
+        if (found.error) good = false;
+        const use = make("select", { ariaLabel: `use of ${name}`, onchange: () => { if (use.value === "judges") judges.add(name); else judges.delete(name); list(); } },
+          make("option", { value: "fit", textContent: "fit to it" }), make("option", { value: "judges", textContent: "judge by it", selected: judges.has(name) }));
+        rows.push(make("li", {}, make("strong", { textContent: name }), use,
+          make("p", { textContent: found.error || [`${found.rows} rows, every ${significant(found.period_s)} s.`, ...found.remarks].join(" ") })));
+      }
+      byId("dropped").replaceChildren(...rows);
+      byId("begin").disabled = !good;
+    };
+    const take = async (chosen) => {
+      for (const file of chosen) {
+        files.set(file.name, new Uint8Array(await file.arrayBuffer()));
+      }
+      await list();
+    };
+    byId("chosen").onchange = () => take(byId("chosen").files);
+    byId("reading").onchange = list;
+    document.body.ondragover = (event) => { event.preventDefault(); form.classList.add("over"); };
+    document.body.ondragleave = () => form.classList.remove("over");
+    document.body.ondrop = (event) => { event.preventDefault(); form.classList.remove("over"); if (!form.hidden) take(event.dataTransfer.files); };
+    form.onsubmit = (event) => {
+      event.preventDefault();
+      setup.runs = [...files.keys()].filter((name) => !judges.has(name));
+      setup.holdouts = [...judges];
+      begin(module, files);
+    };
+  };
+
+  try {
+    const module = await compile_engine();
+    const files = [...document.querySelectorAll("script[data-file]")].map((script) => [script.dataset.file, bytes_of(script.textContent)]);
+    if (setup.runs.length > 0) await begin(module, files);
+    else ask_for_files(module);
+  } catch (fault) {
+    trouble(`This page cannot calculate here: ${fault.message}. It needs a browser of 2023 or later.`);
+  }
+})();
