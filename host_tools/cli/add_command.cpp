@@ -35,9 +35,11 @@ workflow::AddRequest AddCommand::request() const {
   request.expression = expression.find();
   request.runs = {first_run, arguments.end()};
   request.hold_outs = holdouts.value();
-  request.reading = recording.value();
   request.run_offsets = run_offsets.given();
   request.seed = seed.value();
+  std::vector<std::string> all = request.runs;
+  all.insert(all.end(), request.hold_outs.begin(), request.hold_outs.end());
+  request.reading = recording.value(all);
   return request;
 }
 

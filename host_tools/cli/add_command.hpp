@@ -27,7 +27,7 @@ struct AddCommand : Command {
       this, {"seed", "N", "of the network's first weights", "1"}, 0, INT64_MAX};
   ReportOption report{this};
   Flag json{this, "json", "one JSON object on stdout"};
-  RecordingOptions recording{this};
+  MaskedRecordingOptions recording{this};
 
   AddCommand()
       : Command("add", {"MODEL {EFFECT[:k=v]... | --effect-expr ...} RUN...", 3, kAnyNumber},

@@ -16,8 +16,8 @@ workflow::CompareRequest CompareCommand::request() const {
   request.models.insert(request.models.begin(), arguments[0]);
   request.physics_alone = !network.value();
   request.average_s = average.find();
-  request.reading = recording.value();
   request.runs = {arguments.begin() + 1, arguments.end()};
+  request.reading = recording.value(request.runs);
   return request;
 }
 

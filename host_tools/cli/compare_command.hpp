@@ -20,7 +20,7 @@ struct CompareCommand : Command {
                        {{"on", true}, {"off", false}}};
   ReportOption report{this};
   Flag json{this, "json", "one JSON object on stdout"};
-  RecordingOptions recording{this};
+  MaskedRecordingOptions recording{this};
 
   CompareCommand()
       : Command("compare", {"MODEL RUN...", 2, kAnyNumber},

@@ -20,10 +20,12 @@ workflow::DiagnoseRequest DiagnoseCommand::request() const {
   request.max_steps = max_effects.value();
   request.hold_outs = holdouts.value();
   request.seed = seed.value();
-  request.reading = recording.value();
   request.expressions = expressions.value();
   request.runs = {arguments.begin() + 1, arguments.end()};
   request.at_rest = at_rest.find();
+  std::vector<std::string> all = request.runs;
+  all.insert(all.end(), request.hold_outs.begin(), request.hold_outs.end());
+  request.reading = recording.value(all);
   return request;
 }
 

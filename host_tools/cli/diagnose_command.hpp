@@ -25,7 +25,7 @@ struct DiagnoseCommand : Command {
       this, {"seed", "N", "of the draws that calibrate the test", "1"}, 0, INT64_MAX};
   ReportOption report{this};
   Flag json{this, "json", "one JSON object on stdout"};
-  RecordingOptions recording{this};
+  MaskedRecordingOptions recording{this};
 
   DiagnoseCommand()
       : Command("diagnose", {"MODEL RUN...", 2, kAnyNumber},

@@ -14,7 +14,7 @@ struct FitCommand : Command {
   FitOptions fit{this};
   ReportOption report{this};
   Flag json{this, "json", "one JSON object on stdout"};
-  RecordingOptions recording{this};
+  MaskedRecordingOptions recording{this};
   Text serial{this,
               {"serial", "NUMBER", "of the gyro: goes into the model and its board", "", kRare}};
 

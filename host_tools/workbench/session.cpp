@@ -191,7 +191,8 @@ Json Session::add(const Words& words) {
   if (written) model::save_model(found.model, call.output.value());
   const std::string name = written ? call.output.value() : "";
   Json answer = written ? model_json(found.model) : Json::object();
-  return answer.set("add", findings::add_json(found, name));
+  answer.set("reason", sentence_of(found.reason));
+  return std::move(answer.set("add", findings::add_json(found, name)));
 }
 
 Json Session::compare(const Words& words) {

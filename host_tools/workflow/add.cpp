@@ -17,9 +17,10 @@ fit::Addition add(const AddRequest& request, const Observer& observer) {
 fit::Addition add(const AddRequest& request, const diagnosis::JudgingRuns& runs,
                   const Observer& observer) {
   model::Model model = model::load_model(request.model);
-  const fit::EffectChange change = request.expression
-                                       ? fit::change_expression(model.terms, *request.expression)
-                                       : fit::change_effects(model.terms, request.effects);
+  fit::EffectChange change = request.expression
+                                 ? fit::change_expression(model.terms, *request.expression)
+                                 : fit::change_effects(model.terms, request.effects);
+  change.what += mask_words(request.reading);
   if (!request.reading.columns.empty()) model.columns = request.reading.columns;
   observer.say(runs.training.notes);
   observer.tell(kTraining, 0);

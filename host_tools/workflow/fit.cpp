@@ -9,6 +9,7 @@
 #include "recording/recording_writer.hpp"
 #include "support/text.hpp"
 #include "workflow/fit_presets.hpp"
+#include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {
 namespace {
@@ -81,6 +82,7 @@ void write_history(FitOutcome& outcome, const FitRequest& request, const WantedM
   const double effects_rms_dph = outcome.result.effects_rms_dph;
   std::string fitted = wanted.effects;
   for (const std::string& definition : request.expressions) fitted += ", " + definition;
+  fitted += mask_words(request.reading);
   model.history.push_back({"fit " + fitted, training.data_hash, outcome.result.raw_std_dph,
                            effects_rms_dph, training.noise_floor_dph});
   if (!model.network.present()) return;

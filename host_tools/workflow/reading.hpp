@@ -6,6 +6,7 @@
 
 #include "diagnosis/next_step.hpp"
 #include "model/model.hpp"
+#include "support/text.hpp"
 #include "workflow/observer.hpp"
 
 namespace fogcomp::workflow {
@@ -20,6 +21,16 @@ inline recording::ReadOptions reading_for(const model::Model& model,
   reading.model_limits = model.limits;
   reading.model_columns = model.columns;
   return reading;
+}
+
+/// What is masked, as a model's history keeps it; "" for nothing.
+inline std::string mask_words(const recording::ReadOptions& reading) {
+  std::string words;
+  for (const recording::Mask& mask : reading.masks) {
+    words += " --mask " + (mask.run.empty() ? "" : mask.run + ":") +
+             format("%.10g..%.10g", mask.from_s, mask.to_s);
+  }
+  return words;
 }
 
 /// Runs to fit `model` to and others that judge, in its rows. What reading them leaves out is among

@@ -19,10 +19,11 @@ class Engine {
   #id = 0;
   #there = new Set(); // names of files that the worker has
 
-  constructor(module, files, on_progress) {
+  constructor(module, files, on_progress, on_fault) {
     this.#module = module;
     this.files = files;
     this.on_progress = on_progress;
+    this.on_fault = on_fault;
     this.#start();
   }
 
@@ -47,21 +48,25 @@ class Engine {
       this.on_progress(data.stage, data.done);
       return;
     }
-    const { resolve } = this.#waiting.get(data.id);
-    this.#waiting.delete(data.id);
     this.on_progress(null);
-    if (data.fault !== undefined) this.#fail(data.fault, resolve);
-    else resolve(data);
+    if (data.fault !== undefined) {
+      this.#fail(data.fault);
+      return;
+    }
+    this.#waiting.get(data.id).resolve(data);
+    this.#waiting.delete(data.id);
   }
 
-  // A trap leaves the engine in no state to go on: another one takes its place.
-  #fail(what, resolve) {
-    const error = `the engine stopped (${what}) and was started again; what was there before is still there`;
-    const others = [...this.#waiting.values()];
+  // A trap leaves the engine in no state to go on: another one takes its place, and what was asked
+  // for meanwhile is told why it has no answer.
+  #fail(what) {
+    const error = `The engine stopped (${what}) and was started again. Nothing that was shown is lost.`;
+    const callers = [...this.#waiting.values()];
     this.#waiting.clear();
     this.#worker.terminate();
     this.#start();
-    [...(resolve ? [{ resolve }] : []), ...others].forEach((one) => one.resolve({ found: { error }, values: [] }));
+    callers.forEach(({ resolve }) => resolve({ found: { error }, values: [] }));
+    this.on_fault(error);
   }
 
   get busy() { return this.#waiting.size > 0; }

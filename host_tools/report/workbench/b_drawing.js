@@ -18,6 +18,7 @@ const colour = (name, opacity = 1) => {
   const hex = getComputedStyle(root).getPropertyValue("--" + name).trim();
   return opacity < 1 ? hex + Math.round(255 * opacity).toString(16).padStart(2, "0") : hex;
 };
+const rms = (value) => (value == null ? "" : Math.abs(value) >= 1e-6 && Math.abs(value) < 1e4 ? value.toPrecision(4) : String(Number(value.toPrecision(4))));
 const significant = (value, digits = 4) => (value == null || !isFinite(value) ? "" : String(Number(value.toPrecision(digits))));
 const decimals = (step) => Math.min(9, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
 
@@ -33,7 +34,7 @@ const axis = (extra) => ({
 });
 const axes = (label) => [
   axis({ label, size: 26 }),
-  axis({ size: (u, texts) => 14 + 7 * Math.max(5, ...(texts || []).map((text) => (text || "").length)) }),
+  axis({ size: (u, texts) => 14 + 7 * Math.max(6, ...(texts || []).map((text) => (text || "").length)) }),
 ];
 
 const all_plots = new Set();
@@ -71,7 +72,7 @@ class Plot {
       series: [{}, ...options.series],
       legend: { show: false },
       cursor: {
-        drag: { x: true, y: false },
+        drag: { x: true, y: false, setScale: true },
         sync: options.group ? { key: options.group, scales: ["x", null] } : undefined,
         points: { show: false },
       },
@@ -162,8 +163,12 @@ const cloud = (u, x, y, colours, size) => {
 const means = (u, bins) => {
   const pen = u.ctx;
   pen.save();
-  pen.strokeStyle = pen.fillStyle = colour("mark");
-  pen.lineWidth = 1.5 * devicePixelRatio;
+  pen.beginPath();
+  pen.rect(u.bbox.left, u.bbox.top, u.bbox.width, u.bbox.height);
+  pen.clip();
+  pen.strokeStyle = colour("mark", 0.45);
+  pen.fillStyle = colour("mark");
+  pen.lineWidth = devicePixelRatio;
   bins.at.forEach((at, i) => {
     const x = u.valToPos(at, "x", true);
     const [low, middle, high] = [-1, 0, 1].map((sign) => u.valToPos(bins.mean_dph[i] + sign * bins.sigma_dph[i], "y", true));
@@ -199,17 +204,33 @@ const plots = {
   variable: new Plot(byId("variable_plot"), 300),
 };
 
-const draw_run = (view, run, variable) => {
+// What is masked.
+const shade_masks = (u, masks) => {
+  const pen = u.ctx;
+  pen.save();
+  pen.fillStyle = colour("measured", 0.3);
+  masks.forEach(([from, to]) => {
+    const left = Math.max(u.bbox.left, u.valToPos(from / 3600, "x", true));
+    const right = Math.min(u.bbox.left + u.bbox.width, u.valToPos(to / 3600, "x", true));
+    if (left < right) pen.fillRect(left, u.bbox.top, right - left, u.bbox.height);
+  });
+  pen.restore();
+};
+
+const draw_run = (view, run, variable, masks, selected) => {
   const facts = view.runs[run];
   const values = view.values[run];
   const compared = view.compare.runs[run];
   const floor = compared.noise_floor_dph;
-  const under = (u) => shade_segments(u, facts.segments);
+  const under = (u) => {
+    shade_segments(u, facts.segments);
+    shade_masks(u, masks);
+  };
   plots.rate.show({ label: "time since power-on, h", group: "time", range: spaced, under,
                     series: [curve("measured", { width: 1 }), curve("model", { width: 1.75 })] },
                   with_gaps(values, ["measured_dph", "modelled_dph"]));
   plots.residual.show({
-    label: "time since power-on, h", group: "time", range: spaced, under,
+    label: "time since power-on, h", group: "time", range: spaced, under, selected,
     over: (u) => levels(u, floor ? [-floor, floor] : []),
     series: [curve("residual", { width: 1 }), curve("model", { width: 1.75, dash: [6, 4] })],
   }, with_gaps(values, ["residual_dph", "preview"]));

@@ -30,18 +30,28 @@ class States {
 
 const states = new States();
 
+// Rows that do not count: [run, from, to] in seconds.
+const mask_words = (masks) => masks.flatMap(([run, from, to]) =>
+  ["--mask", (setup.runs.length + setup.holdouts.length > 1 ? run + ":" : "") + `${from}..${to}`]);
+const masks_from = (words) => words.flatMap((word, i) => {
+  if (words[i - 1] !== "--mask") return [];
+  const [, run, from, to] = word.match(/^(?:(.*):)?([^:]*)\.\.([^:]*)$/);
+  return [[run || setup.runs[0], Number(from), Number(to)]];
+});
+const masks_on = (masks, verb) => (verb === "fit" ? masks.filter(([run]) => setup.runs.includes(run)) : masks);
+
 // Everything that a command has beside the effects: recordings, those that judge, how they are read.
 const judged_by = () => setup.holdouts.flatMap((name) => ["--holdout", name]);
-const fit_words = (effects, expressions, model) => [
-  "fit", ...setup.runs, ...setup.reading, "--effects", effects.join(","),
+const fit_words = (effects, expressions, model, masks) => [
+  "fit", ...setup.runs, ...setup.reading, ...mask_words(masks_on(masks, "fit")), "--effects", effects.join(","),
   ...expressions.flatMap((one) => ["--effect-expr", one]), "-o", model,
 ];
-const add_words = (from, what, model, verb = "add") => [
-  verb, from, ...(what.expression ? [] : what.effects), ...setup.runs, ...judged_by(), ...setup.reading,
+const add_words = (from, what, model, masks, verb = "add") => [
+  verb, from, ...(what.expression ? [] : what.effects), ...setup.runs, ...judged_by(), ...setup.reading, ...mask_words(masks),
   ...(what.expression ? ["--effect-expr", what.expression] : []), "-o", model,
 ];
-const compare_words = (model) => ["compare", model, ...setup.runs, ...setup.holdouts, ...setup.reading];
-const diagnose_words = (model) => ["diagnose", model, ...setup.runs, ...judged_by(), ...setup.reading];
+const compare_words = (model, masks) => ["compare", model, ...setup.runs, ...setup.holdouts, ...setup.reading, ...mask_words(masks)];
+const diagnose_words = (model, masks) => ["diagnose", model, ...setup.runs, ...judged_by(), ...setup.reading, ...mask_words(masks)];
 
 const effects_of = (view) => view.terms.filter((term) => !term.is_expression).map((term) => term.words)
   .filter((words, i, all) => all.indexOf(words) === i);

@@ -87,6 +87,7 @@ class EffectRow {
 }
 
 const opened_effects = new Set();
+let known_untestable = []; // by the recordings alone: it stays while the next diagnosis is made
 
 const show_effects = (catalogue, view, diagnosis, actions) => {
   const list = byId("effects");
@@ -102,7 +103,8 @@ const show_effects = (catalogue, view, diagnosis, actions) => {
     toggle: () => actions.remove(term),
   }).element);
   const candidates = new Map((diagnosis ? diagnosis.candidates : []).map((one) => [one.effect, one]));
-  const untestable = new Map((diagnosis ? diagnosis.untestable : []).map((one) => [one.effect, one.needs]));
+  known_untestable = diagnosis ? diagnosis.untestable : known_untestable;
+  const untestable = new Map(known_untestable.map((one) => [one.effect, one.needs]));
   const others = catalogue.filter((effect) => !names.has(effect.effect))
     .sort((a, b) => ((candidates.get(b.effect) || {}).lead || 0) - ((candidates.get(a.effect) || {}).lead || 0));
   const row = (effect) => {
@@ -136,7 +138,7 @@ const bar = (value, full, floor, name) => make("span", { className: "bar" },
   make("span", { className: "track" },
     make("span", { className: "fill", style: `width:${Math.min(100, 100 * value / full).toFixed(1)}%;background:var(--${name})` }),
     ...(floor ? [make("span", { className: "mark", style: `left:${Math.min(100, 100 * floor / full).toFixed(1)}%` })] : [])),
-  make("span", { className: "value", textContent: significant(value) }));
+  make("span", { className: "value", textContent: rms(value) }));
 
 const show_ladder = (go) => {
   const first = states.list[0].view.compare.runs;
@@ -149,7 +151,7 @@ const show_ladder = (go) => {
       make("span", { className: "what", textContent: state.label }), bar(fitted, full, floor, "residual"),
       ...(judged === null ? [] : [bar(judged, full, null, "second")])));
   });
-  const keys = [`°/h rms${floor ? `; dashed: the noise floor, ${significant(floor)}` : ""}`];
+  const keys = [`°/h rms${floor ? `; dashed: the noise floor, ${rms(floor)}` : ""}`];
   const legend = make("li", { className: "legend" }, ...keys,
     ...(setup.holdouts.length ? ["; ", make("span", { className: "key", style: "background:var(--second)" }), " on runs that judge"] : []));
   byId("ladder").replaceChildren(make("li", {}, make("span", { className: "what", textContent: "measured" }), bar(raw, full, floor, "measured")), ...rows, legend);
@@ -182,7 +184,6 @@ const show_diagnosis = (state, actions) => {
       return row;
     })))] : [];
   place.replaceChildren(...judged, ...paragraphs([words.verdict], "verdict"), ...paragraphs([words.certainty]), ...button,
-    ...paragraphs([words.next, diagnosis.experiment ? `Test that would tell: ${diagnosis.experiment}` : ""]),
-    ...paragraphs(words.findings), ...table,
+    ...paragraphs([words.next]), ...table, ...paragraphs(words.findings),
     ...(words.limits.length ? [make("details", {}, make("summary", { textContent: "What limits this" }), ...paragraphs(words.limits))] : []));
 };

@@ -31,20 +31,20 @@
     diagnosing.files.set(name, bytes);
   };
 
-  const view_of = async (model) => {
+  const view_of = async (model, masks) => {
     const inputs = setup.columns || [];
-    const view = checked(await fitting.call(compare_words(model), [...columns, ...inputs]));
+    const view = checked(await fitting.call(compare_words(model, masks), [...columns, ...inputs]));
     // What a recording has beside the three columns is known by now.
     const more = view.runs.flatMap((one) => one.variables.map(({ name }) => name)).filter((name) => ![...columns, ...inputs].includes(name));
     if (more.length === 0) return view;
     setup.columns = [...inputs, ...new Set(more)];
-    return view_of(model);
+    return view_of(model, masks);
   };
 
   const diagnose = async (state) => {
     diagnosing.cancel();
     try {
-      state.diagnosis = checked(await diagnosing.call(diagnose_words(state.model)));
+      state.diagnosis = checked(await diagnosing.call(diagnose_words(state.model, state.masks)));
     } catch (fault) {
       if (fault instanceof Cancelled) return;
       state.trouble = fault.message;
@@ -74,13 +74,14 @@
     const { view } = states.now;
     run = Math.min(run, view.runs.length - 1);
     show_runs(view);
-    draw_run(view, run, variable);
+    draw();
     const [found, ...rest] = view.runs[run].words;
     byId("found").textContent = found;
     byId("depends").textContent = rest.join(" ");
     show_ladder(go);
     show_findings();
-    byId("commands").textContent = states.commands().map((words) => "$ " + shell_line(words)).join("\n") || `$ ${shell_line(compare_words(states.now.model))}`;
+    byId("commands").textContent = states.commands().map((words) => "$ " + shell_line(words)).join("\n") || `$ ${shell_line(compare_words(states.now.model, states.now.masks))}`;
+    show_masks();
     const notes = [...(states.now.notes || [])];
     byId("notes").replaceChildren(...notes.map((note) => make("li", { textContent: note })));
     byId("notes_box").hidden = notes.length === 0;
@@ -115,26 +116,31 @@
     diagnose(state);
   };
 
-  const fit = (effects, expressions, label) => in_turn(async () => {
+  // `change` makes of the model as it then is what is to be fitted.
+  const fit = (label, change) => in_turn(async () => {
     const model = states.next_model();
-    const words = fit_words(effects, expressions, model);
+    const before = states.now ? { effects: effects_of(states.now.view), expressions: expressions_of(states.now.view), masks: states.now.masks }
+      : { effects: ["bias"], expressions: [], masks: [] };
+    const { effects, expressions, masks } = { ...before, ...change(before) };
+    const words = fit_words(effects, expressions, model, masks);
     const fitted = checked(await fitting.call(words));
     keep_model(model, fitted.text);
-    enter({ model, words, label, notes: [...fitted.fit.notes, ...fitted.remarks], view: await view_of(model) });
+    enter({ model, words, label, masks, notes: [...fitted.fit.notes, ...fitted.remarks], view: await view_of(model, masks) });
   });
 
   const judge = (what, force = false) => in_turn(async () => {
     const model = states.next_model();
-    const words = add_words(states.now.model, what, model);
+    const masks = states.now.masks;
+    const words = add_words(states.now.model, what, model, masks);
     const answer = checked(await fitting.call(words));
     if (!answer.add.model) {
-      states.now.judged = { good: false, reason: `Not added: ${answer.add.reason}` };
+      states.now.judged = { good: false, reason: `Not added. ${answer.reason}` };
       show_findings();
       return;
     }
     keep_model(model, answer.text);
-    enter({ model, words, label: `+ ${answer.add.effects.join(", ")}`, judged: { good: true, reason: answer.add.reason },
-            notes: [...answer.add.notes, ...answer.remarks], view: await view_of(model) });
+    enter({ model, words, label: `+ ${answer.add.effects.join(", ")}`, masks, judged: { good: true, reason: answer.reason },
+            notes: [...answer.add.notes, ...answer.remarks], view: await view_of(model, masks) });
   });
 
   // The candidate under the mouse over what is left; a change does not wait for it.
@@ -145,28 +151,66 @@
     if (!on) {
       state.view.values.forEach((values) => { delete values.preview; });
       byId("candidate").textContent = "";
-      draw_run(state.view, run, variable);
+      draw();
       return;
     }
     await new Promise((done) => setTimeout(done, 150));
     if (wanted !== effect || fitting.busy) return;
     state.previews = state.previews || new Map();
     if (!state.previews.has(effect)) {
-      const { found, values } = await fitting.call(add_words(state.model, { effects: [effect] }, "preview.model", "preview"), ["preview"]).catch(() => ({ found: { error: "" }, values: [] }));
+      const { found, values } = await fitting.call(add_words(state.model, { effects: [effect] }, "preview.model", state.masks, "preview"), ["preview"]).catch(() => ({ found: { error: "" }, values: [] }));
       state.previews.set(effect, { found, values });
     }
     if (wanted !== effect || states.now !== state) return;
     const { found, values } = state.previews.get(effect);
     byId("candidate").textContent = found.error || `with ${effect}: ${significant(found.rms_after_dph)}`;
     values.forEach((one, i) => { if (one.preview) state.view.values[i].preview = one.preview; });
-    draw_run(state.view, run, variable);
+    draw();
   };
 
   const actions = {
-    add: (effect) => fit([...effects_of(states.now.view), effect], expressions_of(states.now.view), `+ ${effect}`),
-    remove: (term) => fit(effects_of(states.now.view).filter((words) => words !== term.words), expressions_of(states.now.view).filter((words) => words !== term.words), `− ${term.effect}`),
-    change: (words) => fit(effects_of(states.now.view).map((one) => (effect_name(one) === effect_name(words) ? words : one)), expressions_of(states.now.view), words),
+    add: (effect) => fit(`+ ${effect}`, ({ effects }) => ({ effects: [...effects, effect] })),
+    remove: (term) => fit(`− ${term.effect}`, ({ effects, expressions }) => ({
+      effects: effects.filter((words) => effect_name(words) !== term.effect),
+      expressions: expressions.filter((words) => words !== term.words),
+    })),
+    change: (changed) => fit(changed, ({ effects }) => ({
+      effects: effects.map((words) => (effect_name(words) === effect_name(changed) ? changed : words)),
+    })),
     judge, preview,
+  };
+
+  // Rows of the run in view that are not to count.
+  const draw = () => {
+    const name = names_of_runs()[run];
+    const masks = states.now.masks.filter(([of]) => of === name).map(([, from, to]) => [from, to]);
+    draw_run(states.now.view, run, variable, masks, masking() ? select_mask : null);
+  };
+  const names_of_runs = () => [...setup.runs, ...setup.holdouts];
+  const masking = () => byId("mask_mode").ariaPressed === "true";
+  const mask = (from, to) => fit(`mask ${from}..${to} s`, ({ masks }) => ({ masks: [...masks, [names_of_runs()[run], from, to]] }));
+  const select_mask = (u) => {
+    if (u.select.width < 3) return;
+    const [from, to] = [u.select.left, u.select.left + u.select.width].map((x) => Math.round(3600 * u.posToVal(x, "x")));
+    set_masking(false);
+    mask(from, to);
+  };
+  const set_masking = (on) => {
+    byId("mask_mode").ariaPressed = String(on);
+    byId("residual_plot").classList.toggle("masking", on);
+    plots.residual.u.cursor.drag.setScale = !on;
+    draw();
+  };
+  const show_masks = () => byId("masks").replaceChildren(...states.now.masks.map((one) => make("li", {}, make("button", {
+    type: "button", title: "count these rows again", textContent: `${one[0]} ${one[1]}..${one[2]} s ×`,
+    onclick: () => fit(`unmask ${one[1]}..${one[2]} s`, ({ masks }) => ({ masks: masks.filter((other) => other !== one) })),
+  }))));
+  byId("mask_mode").onclick = () => set_masking(!masking());
+  byId("masking").onsubmit = (event) => {
+    event.preventDefault();
+    const [from, to] = ["mask_from", "mask_to"].map((id) => Number(byId(id).value.replace(",", ".") || NaN));
+    if (from < to) mask(from, to);
+    else trouble("Mask: two times in seconds since power-on are needed, the earlier one first");
   };
 
   const save = (name, text) => {
@@ -209,7 +253,7 @@
   byId("formula").onsubmit = (event) => {
     event.preventDefault();
     const text = byId("expression").value.trim();
-    if (text) fit(effects_of(states.now.view), [...expressions_of(states.now.view), text], `+ ${text}`);
+    if (text) fit(`+ ${text}`, ({ expressions }) => ({ expressions: [...expressions, text] }));
   };
 
   // The commands of a link, in the order in which they were given.
@@ -219,29 +263,24 @@
       const answer = checked(await fitting.call(words));
       keep_model(model, answer.text);
       states.next_model();
-      states.push({ model, words, label: words[0] === "fit" ? words[words.indexOf("--effects") + 1] : `+ ${answer.add.effects.join(", ")}`, view: await view_of(model) });
+      const masks = masks_from(words);
+      states.push({ model, words, masks, label: words[0] === "fit" ? words[words.indexOf("--effects") + 1] : `+ ${answer.add.effects.join(", ")}`, view: await view_of(model, masks) });
     }
     go(states.list.length - 1);
   };
 
   const begin = async (module, files) => {
-    fitting = new Engine(module, new Map(files), working);
-    diagnosing = new Engine(module, new Map(files), () => {});
+    fitting = new Engine(module, new Map(files), working, trouble);
+    diagnosing = new Engine(module, new Map(files), () => {}, trouble);
     catalogue = checked(await fitting.call(["effects"])).effects;
     byId("opening").hidden = true;
     byId("bench").hidden = false;
     byId("link").disabled = false;
     await in_turn(async () => {
       if (location.hash.length > 1) return replay(JSON.parse(decodeURIComponent(location.hash.slice(1))));
-      if (!setup.model) {
-        const model = states.next_model();
-        const words = fit_words(["bias"], [], model);
-        const fitted = checked(await fitting.call(words));
-        keep_model(model, fitted.text);
-        return enter({ model, words, label: "bias", notes: [...fitted.fit.notes, ...fitted.remarks], view: await view_of(model) });
-      }
-      return enter({ model: setup.model, label: setup.model, view: await view_of(setup.model) });
+      if (setup.model) enter({ model: setup.model, label: setup.model, masks: [], view: await view_of(setup.model, []) });
     });
+    if (!states.now) await fit("bias", () => ({}));
   };
 
   // Without recordings in the page, the reader brings them.
@@ -250,7 +289,7 @@
     const files = new Map();
     const judges = new Set();
     form.hidden = false;
-    const engine = new Engine(module, files, working);
+    const engine = new Engine(module, files, working, trouble);
     const list = async () => {
       const reading = byId("reading").value.trim();
       setup.reading = reading ? reading.match(/'[^']*'|"[^"]*"|\S+/g).map((word) => word.replace(/^(['"])(.*)\1$/, "$2")) : [];
