@@ -12,7 +12,6 @@ function(fog_workbench_engine target)
   endif()
   set(source "${CMAKE_CURRENT_SOURCE_DIR}/workbench/engine")
   set(FOG_ENGINE_FOLDER "${CMAKE_CURRENT_BINARY_DIR}/engine")
-  get_filename_component(program "${FOG_EMSCRIPTEN}" REALPATH)
   find_file(FOG_EMSCRIPTEN_TOOLCHAIN cmake/Modules/Platform/Emscripten.cmake
             PATHS /usr/share/emscripten "$ENV{EMSDK}/upstream/emscripten" NO_DEFAULT_PATH REQUIRED)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.[ch]pp" "${source}/*"

@@ -27,6 +27,7 @@ Json setup_json(const WorkbenchSetup& setup) {
       .set("runs", setup.runs)
       .set("holdouts", setup.holdouts)
       .set("reading", setup.reading)
+      .set("notes", setup.notes)
       .set("model", setup.model.empty() ? Json() : Json(setup.model));
 }
 

@@ -15,6 +15,7 @@ struct WorkbenchSetup {
   std::vector<std::string> runs;       ///< names of recordings to fit to; none: the page asks
   std::vector<std::string> holdouts;   ///< names of those that judge
   std::vector<std::string> reading{};  ///< options with which recordings are read
+  std::vector<std::string> notes{};    ///< a line each, that limit what the page says
   std::string model{};                 ///< name of the model; "": the page begins with a bias
 };
 

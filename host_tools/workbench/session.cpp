@@ -286,7 +286,8 @@ Json Session::preview(const Words& words) {
   fit::FitSettings physics_alone;
   physics_alone.network.hidden = 0;
   const fit::FitResult found = fit::fit_model(with, series, physics_alone);
-  for (std::size_t i = 0; i < std::min(columns_.size(), runs.training.runs.size()); ++i) {
+  columns_.resize(std::max(columns_.size(), runs.training.runs.size()));
+  for (std::size_t i = 0; i < runs.training.runs.size(); ++i) {
     const compare::RunInBlocks& run = runs.training.runs[i];
     const Eigen::VectorXd brought = compare::compare_with(with, run).modelled_dph -
                                     compare::compare_with(model, run).modelled_dph;

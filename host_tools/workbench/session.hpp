@@ -28,8 +28,8 @@ class Session {
   /// Returns a JSON object; with "error", one line, where a shell would have exit code 2.
   std::string answer(const std::vector<std::string>& words);
 
-  /// A value per row of a run of the last `compare` (or, "preview", of the last `preview`):
-  /// nullptr where there is no such column.
+  /// A value per row of a run of the last `compare`, or "preview", of the last `preview`; nullptr
+  /// where there is no such column.
   const std::vector<double>* column(std::size_t run, const std::string& name) const;
 
  private:

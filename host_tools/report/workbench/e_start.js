@@ -4,6 +4,7 @@
 (async () => {
   let fitting = null;   // the engine that answers what the reader does
   let diagnosing = null; // another one, for what takes longer
+  let previewing = null; // and one for the candidate under the mouse
   let catalogue = [];
   let run = 0;
   let variable = "temperature_degc";
@@ -29,6 +30,7 @@
     const bytes = new TextEncoder().encode(text);
     fitting.files.set(name, bytes);
     diagnosing.files.set(name, bytes);
+    previewing.files.set(name, bytes);
   };
 
   const view_of = async (model, masks) => {
@@ -41,8 +43,11 @@
     return view_of(model, masks);
   };
 
+  // Not before the reader pauses, and not while a change is fitted: that comes first.
   const diagnose = async (state) => {
     diagnosing.cancel();
+    await new Promise((done) => setTimeout(done, 300));
+    if (states.now !== state || changing > 0) return;
     try {
       state.diagnosis = checked(await diagnosing.call(diagnose_words(state.model, state.masks)));
     } catch (fault) {
@@ -82,7 +87,7 @@
     show_findings();
     byId("commands").textContent = states.commands().map((words) => "$ " + shell_line(words)).join("\n") || `$ ${shell_line(compare_words(states.now.model, states.now.masks))}`;
     show_masks();
-    const notes = [...(states.now.notes || [])];
+    const notes = [...(setup.notes || []), ...(states.now.notes || [])];
     byId("notes").replaceChildren(...notes.map((note) => make("li", { textContent: note })));
     byId("notes_box").hidden = notes.length === 0;
     byId("undo").disabled = states.at <= 0;
@@ -100,11 +105,16 @@
 
   // One after the other: what comes while another is under way waits for it.
   let last = Promise.resolve();
+  let changing = 0;
   const in_turn = (work) => {
+    ++changing;
+    diagnosing.cancel();
+    previewing.cancel();
     last = last.then(work).catch((fault) => {
-      if (fault instanceof Cancelled) return;
       trouble(fault.message);
       if (states.now) show();
+    }).then(() => {
+      if (--changing === 0 && states.now && !states.now.diagnosis) diagnose(states.now);
     });
     return last;
   };
@@ -113,7 +123,6 @@
     states.push(state);
     trouble("");
     show();
-    diagnose(state);
   };
 
   // `change` makes of the model as it then is what is to be fitted.
@@ -155,11 +164,14 @@
       return;
     }
     await new Promise((done) => setTimeout(done, 150));
-    if (wanted !== effect || fitting.busy) return;
+    if (wanted !== effect || changing > 0) return;
     state.previews = state.previews || new Map();
     if (!state.previews.has(effect)) {
-      const { found, values } = await fitting.call(add_words(state.model, { effects: [effect] }, "preview.model", state.masks, "preview"), ["preview"]).catch(() => ({ found: { error: "" }, values: [] }));
-      state.previews.set(effect, { found, values });
+      previewing.cancel();
+      const words = add_words(state.model, { effects: [effect] }, "preview.model", state.masks, "preview");
+      const answer = await previewing.call(words, ["preview"]).catch(() => null);
+      if (!answer) return; // something else is wanted by now
+      state.previews.set(effect, answer);
     }
     if (wanted !== effect || states.now !== state) return;
     const { found, values } = state.previews.get(effect);
@@ -244,10 +256,8 @@
   byId("expression").oninput = () => {
     const text = byId("expression").value.trim();
     if (!text) { byId("formula_error").textContent = ""; return; }
-    in_turn(async () => {
-      if (text !== byId("expression").value.trim()) return;
-      const { found } = await fitting.call(["formula", states.now.model, text]);
-      byId("formula_error").textContent = found.error || "";
+    fitting.call(["formula", states.now.model, text]).then(({ found }) => {
+      if (text === byId("expression").value.trim()) byId("formula_error").textContent = found.error || "";
     });
   };
   byId("formula").onsubmit = (event) => {
@@ -272,6 +282,7 @@
   const begin = async (module, files) => {
     fitting = new Engine(module, new Map(files), working, trouble);
     diagnosing = new Engine(module, new Map(files), () => {}, trouble);
+    previewing = new Engine(module, new Map(files), () => {}, trouble);
     catalogue = checked(await fitting.call(["effects"])).effects;
     byId("opening").hidden = true;
     byId("bench").hidden = false;

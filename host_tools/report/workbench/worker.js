@@ -15,7 +15,7 @@ const answer = ({ words, files, columns }) => {
   for (const { name, bytes } of files) engine.FS.writeFile(name, bytes);
   const found = JSON.parse(engine.ccall("fogcomp_call", "string", ["string"], [words.join("\n")]));
   const values = [];
-  for (let run = 0; columns.length > 0 && column(run, "time_s"); ++run) {
+  for (let run = 0; columns.length > 0 && column(run, columns[0]); ++run) {
     values.push(Object.fromEntries(columns.map((name) => [name, column(run, name)])));
   }
   return { found, values };

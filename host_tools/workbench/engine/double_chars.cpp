@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-namespace fogcomp::engine {
+namespace fogcomp::workbench {
 namespace {
 
 constexpr int kMaxDigits = 17;  // that any double needs
@@ -149,4 +149,4 @@ std::from_chars_result scan(const char* first, const char* last, double& value) 
   return {end, std::errc()};
 }
 
-}  // namespace fogcomp::engine
+}  // namespace fogcomp::workbench

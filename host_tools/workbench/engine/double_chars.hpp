@@ -6,7 +6,7 @@
 
 #include <charconv>
 
-namespace fogcomp::engine {
+namespace fogcomp::workbench {
 
 /// As std::to_chars(first, last, value): the shortest decimal that reads back to the same bits, of
 /// those the closest, fixed where that is no longer than scientific. Returns the end.
@@ -18,19 +18,19 @@ char* print_fixed(char* first, char* last, double value, int decimals);
 /// As std::from_chars(first, last, value), without "inf" and "nan".
 std::from_chars_result scan(const char* first, const char* last, double& value);
 
-}  // namespace fogcomp::engine
+}  // namespace fogcomp::workbench
 
 #ifdef __EMSCRIPTEN__
 namespace std {  // NOLINT: stands in for what the library lacks
 
 inline to_chars_result to_chars(char* first, char*, double value) {
-  return {fogcomp::engine::print_shortest(first, value), errc()};
+  return {fogcomp::workbench::print_shortest(first, value), errc()};
 }
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format, int decimals) {
-  return {fogcomp::engine::print_fixed(first, last, value, decimals), errc()};
+  return {fogcomp::workbench::print_fixed(first, last, value, decimals), errc()};
 }
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
-  return fogcomp::engine::scan(first, last, value);
+  return fogcomp::workbench::scan(first, last, value);
 }
 
 }  // namespace std

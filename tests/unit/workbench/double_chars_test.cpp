@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-namespace fogcomp::engine {
+namespace fogcomp::workbench {
 namespace {
 
 std::string by_library(double value) {
@@ -68,14 +68,16 @@ TEST(DoubleChars, OfFiguresAsTheyAreComputedAndRoundedAreTheLibrarys) {
 TEST(DoubleChars, OfPowersOfTwoAndTheirNeighboursAreTheLibrarys) {
   for (int exponent = -1074; exponent < 1024; ++exponent) {
     const double power = std::ldexp(1, exponent);
-    for (const double value : {power, -power, std::nextafter(power, 0), std::nextafter(power, 2 * power)})
+    for (const double value :
+         {power, -power, std::nextafter(power, 0), std::nextafter(power, 2 * power)})
       expect_same(value);
   }
 }
 
 TEST(DoubleChars, AreReadAsFarAsTheLibraryReadsThem) {
-  for (const char* text : {"1e", "1e+", "-", "-.", ".5", "5.", "0x10", "1e400", "-1e400", "1e-400", " 1", "+1",
-                           "1.2.3", "1e5x", "4.9e-324", "1e-320", "", "007", "1,5", "12 13"}) {
+  for (const char* text :
+       {"1e", "1e+", "-",     "-.",   ".5",       "5.",     "0x10", "1e400", "-1e400", "1e-400",
+        " 1", "+1",  "1.2.3", "1e5x", "4.9e-324", "1e-320", "",     "007",   "1,5",    "12 13"}) {
     expect_same_reading(text);
   }
 }
@@ -94,4 +96,4 @@ TEST(DoubleChars, WithDecimalsAreTheLibrarys) {
 }
 
 }  // namespace
-}  // namespace fogcomp::engine
+}  // namespace fogcomp::workbench

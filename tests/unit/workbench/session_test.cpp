@@ -79,8 +79,8 @@ TEST_F(Workbench, FitsTheModelThatTheCommandFits) {
 
 TEST_F(Workbench, AddsWhatTheCommandAddsAndSaysWhyNot) {
   run("fit", {path("run.csv"), "--effects", "bias", "-o", path("base.model")});
-  const Words more{path("base.model"), "temperature_rate", path("run.csv"), "--holdout",
-                   path("other.csv"), "-o"};
+  const Words more{path("base.model"), "temperature_rate", path("run.csv"),
+                   "--holdout",        path("other.csv"),  "-o"};
   Words shell = more;
   shell.push_back(path("shell2.model"));
   run("add", shell);
@@ -96,7 +96,8 @@ TEST_F(Workbench, AddsWhatTheCommandAddsAndSaysWhyNot) {
 
 TEST_F(Workbench, ComparesWithAColumnForEveryPlot) {
   run("fit", {path("run.csv"), "--effects", "bias", "-o", path("plot.model")});
-  const std::string answer = ask({"compare", path("plot.model"), path("run.csv"), path("other.csv")});
+  const std::string answer =
+      ask({"compare", path("plot.model"), path("run.csv"), path("other.csv")});
   EXPECT_TRUE(holds(answer, "\"found\"") || holds(answer, "\"words\"")) << answer;
   for (std::size_t run = 0; run < 2; ++run) {
     for (const char* name : {"time_s", "measured_dph", "modelled_dph", "residual_dph", "branch",
@@ -120,8 +121,8 @@ TEST_F(Workbench, DiagnosesInWordsAndSaysWhatToAdd) {
 TEST_F(Workbench, PreviewsACandidateOverTheRowsOfTheLastComparison) {
   run("fit", {path("run.csv"), "--effects", "bias", "-o", path("hover.model")});
   ask({"compare", path("hover.model"), path("run.csv")});
-  const std::string answer = ask({"preview", path("hover.model"), "temperature_rate", path("run.csv"),
-                                  "-o", path("hovered.model")});
+  const std::string answer = ask({"preview", path("hover.model"), "temperature_rate",
+                                  path("run.csv"), "-o", path("hovered.model")});
   EXPECT_FALSE(holds(answer, "\"error\"")) << answer;
   const std::vector<double>* const preview = session_.column(0, "preview");
   ASSERT_NE(preview, nullptr);
@@ -151,7 +152,8 @@ TEST_F(Workbench, AnswersWhatIsWrongInOneLine) {
 }
 
 TEST_F(Workbench, LeavesMaskedRowsOutAsTheCommandDoes) {
-  const Words what{path("run.csv"), "--effects", "bias,temperature_rate", "--mask", "3000..6000", "-o"};
+  const Words what{path("run.csv"), "--effects",  "bias,temperature_rate",
+                   "--mask",        "3000..6000", "-o"};
   Words shell = what;
   shell.push_back(path("masked_shell.model"));
   run("fit", shell);
