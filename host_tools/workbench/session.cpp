@@ -17,16 +17,16 @@
 #include "model/input_value.hpp"
 #include "model/model_file.hpp"
 #include "support/input_error.hpp"
+#include "support/output_file.hpp"
 #include "support/text.hpp"
 #include "workbench/model_json.hpp"
-#include "workflow/export_header.hpp"
 #include "workflow/info.hpp"
 
 namespace fogcomp::workbench {
 namespace {
 
 template <class Command>
-void parse(Command& command, const std::vector<std::string>& words) {
+void parse_words(Command& command, const std::vector<std::string>& words) {
   cli::parse(command, {words.begin() + 1, words.end()});
 }
 
@@ -114,7 +114,8 @@ std::string Session::answer(const std::vector<std::string>& words) {
       {"fit", &Session::fit},         {"add", &Session::add},
       {"compare", &Session::compare}, {"diagnose", &Session::diagnose},
       {"preview", &Session::preview}, {"formula", &Session::formula},
-      {"info", &Session::info}};
+      {"info", &Session::info},       {"apply", &Session::written},
+      {"export", &Session::written}};
   notes_.clear();
   const auto error = [](const std::string& what) {
     return Json::object().set("error", displayable(what)).text();
@@ -122,7 +123,6 @@ std::string Session::answer(const std::vector<std::string>& words) {
   try {
     if (words.empty()) throw InputError("fogcomp", "no command");
     if (words[0] == "effects") return effects().text();
-    if (words[0] == "export") return export_header(words).text();
     const auto command = kCommands.find(words[0]);
     if (command == kCommands.end())
       throw InputError("fogcomp", "no command '" + words[0] + "' here");
@@ -154,7 +154,7 @@ Json Session::info(const Words& words) {
     InfoCall() : Command("info", {"RUN", 1, 1}, "", "") {}
     int run() const override { return 0; }
   } call;
-  parse(call, words);
+  parse_words(call, words);
   const workflow::InfoOutcome found =
       workflow::info({call.arguments[0], call.recording.value(), std::nullopt}, observer());
   return findings::info_json(found.recording, found.summary);
@@ -162,7 +162,7 @@ Json Session::info(const Words& words) {
 
 Json Session::fit(const Words& words) {
   cli::FitCommand call;
-  parse(call, words);
+  parse_words(call, words);
   const workflow::FitRequest request = call.request();
   workflow::check(request);
   const std::string key = key_of({{"fit", format("%a", request.average_s)},
@@ -183,7 +183,7 @@ Json Session::fit(const Words& words) {
 
 Json Session::add(const Words& words) {
   cli::AddCommand call;
-  parse(call, words);
+  parse_words(call, words);
   const workflow::AddRequest request = call.request();
   const fit::Addition found =
       workflow::add(request, judging_runs(request, call.recording.given_words()), observer());
@@ -197,7 +197,7 @@ Json Session::add(const Words& words) {
 
 Json Session::compare(const Words& words) {
   cli::CompareCommand call;
-  parse(call, words);
+  parse_words(call, words);
   const workflow::CompareRequest request = call.request();
   const model::Model first = model::load_model(request.models[0]);
   const std::string key = key_of({request.runs, call.recording.given_words(), rows_of(first)});
@@ -242,7 +242,7 @@ void Session::keep_columns(const compare::ModelOnRuns& model) {
 
 Json Session::diagnose(const Words& words) {
   cli::DiagnoseCommand call;
-  parse(call, words);
+  parse_words(call, words);
   const workflow::DiagnoseRequest request = call.request();
   const workflow::DiagnoseOutcome found =
       workflow::diagnose(request, judging_runs(request, call.recording.given_words()), observer());
@@ -272,7 +272,7 @@ Json Session::diagnose(const Words& words) {
 
 Json Session::preview(const Words& words) {
   cli::AddCommand call;
-  parse(call, words);
+  parse_words(call, words);
   const workflow::AddRequest request = call.request();
   const diagnosis::JudgingRuns& runs = judging_runs(request, call.recording.given_words());
   const model::Model model = model::load_model(request.model);
@@ -306,10 +306,12 @@ Json Session::formula(const Words& words) {
   return Json::object();
 }
 
-Json Session::export_header(const Words& words) const {
-  if (words.size() != 2) throw InputError("export", "takes a model");
-  const workflow::ExportOutcome header = workflow::export_header({words[1], {}, false});
-  return Json::object().set("header", header.header).set("notes", header.notes);
+Json Session::written(const Words& words) {
+  const cli::CommandPointer command =
+      words[0] == "apply" ? cli::apply_command() : cli::export_command();
+  parse_words(*command, words);
+  command->run();
+  return Json::object().set("text", read_file(command->find_option("o")->text()));
 }
 
 template <class Request>

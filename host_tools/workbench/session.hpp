@@ -13,16 +13,15 @@
 namespace fogcomp::workbench {
 
 /// The commands of the loop one after the other, as a page gives them: fit, add, compare, diagnose,
-/// with the words of a shell, and the same files written. Recordings are read once. What a command
-/// finds is what its `--json` prints; values by the row are columns.
+/// apply, export, with the words of a shell, and the same files written. Recordings are read once.
+/// What a command finds is what its `--json` prints; values by the row are columns.
 class Session {
  public:
   explicit Session(workflow::Observer observer = {}) : observer_(std::move(observer)) {}
 
-  /// `words`: a command line without `fogcomp`; beside the four,
+  /// `words`: a command line without `fogcomp`; beside these,
   ///   effects                      the catalogue
   ///   info RUN                     what was understood of a recording
-  ///   export MODEL                 the C header
   ///   formula MODEL 'NAME = EXPR'  whether the model can take this term
   ///   preview MODEL EFFECT RUN...  as `add`, without its judgement: what an effect would do
   /// Returns a JSON object; with "error", one line, where a shell would have exit code 2.
@@ -42,7 +41,7 @@ class Session {
   Json diagnose(const Words& words);
   Json preview(const Words& words);
   Json formula(const Words& words);
-  Json export_header(const Words& words) const;
+  Json written(const Words& words);
 
   /// The recordings of a command that refits a model, read once.
   template <class Request>

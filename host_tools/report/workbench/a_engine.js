@@ -88,4 +88,6 @@ class Engine {
   }
 }
 
-class Cancelled extends Error {}
+class Cancelled extends Error {
+  constructor() { super("Cancelled."); }
+}

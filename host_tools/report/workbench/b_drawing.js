@@ -98,26 +98,36 @@ const spaced = (min, max) => {
   return [min - spare, max + spare];
 };
 
-// Soaks stay white; the names where there is room.
-const shade_segments = (u, segments) => {
+// The segments of a run that are in view, from edge to edge in canvas pixels.
+const in_view = (u, segments) => segments.map((segment) => ({
+  ...segment,
+  left: Math.max(u.bbox.left, u.valToPos(segment.start_s / 3600, "x", true)),
+  right: Math.min(u.bbox.left + u.bbox.width, u.valToPos(segment.end_s / 3600, "x", true)),
+})).filter(({ left, right }) => left < right);
+
+// Soaks stay white.
+const shade_segments = (u, segments) => in_view(u, segments).filter(({ kind }) => kind !== "soak").forEach(({ kind, left, right }) => {
+  u.ctx.fillStyle = colour(kind, 0.1);
+  u.ctx.fillRect(left, u.bbox.top, right - left, u.bbox.height);
+});
+
+// Before everything else, where there is room: the whole name, or what comes behind its first word.
+const name_segments = (u, segments) => {
   const pen = u.ctx;
   pen.save();
   pen.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
   pen.textAlign = "center";
   pen.textBaseline = "top";
-  segments.forEach(({ name, kind, start_s, end_s }) => {
-    const left = Math.max(u.bbox.left, u.valToPos(start_s / 3600, "x", true));
-    const right = Math.min(u.bbox.left + u.bbox.width, u.valToPos(end_s / 3600, "x", true));
-    if (left >= right) return;
-    if (kind !== "soak") {
-      pen.fillStyle = colour(kind, 0.1);
-      pen.fillRect(left, u.bbox.top, right - left, u.bbox.height);
-    }
+  pen.lineWidth = 3 * devicePixelRatio;
+  pen.strokeStyle = colour("paper", 0.8);
+  pen.fillStyle = colour("faint");
+  in_view(u, segments).forEach(({ name, left, right }) => {
     const short = name.split(" ").slice(1).join(" ");
     const fitting = [name, short].find((one) => one && pen.measureText(one).width <= right - left - 4 * devicePixelRatio);
     if (!fitting) return;
-    pen.fillStyle = colour("faint");
-    pen.fillText(fitting, (left + right) / 2, u.bbox.top + 3 * devicePixelRatio);
+    const place = [fitting, (left + right) / 2, u.bbox.top + 3 * devicePixelRatio];
+    pen.strokeText(...place);
+    pen.fillText(...place);
   });
   pen.restore();
 };
@@ -226,12 +236,16 @@ const draw_run = (view, run, variable, masks, selected) => {
     shade_segments(u, facts.segments);
     shade_masks(u, masks);
   };
-  plots.rate.show({ label: "time since power-on, h", group: "time", range: spaced, under,
-                    series: [curve("measured", { width: 1 }), curve("model", { width: 1.75 })] },
+  const names = (u) => name_segments(u, facts.segments);
+  plots.rate.show({ label: "time since power-on, h", group: "time", range: spaced, under, over: names,
+                    series: [curve("measured", { width: 1.5 }), curve("model", { width: 1.5 })] },
                   with_gaps(values, ["measured_dph", "modelled_dph"]));
   plots.residual.show({
     label: "time since power-on, h", group: "time", range: spaced, under, selected,
-    over: (u) => levels(u, floor ? [-floor, floor] : []),
+    over: (u) => {
+      levels(u, floor ? [-floor, floor] : []);
+      names(u);
+    },
     series: [curve("residual", { width: 1 }), curve("model", { width: 1.75, dash: [6, 4] })],
   }, with_gaps(values, ["residual_dph", "preview"]));
   draw_variable(view, run, variable);

@@ -41,13 +41,16 @@ const shape_control = (term, parameter, change) => {
   return make("div", { className: "shape" }, figure, slider, free);
 };
 
-const about_term = (term, change) => {
+// A long name may break at its underscores.
+const breakable = (name) => name.split(/(?<=_)/).flatMap((part, i) => (i > 0 ? [make("wbr"), part] : [part]));
+
+const about_term = (term, notes, change) => {
   const rows = term.coefficients.map(({ symbol, value, sigma, unit }) => make("tr", {},
     make("td", { textContent: symbol }), make("td", { className: "value", textContent: with_sigma(value, sigma) }), make("td", { textContent: unit })));
   return [
     make("table", {}, make("tbody", {}, ...rows)),
     ...(term.is_expression ? [] : term.parameters.filter((one) => one.max > one.min).map((one) => shape_control(term, one, change))),
-    ...(term.doubt ? [make("p", { textContent: term.doubt })] : []),
+    ...[term.doubt, ...notes.filter((note) => note.includes("`" + term.effect + "`"))].filter(Boolean).map((text) => make("p", { textContent: text })),
   ];
 };
 
@@ -89,7 +92,7 @@ class EffectRow {
 const opened_effects = new Set();
 let known_untestable = []; // by the recordings alone: it stays while the next diagnosis is made
 
-const show_effects = (catalogue, view, diagnosis, actions) => {
+const show_effects = (catalogue, view, notes, diagnosis, actions) => {
   const list = byId("effects");
   const focused = document.activeElement && document.activeElement.id;
   const group = (text) => make("li", { className: "group", textContent: text });
@@ -99,7 +102,7 @@ const show_effects = (catalogue, view, diagnosis, actions) => {
   const inside = view.terms.map((term) => new EffectRow({
     name: term.effect, ticked: true, opened: opened_effects,
     brings: term.effect === "bias" ? "" : shares.has(term.effect) ? percent(shares.get(term.effect)) : "",
-    about: [...about_term(term, actions.change), ...about_effect(by_name.get(term.effect))],
+    about: [...about_term(term, notes, actions.change), ...about_effect(by_name.get(term.effect))],
     toggle: () => actions.remove(term),
   }).element);
   const candidates = new Map((diagnosis ? diagnosis.candidates : []).map((one) => [one.effect, one]));
@@ -176,7 +179,7 @@ const show_diagnosis = (state, actions) => {
     make("thead", {}, make("tr", {}, ...["candidate", "largest", "explains", "leaves", ""].map((text) => make("th", { textContent: text, scope: "col" })))),
     make("tbody", {}, ...rivals.map((one) => {
       const row = make("tr", {},
-        make("td", { textContent: one.effect }), make("td", { textContent: percent(one.lead) }),
+        make("td", {}, ...breakable(one.effect)), make("td", { textContent: percent(one.lead) }),
         make("td", { textContent: percent(one.explained_fraction) }), make("td", { textContent: significant(one.rms_after_dph, 3) }),
         make("td", {}, make("button", { type: "button", textContent: "+", title: `add ${one.effect}, judged out of sample`, ariaLabel: `Add ${one.effect}`, onclick: () => actions.judge({ effects: [one.effect] }) })));
       row.addEventListener("mouseenter", () => actions.preview(one.effect, true));

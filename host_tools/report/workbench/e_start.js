@@ -59,7 +59,7 @@
 
   const show_findings = () => {
     const state = states.now;
-    show_effects(catalogue, state.view, state.diagnosis && state.diagnosis.diagnosis, actions);
+    show_effects(catalogue, state.view, state.notes || [], state.diagnosis && state.diagnosis.diagnosis, actions);
     show_diagnosis(state, actions);
     document.body.dataset.diagnosed = state.diagnosis ? "yes" : "no";
   };
@@ -240,10 +240,13 @@
   byId("redo").onclick = () => go(states.at + 1);
   byId("variable").onchange = () => { variable = byId("variable").value; draw_variable(states.now.view, run, variable); };
   byId("save_model").onclick = () => save(states.now.model, states.now.view.text);
-  byId("save_header").onclick = () => in_turn(async () => save("fog_model.h", checked(await fitting.call(["export", states.now.model])).header));
+  const save_written = (name, words) => in_turn(async () => save(name, checked(await fitting.call([...words, "-o", name])).text));
+  byId("save_header").onclick = () => save_written("fog_model.h", ["export", states.now.model]);
+  byId("save_rows").onclick = () => save_written("compensated.csv", ["apply", states.now.model, names_of_runs()[run], ...setup.reading]);
   byId("copy_commands").onclick = () => copy(byId("commands").textContent.replaceAll("$ ", ""), byId("copy_commands"));
   byId("link").onclick = () => copy(location.href.split("#")[0] + "#" + encodeURIComponent(JSON.stringify(states.commands())), byId("link"));
   addEventListener("keydown", (event) => {
+    if (event.key === "Escape" && changing > 0) fitting.cancel();
     if (!(event.ctrlKey || event.metaKey) || event.target.matches("input:not([type])")) return;
     const key = event.key.toLowerCase();
     if (key === "z" && !event.shiftKey) byId("undo").click();

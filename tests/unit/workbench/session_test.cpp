@@ -140,6 +140,24 @@ TEST_F(Workbench, NamesTheTermsAsFitTakesThem) {
   }
 }
 
+TEST_F(Workbench, AppliesAndExportsAsTheCommandsDo) {
+  run("fit", {path("run.csv"), "--effects", "bias", "-o", path("out.model")});
+  run("apply", {path("out.model"), path("run.csv"), "-o", path("shell.csv")});
+  run("export", {path("out.model"), "-o", path("shell.h")});
+  testing::internal::CaptureStdout();
+  const std::string series =
+      ask({"apply", path("out.model"), path("run.csv"), "-o", path("page.csv")});
+  const std::string header = ask({"export", path("out.model"), "-o", path("page.h")});
+  testing::internal::GetCapturedStdout();
+  EXPECT_EQ(series, Json::object()
+                        .set("text", read_file(path("shell.csv")))
+                        .set("remarks", Json::array())
+                        .text());
+  EXPECT_EQ(
+      header,
+      Json::object().set("text", read_file(path("shell.h"))).set("remarks", Json::array()).text());
+}
+
 TEST_F(Workbench, AnswersWhatIsWrongInOneLine) {
   EXPECT_EQ(ask({}), "{\"error\":\"fogcomp: no command\"}");
   EXPECT_TRUE(holds(ask({"flash", "x"}), "no command 'flash' here"));
