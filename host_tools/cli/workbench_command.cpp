@@ -27,7 +27,7 @@ struct WorkbenchCommand : Command {
 
   WorkbenchCommand()
       : Command("workbench", {"[MODEL] [RUN...]", 0, kAnyNumber},
-                "the loop as a page that calculates: tick an effect, see what it leaves",
+                "the loop as a page that calculates: tick effects, see what is left",
                 "fogcomp workbench gyro.model run.csv -o bench.html") {
     needs = {{&output}};
   }

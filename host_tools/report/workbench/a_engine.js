@@ -71,6 +71,12 @@ class Engine {
 
   get busy() { return this.#waiting.size > 0; }
 
+  // A file for the calls to come, in the place of one of that name.
+  put(name, bytes) {
+    this.files.set(name, bytes);
+    this.#there.delete(name);
+  }
+
   // Ends what is under way; its callers are told nothing more.
   cancel() {
     if (!this.busy) return;

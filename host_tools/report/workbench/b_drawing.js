@@ -20,7 +20,11 @@ const colour = (name, opacity = 1) => {
 };
 const rms = (value) => (value == null ? "" : Math.abs(value) >= 1e-6 && Math.abs(value) < 1e4 ? value.toPrecision(4) : String(Number(value.toPrecision(4))));
 const significant = (value, digits = 4) => (value == null || !isFinite(value) ? "" : String(Number(value.toPrecision(digits))));
-const decimals = (step) => Math.min(9, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+const decimals = (step) => {
+  let places = 0;
+  while (places < 9 && Math.abs(step * 10 ** places - Math.round(step * 10 ** places)) > 1e-6) ++places;
+  return places;
+};
 
 const axis = (extra) => ({
   font: "11px system-ui, sans-serif",

@@ -13,7 +13,13 @@ class States {
 
   get now() { return this.list[this.at]; }
   get path() { return this.list.slice(0, this.at + 1); }
-  next_model() { return `m${++this.#models}.model`; }
+  // A name that no model of the page has had.
+  next_model() {
+    ++this.#models;
+    const name = `m${this.#models}.model`;
+    return name === setup.model ? this.next_model() : name;
+  }
+  reserve(name) { this.#models = Math.max(this.#models, Number((name.match(/^m(\d+)\.model$/) || [0, 0])[1])); }
   push(state) {
     this.list.splice(this.at + 1);
     this.list.push(state);

@@ -28,9 +28,7 @@
   // A model file that one engine has made, for both.
   const keep_model = (name, text) => {
     const bytes = new TextEncoder().encode(text);
-    fitting.files.set(name, bytes);
-    diagnosing.files.set(name, bytes);
-    previewing.files.set(name, bytes);
+    [fitting, diagnosing, previewing].forEach((engine) => engine.put(name, bytes));
   };
 
   const view_of = async (model, masks) => {
@@ -275,7 +273,7 @@
       const model = words[words.indexOf("-o") + 1];
       const answer = checked(await fitting.call(words));
       keep_model(model, answer.text);
-      states.next_model();
+      states.reserve(model);
       const masks = masks_from(words);
       states.push({ model, words, masks, label: words[0] === "fit" ? words[words.indexOf("--effects") + 1] : `+ ${answer.add.effects.join(", ")}`, view: await view_of(model, masks) });
     }
