@@ -133,8 +133,8 @@ const show_effects = (catalogue, view, notes, diagnosis, actions) => {
 // What each state leaves, on the runs that it is fitted to and on those that judge.
 const worst = (runs) => runs.reduce((most, run) => Math.max(most, run.residual_rms_dph), 0);
 const errors_of = (view) => ({
-  fitted: worst(view.compare.runs.slice(0, setup.runs.length)),
-  judged: setup.holdouts.length ? worst(view.compare.runs.slice(setup.runs.length)) : null,
+  fitted: worst(view.compare.runs.filter(({ file }) => !setup.holdouts.includes(file))),
+  judged: setup.holdouts.length ? worst(view.compare.runs.filter(({ file }) => setup.holdouts.includes(file))) : null,
 });
 
 const bar = (value, full, floor, name) => make("span", { className: "bar" },
@@ -162,7 +162,8 @@ const show_ladder = (go) => {
 
 const show_diagnosis = (state, actions) => {
   const place = byId("diagnosis");
-  const judged = state.judged ? [make("p", { className: `judged${state.judged.good ? " good" : ""}`, textContent: state.judged.reason })] : [];
+  const judged = state.judged ? [make("p", { className: `judged${state.judged.good ? " good" : ""}` }, state.judged.reason + " ",
+    ...(state.judged.anyway ? [make("button", { type: "button", textContent: "Add it all the same", onclick: state.judged.anyway })] : []))] : [];
   if (!state.diagnosis) {
     place.replaceChildren(...judged, make("p", { className: "faint", textContent: state.trouble || "looking …" }));
     return;

@@ -25,7 +25,7 @@
     return { ...found, values };
   };
 
-  // A model file that one engine has made, for both.
+  // A model file that one engine has made, for all.
   const keep_model = (name, text) => {
     const bytes = new TextEncoder().encode(text);
     [fitting, diagnosing, previewing].forEach((engine) => engine.put(name, bytes));
@@ -66,7 +66,7 @@
     const group = byId("runs");
     group.hidden = view.runs.length < 2;
     group.replaceChildren(...view.runs.map(({ file }, i) => make("button", {
-      type: "button", textContent: file + (i < setup.runs.length ? "" : " (judges)"), ariaPressed: String(i === run),
+      type: "button", textContent: file + (setup.holdouts.includes(file) ? " (judges)" : ""), ariaPressed: String(i === run),
       onclick: () => { run = i; show(); },
     })));
     byId("variable").replaceChildren(...view.runs[run].variables.map(({ name, label }) =>
@@ -138,15 +138,15 @@
   const judge = (what, force = false) => in_turn(async () => {
     const model = states.next_model();
     const masks = states.now.masks;
-    const words = add_words(states.now.model, what, model, masks);
+    const words = [...add_words(states.now.model, what, model, masks), ...(force ? ["--force"] : [])];
     const answer = checked(await fitting.call(words));
     if (!answer.add.model) {
-      states.now.judged = { good: false, reason: `Not added. ${answer.reason}` };
+      states.now.judged = { good: false, reason: `Not added. ${answer.reason}`, anyway: () => judge(what, true) };
       show_findings();
       return;
     }
     keep_model(model, answer.text);
-    enter({ model, words, label: `+ ${answer.add.effects.join(", ")}`, masks, judged: { good: true, reason: answer.reason },
+    enter({ model, words, label: `+ ${answer.add.effects.join(", ")}`, masks, judged: { good: answer.add.accepted, reason: answer.reason },
             notes: [...answer.add.notes, ...answer.remarks], view: await view_of(model, masks) });
   });
 
@@ -174,7 +174,11 @@
     if (wanted !== effect || states.now !== state) return;
     const { found, values } = state.previews.get(effect);
     byId("candidate").textContent = found.error || `with ${effect}: ${significant(found.rms_after_dph)}`;
-    values.forEach((one, i) => { if (one.preview) state.view.values[i].preview = one.preview; });
+    // Files of one run are joined there, and here shown one by one: then there is none to draw.
+    values.forEach((one, i) => {
+      const shown = state.view.values[i];
+      if (one.preview && shown && one.preview.length === shown.time_s.length) shown.preview = one.preview;
+    });
     draw();
   };
 
@@ -192,13 +196,13 @@
 
   // Rows of the run in view that are not to count.
   const draw = () => {
-    const name = names_of_runs()[run];
+    const name = name_of_run();
     const masks = states.now.masks.filter(([of]) => of === name).map(([, from, to]) => [from, to]);
     draw_run(states.now.view, run, variable, masks, masking() ? select_mask : null);
   };
-  const names_of_runs = () => [...setup.runs, ...setup.holdouts];
+  const name_of_run = () => states.now.view.runs[run].file;
   const masking = () => byId("mask_mode").ariaPressed === "true";
-  const mask = (from, to) => fit(`mask ${from}..${to} s`, ({ masks }) => ({ masks: [...masks, [names_of_runs()[run], from, to]] }));
+  const mask = (from, to) => fit(`mask ${from}..${to} s`, ({ masks }) => ({ masks: [...masks, [name_of_run(), from, to]] }));
   const select_mask = (u) => {
     if (u.select.width < 3) return;
     const [from, to] = [u.select.left, u.select.left + u.select.width].map((x) => Math.round(3600 * u.posToVal(x, "x")));
@@ -240,7 +244,7 @@
   byId("save_model").onclick = () => save(states.now.model, states.now.view.text);
   const save_written = (name, words) => in_turn(async () => save(name, checked(await fitting.call([...words, "-o", name])).text));
   byId("save_header").onclick = () => save_written("fog_model.h", ["export", states.now.model]);
-  byId("save_rows").onclick = () => save_written("compensated.csv", ["apply", states.now.model, names_of_runs()[run], ...setup.reading]);
+  byId("save_rows").onclick = () => save_written("compensated.csv", ["apply", states.now.model, name_of_run(), ...setup.reading]);
   byId("copy_commands").onclick = () => copy(byId("commands").textContent.replaceAll("$ ", ""), byId("copy_commands"));
   byId("link").onclick = () => copy(location.href.split("#")[0] + "#" + encodeURIComponent(JSON.stringify(states.commands())), byId("link"));
   addEventListener("keydown", (event) => {
@@ -259,7 +263,7 @@
     if (!text) { byId("formula_error").textContent = ""; return; }
     fitting.call(["formula", states.now.model, text]).then(({ found }) => {
       if (text === byId("expression").value.trim()) byId("formula_error").textContent = found.error || "";
-    });
+    }).catch(() => {}); // cancelled with a change
   };
   byId("formula").onsubmit = (event) => {
     event.preventDefault();
@@ -272,6 +276,7 @@
     for (const words of commands) {
       const model = words[words.indexOf("-o") + 1];
       const answer = checked(await fitting.call(words));
+      if (!answer.text) throw new Error(answer.reason);
       keep_model(model, answer.text);
       states.reserve(model);
       const masks = masks_from(words);
@@ -320,7 +325,7 @@
     };
     const take = async (chosen) => {
       for (const file of chosen) {
-        files.set(file.name, new Uint8Array(await file.arrayBuffer()));
+        engine.put(file.name, new Uint8Array(await file.arrayBuffer()));
       }
       await list();
     };
