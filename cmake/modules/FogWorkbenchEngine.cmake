@@ -12,8 +12,14 @@ function(fog_workbench_engine target)
   endif()
   set(source "${CMAKE_CURRENT_SOURCE_DIR}/workbench/engine")
   set(FOG_ENGINE_FOLDER "${CMAKE_CURRENT_BINARY_DIR}/engine")
+  get_filename_component(beside "${FOG_EMSCRIPTEN}" REALPATH)
+  get_filename_component(beside "${beside}" DIRECTORY)
   find_file(FOG_EMSCRIPTEN_TOOLCHAIN cmake/Modules/Platform/Emscripten.cmake
-            PATHS /usr/share/emscripten "$ENV{EMSDK}/upstream/emscripten" NO_DEFAULT_PATH REQUIRED)
+            PATHS /usr/share/emscripten "${beside}" NO_DEFAULT_PATH)
+  if(NOT FOG_EMSCRIPTEN_TOOLCHAIN)
+    message(STATUS "${FOG_EMSCRIPTEN} has no CMake toolchain beside it: there will be no `fogcomp workbench`")
+    return()
+  endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.[ch]pp" "${source}/*"
        "${PROJECT_SOURCE_DIR}/firmware/core/*.[ch]pp")
   # Debian's emscripten looks for its acorn where Debian's Node has its modules.
