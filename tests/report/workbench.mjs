@@ -242,6 +242,20 @@ const trouble = async (browser) => {
   bench.silent();
 };
 
+// 60,000 rows.
+const long = async (browser) => {
+  const bench = await Bench.open(browser, "long.html");
+  await bench.state(0);
+  await bench.click("#effect_temperature_rate");
+  await bench.state(1);
+  check("long", (await bench.text("#notes")).includes("59550 means over 1 s"), "the page does not say that it has means");
+  await bench.tab.send("Performance.enable");
+  const { metrics } = await bench.tab.send("Performance.getMetrics");
+  const megabytes = metrics.find(({ name }) => name === "JSHeapUsedSize").value / 1e6;
+  check("long", megabytes < 200, `takes ${megabytes.toFixed(0)} MB`);
+  bench.silent();
+};
+
 // A page without data takes files.
 const files = async (browser) => {
   const bench = await Bench.open(browser, "empty.html");
@@ -259,7 +273,7 @@ const files = async (browser) => {
 
 const browser = new Browser(program);
 try {
-  for (const part of [loop, keyboard, session, trouble, files]) {
+  for (const part of [loop, keyboard, session, trouble, long, files]) {
     await part(browser);
     console.log(`${part.name}: done`);
   }

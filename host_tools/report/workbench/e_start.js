@@ -291,6 +291,7 @@
     previewing = new Engine(module, new Map(files), () => {}, trouble);
     catalogue = checked(await fitting.call(["effects"])).effects;
     byId("opening").hidden = true;
+    byId("starting").hidden = true;
     byId("bench").hidden = false;
     byId("link").disabled = false;
     await in_turn(async () => {
@@ -305,6 +306,7 @@
     const form = byId("opening");
     const files = new Map();
     const judges = new Set();
+    byId("starting").hidden = true;
     form.hidden = false;
     const engine = new Engine(module, files, working, trouble);
     const list = async () => {
@@ -343,11 +345,13 @@
   };
 
   try {
+    byId("starting").hidden = false;
     const module = await compile_engine();
     const files = [...document.querySelectorAll("script[data-file]")].map((script) => [script.dataset.file, bytes_of(script.textContent)]);
     if (setup.runs.length > 0) await begin(module, files);
     else ask_for_files(module);
   } catch (fault) {
+    byId("starting").hidden = true;
     trouble(`This page cannot calculate here: ${fault.message}. It needs a browser of 2023 or later.`);
   }
 })();
