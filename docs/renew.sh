@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# renew.sh FOGCOMP: draws docs/example.png anew: the README's real recording as `fogcomp compare --report` shows it, by
-# headless Chromium. Needs a fogcomp that was built with npm, node and chromium.
+# renew.sh FOGCOMP: draws docs/example.png and docs/workbench.png anew: the README's real recording as `fogcomp compare
+# --report` shows it, and on the page of `fogcomp workbench`, by headless Chromium. Needs a fogcomp that was built with
+# npm and emscripten, node and chromium.
 set -euo pipefail
 fogcomp=$(realpath "${1:?usage: renew.sh FOGCOMP}")
 docs=$(realpath "$(dirname "$0")")
@@ -13,5 +14,7 @@ cd "$scratch"
 "$fogcomp" add cubic.model thermal_lag aging "$recording" -o mems.model >/dev/null
 "$fogcomp" compare cubic.model "$recording" --model mems.model --report page.html >/dev/null
 node "$docs/../tests/report/picture.mjs" chromium page.html example.png 0 2
-mv example.png "$docs/example.png"
-ls -l "$docs/example.png"
+"$fogcomp" workbench cubic.model "$recording" -o bench.html >/dev/null
+node "$docs/../tests/report/picture_of_workbench.mjs" chromium bench.html workbench.png
+mv example.png workbench.png "$docs"
+ls -l "$docs"/*.png

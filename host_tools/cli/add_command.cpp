@@ -3,56 +3,18 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "cli/command.hpp"
-#include "cli/recording_options.hpp"
-#include "cli/report_option.hpp"
+#include "cli/add_command.hpp"
 #include "cli/training_options.hpp"
 #include "cli/watch.hpp"
 #include "findings/add_findings.hpp"
 #include "findings/json.hpp"
-#include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "report/terminal.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
-#include "workflow/add.hpp"
 
 namespace fogcomp::cli {
-namespace {
-
-struct AddCommand : Command {
-  Text output{this, {"o", "MODEL", "model file to write"}};
-  Text expression{this,
-                  {"effect-expr", "EXPR",
-                   "a term of your own instead of EFFECT, e.g. 'burst = T*T*dTdt' or 'x = "
-                   "tanh(T/?w[2,30])'"}};
-  Texts holdouts{
-      this, {"holdout", "RUN", "a run to judge by instead of leaving parts out; may be repeated"}};
-  Flag force{this, "force", "keep what is added even if it does not help"};
-  Flag run_offsets{this, "run-offsets",
-                   "every recording has a bias of its own; the model keeps the first's"};
-  Integer<std::uint64_t> seed{
-      this, {"seed", "N", "of the network's first weights", "1"}, 0, INT64_MAX};
-  ReportOption report{this};
-  Flag json{this, "json", "one JSON object on stdout"};
-  RecordingOptions recording{this};
-
-  AddCommand()
-      : Command("add", {"MODEL {EFFECT[:k=v]... | --effect-expr ...} RUN...", 3, kAnyNumber},
-                "adds effects, refits all, keeps them if they help out of sample",
-                "fogcomp add gyro.model thermal_lag run.csv -o better.model") {
-    stands_for_positional = &expression;
-    words = model::effect_names();
-    words.emplace_back(fit::kNetworkName);
-    may_replace_first = true;
-    needs = {{&output}};
-  }
-  int run() const override;
-
- private:
-  workflow::AddRequest request() const;
-};
 
 workflow::AddRequest AddCommand::request() const {
   workflow::AddRequest request;
@@ -73,9 +35,11 @@ workflow::AddRequest AddCommand::request() const {
   request.expression = expression.find();
   request.runs = {first_run, arguments.end()};
   request.hold_outs = holdouts.value();
-  request.reading = recording.value();
   request.run_offsets = run_offsets.given();
   request.seed = seed.value();
+  std::vector<std::string> all = request.runs;
+  all.insert(all.end(), request.hold_outs.begin(), request.hold_outs.end());
+  request.reading = recording.value(all);
   return request;
 }
 
@@ -103,8 +67,6 @@ int AddCommand::run() const {
   }
   return written ? 0 : 1;
 }
-
-}  // namespace
 
 CommandPointer add_command() {
   return std::make_unique<AddCommand>();

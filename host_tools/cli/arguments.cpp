@@ -132,7 +132,8 @@ bool has_replacement(const Command& command) {
 
 // "MODEL [EFFECT] RUN...": whoever swaps them is shown the line to type.
 std::vector<Fault> order_faults(const Command& command) {
-  const bool model_first = command.positionals.usage.rfind("MODEL", 0) == 0;
+  const std::string& usage = command.positionals.usage;
+  const bool model_first = usage.rfind("MODEL", 0) == 0 || usage.rfind("[MODEL]", 0) == 0;
   const auto rank = [&](const std::string& word) {
     if (is_model_or_header(word)) return 0;
     return is_word(command, word) ? 1 : 2;

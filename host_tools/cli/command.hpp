@@ -74,6 +74,7 @@ CommandPointer paper_command();
 CommandPointer replay_command();
 CommandPointer simulate_command();
 CommandPointer stream_command();
+CommandPointer workbench_command();
 
 /// Whether its positionals are files or folders that are read, but for its words: by their names.
 bool reads_positionals(const Command& command);

@@ -2,9 +2,7 @@
 
 #include <cstdio>
 
-#include "cli/command.hpp"
-#include "cli/recording_options.hpp"
-#include "cli/report_option.hpp"
+#include "cli/diagnose_command.hpp"
 #include "cli/watch.hpp"
 #include "findings/diagnose_findings.hpp"
 #include "findings/json.hpp"
@@ -12,37 +10,8 @@
 #include "report/terminal.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
-#include "workflow/diagnose.hpp"
 
 namespace fogcomp::cli {
-namespace {
-
-struct DiagnoseCommand : Command {
-  Texts expressions{this,
-                    {"effect-expr", "EXPR",
-                     "a candidate of your own beside the catalogue's, e.g. 'burst = T*T*dTdt'"}};
-  Text at_rest{this, {"static", "RUN", "recording at rest: the noise is taken from there"}};
-  Integer<int> max_effects{
-      this, {"max-effects", "N", "add what is proposed, look again, up to N times", "0"}, 0, 12};
-  Text output{this, {"o", "MODEL", "the loop's model, with --max-effects"}};
-  Texts holdouts{this, {"holdout", "RUN", "a run that judges additions; may be repeated"}};
-  Number average{
-      this, {"average", "S", "rows, seconds (default: 10 where it can be)"}, {1e-3, 1e6}};
-  Integer<std::uint64_t> seed{
-      this, {"seed", "N", "of the draws that calibrate the test", "1"}, 0, INT64_MAX};
-  ReportOption report{this};
-  Flag json{this, "json", "one JSON object on stdout"};
-  RecordingOptions recording{this};
-
-  DiagnoseCommand()
-      : Command("diagnose", {"MODEL RUN...", 2, kAnyNumber},
-                "where and why the model fails: which effect is missing",
-                "fogcomp diagnose gyro.model run.csv --max-effects 4") {}
-  int run() const override;
-
- private:
-  workflow::DiagnoseRequest request() const;
-};
 
 workflow::DiagnoseRequest DiagnoseCommand::request() const {
   workflow::DiagnoseRequest request;
@@ -51,10 +20,12 @@ workflow::DiagnoseRequest DiagnoseCommand::request() const {
   request.max_steps = max_effects.value();
   request.hold_outs = holdouts.value();
   request.seed = seed.value();
-  request.reading = recording.value();
   request.expressions = expressions.value();
   request.runs = {arguments.begin() + 1, arguments.end()};
   request.at_rest = at_rest.find();
+  std::vector<std::string> all = request.runs;
+  all.insert(all.end(), request.hold_outs.begin(), request.hold_outs.end());
+  request.reading = recording.value(all);
   return request;
 }
 
@@ -89,8 +60,6 @@ int DiagnoseCommand::run() const {
   }
   return model_file && !written ? 1 : 0;
 }
-
-}  // namespace
 
 CommandPointer diagnose_command() {
   return std::make_unique<DiagnoseCommand>();

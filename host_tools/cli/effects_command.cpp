@@ -10,35 +10,6 @@
 namespace fogcomp::cli {
 namespace {
 
-Json entry_json(const model::CatalogueEntry& entry) {
-  Json parameters = json_array(entry.parameters, [&](const auto& parameter) {
-    return Json::object()
-        .set("name", parameter.name)
-        .set("unit", parameter.unit)
-        .set("least", parameter.least_milli / 1000.0)
-        .set("most", parameter.most_milli / 1000.0)
-        .set("default", parameter.default_milli / 1000.0);
-  });
-  Json coefficients = json_array(entry.coefficients, [&](const auto& coefficient) {
-    return Json::object().set("symbol", coefficient.symbol).set("unit", coefficient.unit);
-  });
-  Json needs = needed_columns(entry);
-  return Json::object()
-      .set("effect", entry.description.name)
-      .set("id", static_cast<int>(entry.description.id))
-      .set("title", entry.description.title)
-      .set("equation", entry.description.equation)
-      .set("typical", entry.description.typical)
-      .set("example", entry.description.example)
-      .set("signature", entry.description.signature)
-      .set("source", entry.description.source)
-      .set("needs", std::move(needs))
-      .set("on_board", entry.description.host_only == nullptr)
-      .set("event", entry.description.event)
-      .set("parameters", std::move(parameters))
-      .set("coefficients", std::move(coefficients));
-}
-
 struct EffectsCommand : Command {
   Flag json{this, "json", "one JSON object on stdout"};
   Flag markdown{this, "markdown", "the document host_tools/EFFECTS.md"};
@@ -67,8 +38,8 @@ int EffectsCommand::run() const {
   if (markdown.given()) {
     std::fputs(effects_markdown(entries).c_str(), stdout);
   } else if (json.given()) {
-    Json entry_list =
-        json_array(entries, [&](const model::CatalogueEntry* entry) { return entry_json(*entry); });
+    Json entry_list = json_array(
+        entries, [&](const model::CatalogueEntry* entry) { return effect_json(*entry); });
     std::puts(Json::object().set("effects", std::move(entry_list)).text().c_str());
   } else {
     std::fputs(effects_text(entries).c_str(), stdout);

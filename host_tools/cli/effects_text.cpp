@@ -125,4 +125,33 @@ std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& en
   return text;
 }
 
+Json effect_json(const model::CatalogueEntry& entry) {
+  Json parameters = json_array(entry.parameters, [&](const auto& parameter) {
+    return Json::object()
+        .set("name", parameter.name)
+        .set("unit", parameter.unit)
+        .set("least", parameter.least_milli / 1000.0)
+        .set("most", parameter.most_milli / 1000.0)
+        .set("default", parameter.default_milli / 1000.0);
+  });
+  Json coefficients = json_array(entry.coefficients, [&](const auto& coefficient) {
+    return Json::object().set("symbol", coefficient.symbol).set("unit", coefficient.unit);
+  });
+  Json needs = needed_columns(entry);
+  return Json::object()
+      .set("effect", entry.description.name)
+      .set("id", static_cast<int>(entry.description.id))
+      .set("title", entry.description.title)
+      .set("equation", entry.description.equation)
+      .set("typical", entry.description.typical)
+      .set("example", entry.description.example)
+      .set("signature", entry.description.signature)
+      .set("source", entry.description.source)
+      .set("needs", std::move(needs))
+      .set("on_board", entry.description.host_only == nullptr)
+      .set("event", entry.description.event)
+      .set("parameters", std::move(parameters))
+      .set("coefficients", std::move(coefficients));
+}
+
 }  // namespace fogcomp::cli

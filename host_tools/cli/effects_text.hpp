@@ -4,11 +4,15 @@
 #include <vector>
 
 #include "model/catalogue.hpp"
+#include "support/json.hpp"
 
 namespace fogcomp::cli {
 
 /// Columns of a recording that an effect needs beside the three that every recording has.
 std::vector<std::string> needed_columns(const model::CatalogueEntry& entry);
+
+/// Everything of an entry, for scripts.
+Json effect_json(const model::CatalogueEntry& entry);
 
 /// The catalogue for a terminal, and as the document host_tools/EFFECTS.md.
 std::string effects_text(const std::vector<const model::CatalogueEntry*>& entries);

@@ -4,15 +4,11 @@
 #include <optional>
 
 #include "board/identity.hpp"
-#include "cli/command.hpp"
-#include "cli/fit_options.hpp"
-#include "cli/recording_options.hpp"
-#include "cli/report_option.hpp"
+#include "cli/fit_command.hpp"
 #include "cli/training_options.hpp"
 #include "cli/watch.hpp"
 #include "findings/fit_findings.hpp"
 #include "findings/json.hpp"
-#include "model/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "report/terminal.hpp"
 #include "support/output_file.hpp"
@@ -20,36 +16,19 @@
 #include "workflow/fit.hpp"
 
 namespace fogcomp::cli {
-namespace {
 
-struct FitCommand : Command {
-  Text output{this, {"o", "MODEL", "model file to write"}};
-  FitOptions fit{this};
-  ReportOption report{this};
-  Flag json{this, "json", "one JSON object on stdout"};
-  RecordingOptions recording{this};
-  Text serial{this,
-              {"serial", "NUMBER", "of the gyro: goes into the model and its board", "", kRare}};
-
-  FitCommand()
-      : Command("fit", {"RUN...", 1, kAnyNumber},
-                "identifies the effects, then trains the network on what they leave",
-                "fogcomp fit run.csv -o gyro.model --effects bias,temperature_rate") {
-    recording.make_rare();
-    needs = {{&output}, {&fit.effects, &fit.model, model::kFirstEffects}};
-  }
-
-  int run() const override;
-};
+workflow::FitRequest FitCommand::request() const {
+  workflow::FitRequest request = fit.request(arguments, recording.value(arguments));
+  request.serial = serial.value();
+  board::serial_words(request.serial);  // throws where no board holds it
+  return request;
+}
 
 int FitCommand::run() const {
   OutputFile model_file(output.required());
   ReportFile page(report);
-  workflow::FitRequest request = fit.request(arguments, recording.value());
-  request.serial = serial.value();
-  board::serial_words(request.serial);  // throws where no board holds it
   const workflow::FitOutcome found =
-      workflow::fit(request, Watch(OnInterrupt::keep_best).observer());
+      workflow::fit(request(), Watch(OnInterrupt::keep_best).observer());
   if (found.result.training && found.result.training->interrupted) {
     const auto epochs = static_cast<std::size_t>(found.result.training->epochs);
     std::fprintf(stderr, "interrupted: the best network of %s is kept\n",
@@ -68,8 +47,6 @@ int FitCommand::run() const {
   }
   return 0;
 }
-
-}  // namespace
 
 CommandPointer fit_command() {
   return std::make_unique<FitCommand>();

@@ -40,4 +40,13 @@ recording::ReadOptions RecordingOptions::value() const {
   return options;
 }
 
+recording::ReadOptions MaskedRecordingOptions::value(const std::vector<std::string>& runs) const {
+  recording::ReadOptions options = RecordingOptions::value();
+  for (const std::string& mask : masks.value()) {
+    options.masks.push_back(recording::parse_mask(mask));
+  }
+  recording::require_masked_runs(options.masks, runs);
+  return options;
+}
+
 }  // namespace fogcomp::cli

@@ -38,4 +38,16 @@ struct RecordingOptions : OptionGroup {
   double earth_rate_dph() const;
 };
 
+/// Those of the commands that fit and judge.
+struct MaskedRecordingOptions : RecordingOptions {
+  using RecordingOptions::RecordingOptions;
+  /// Throws InputError also for a mask of none of `runs`.
+  recording::ReadOptions value(const std::vector<std::string>& runs) const;
+
+  Texts masks{this,
+              {"mask", "FROM..TO",
+               "s since power-on: what is measured there does not count; RUN:FROM..TO in one run",
+               "", kRare}};
+};
+
 }  // namespace fogcomp::cli

@@ -10,6 +10,7 @@
 
 #include "core/signal/inputs.hpp"
 #include "recording/board_limits.hpp"
+#include "recording/mask.hpp"
 
 namespace fogcomp::recording {
 
@@ -58,6 +59,7 @@ struct Recording {
   std::size_t empty_rows = 0;    ///< left out for a value that the file does not have
   std::size_t refused_rows = 0;  ///< left out because the board would refuse them
   std::optional<CaptureCounts> capture;
+  std::vector<Mask> masks;  ///< where its rates do not count
 
   std::size_t rows() const { return time_s.size(); }
 
@@ -98,6 +100,7 @@ struct ReadOptions {
   /// The same as the model in hand remembers it: for files that have all of those names, where
   /// nothing else is given.
   std::string model_columns{};
+  std::vector<Mask> masks{};
   bool skip_bad_rows = false;
   /// Keeps the rows that the board would refuse: for its own code, which judges them itself.
   bool keep_refused_rows = false;

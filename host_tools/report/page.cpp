@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <stdexcept>
 
 #include "findings/figures.hpp"
 #include "report/embedded_page.hpp"
+#include "report/html.hpp"
 #include "report/plot_json.hpp"
 #include "support/text.hpp"
 
@@ -22,42 +22,8 @@ using findings::Shown;
 using findings::Table;
 using findings::Text;
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-}
-
-std::string escaped(std::string text) {
-  text = valid_utf8(text);
-  replace_all(text, "&", "&amp;");
-  replace_all(text, "<", "&lt;");
-  replace_all(text, ">", "&gt;");
-  replace_all(text, "\"", "&quot;");
-  return text;
-}
-
-std::string escaped(const Text& text) {
-  return escaped(text.typeset());
-}
-
 std::string element(const char* tag, const std::string& content) {
   return format("<%s>%s</%s>\n", tag, content.c_str(), tag);
-}
-
-// As data for a script: nothing in it may end the element.
-std::string script_data(const Json& json) {
-  std::string text = json.text();
-  replace_all(text, "<", "\\u003c");
-  return text;
-}
-
-const std::string& file(const std::vector<EmbeddedFile>& files, const std::string& name) {
-  for (const EmbeddedFile& one : files) {
-    if (one.name == name) return one.text;
-  }
-  throw std::logic_error("no file '" + name + "' was compiled in");
 }
 
 // "left:12.3%", of the whole width
@@ -267,25 +233,6 @@ class PageWriter {
   std::size_t plot_count_ = 0;
 };
 
-// The frame with each {{part}} put in.
-std::string filled(const std::string& frame,
-                   const std::vector<std::pair<std::string, std::string>>& parts) {
-  std::string page;
-  std::size_t at = 0;
-  while (true) {
-    const std::size_t open = frame.find("{{", at);
-    page.append(frame, at, open - at);
-    if (open == std::string::npos) return page;
-    const std::size_t close = frame.find("}}", open);
-    const std::string name = frame.substr(open + 2, close - open - 2);
-    const auto part = std::find_if(parts.begin(), parts.end(),
-                                   [&](const auto& one) { return one.first == name; });
-    if (part == parts.end()) throw std::logic_error("no part '" + name + "' for the page");
-    page += part->second;
-    at = close + 2;
-  }
-}
-
 }  // namespace
 
 std::string page(const Document& document) {
@@ -299,16 +246,17 @@ std::string page(const Document& document) {
   }
   body += writer.body();
   if (drawn && writer.plot_count() > 0) body += element("footer", escaped(Text(kHowToRead)));
-  return filled(file(page_files(), "frame"),
-                {
-                    {"subject", escaped(document.subject())},
-                    {"style", (drawn ? file(library, "style") : "") + file(page_files(), "style")},
-                    {"licence", drawn ? file(library, "licence") : ""},
-                    {"library", drawn ? file(library, "script") : ""},
-                    {"data", script_data(writer.plots())},
-                    {"script", drawn ? file(page_files(), "plots") : ""},
-                    {"body", body},
-                });
+  return filled(
+      file_of(page_files(), "frame"),
+      {
+          {"subject", escaped(document.subject())},
+          {"style", (drawn ? file_of(library, "style") : "") + file_of(page_files(), "style")},
+          {"licence", drawn ? file_of(library, "licence") : ""},
+          {"library", drawn ? file_of(library, "script") : ""},
+          {"data", script_data(writer.plots())},
+          {"script", drawn ? file_of(page_files(), "plots") : ""},
+          {"body", body},
+      });
 }
 
 }  // namespace fogcomp::report

@@ -5,6 +5,7 @@
 
 #include "recording/rate_resolution.hpp"
 #include "recording/row_range.hpp"
+#include "support/input_error.hpp"
 
 namespace fogcomp::series {
 namespace {
@@ -60,6 +61,13 @@ model::InputRanges input_ranges_of(const recording::Recording& recording) {
     }
   }
   return ranges;
+}
+
+void require_unmasked(const BlockSeries& series) {
+  const auto& blocks = series.blocks;
+  if (std::any_of(blocks.begin(), blocks.end(), [](const auto& block) { return !block.masked; }))
+    return;
+  throw InputError(series.file, "is masked from end to end; mask less, or leave the run out");
 }
 
 }  // namespace
@@ -118,8 +126,11 @@ BlockSeries make_blocks(const recording::Recording& recording) {
     block.time_s /= samples;
     block.rate_dph /= samples;
     divide(block.means, samples);
+    block.masked = std::any_of(recording.masks.begin(), recording.masks.end(),
+                               [&](const auto& mask) { return mask.hides(block.time_s); });
     block.means.elapsed = earlier + static_cast<double>(block.number) + 1;
   }
+  require_unmasked(series);
   return series;
 }
 

@@ -22,6 +22,7 @@ struct BlockSeries {
     std::uint32_t samples = 0;
     double time_s = 0;    ///< mean of its samples
     double rate_dph = 0;  ///< measured
+    bool masked = false;  ///< its rate counts nowhere; its means do (recording/mask.hpp)
     fog::BlockMeans<model::RealNumbers> means;
   };
   std::vector<Block> blocks;

@@ -96,6 +96,7 @@ RowAverager::RowAverager(const BlockSeries& blocks, double average_s, Rows& rows
 
 std::int32_t RowAverager::take(const BlockSeries::Block& block, const Signals& signals,
                                const double* further) {
+  if (block.masked) return kNoRow;
   const std::int64_t number = block.number / blocks_per_row_;
   if (sums_.empty() || sums_.back().number != number) {
     sums_.emplace_back();

@@ -50,8 +50,9 @@ class RowAverager {
   /// `further`: values per block whose means are wanted beside those of Rows.
   RowAverager(const BlockSeries& blocks, double average_s, Rows& rows, std::size_t further = 0);
 
+  static constexpr std::int32_t kNoRow = -1;
   /// Counts a block, in order of time, with the signals that the board has by then and `further`
-  /// values. Returns its row.
+  /// values. Returns its row; a masked block has none.
   std::int32_t take(const BlockSeries::Block& block,
                     const fog::Signals<model::RealNumbers>& signals,
                     const double* further = nullptr);

@@ -54,7 +54,7 @@ class SignalSeries {
   Eigen::MatrixXd network_inputs(const std::vector<model::RealInput>& inputs) const;
 
  private:
-  static constexpr std::int32_t kNoRow = -1;
+  static constexpr std::int32_t kNoRow = RowAverager::kNoRow;
   using Signals = fog::Signals<model::RealNumbers>;
   // Blocks are what a long recording costs: of each only what cannot be had from the others.
   struct Seen {
@@ -70,7 +70,7 @@ class SignalSeries {
   struct Block {
     Seen seen;
     double elapsed = 0;
-    std::int32_t row = kNoRow;  // none where the board's drift is not valid
+    std::int32_t row = kNoRow;  // none where the board's drift is not valid, or masked
     std::uint32_t samples = 0;
   };
   struct Run {

@@ -5,21 +5,26 @@
 
 namespace fogcomp::workflow {
 
+diagnosis::JudgingRuns judging_runs(const AddRequest& request, const Observer& observer) {
+  return read_judging_runs(model::load_model(request.model), request.runs, request.hold_outs,
+                           request.reading, observer);
+}
+
 fit::Addition add(const AddRequest& request, const Observer& observer) {
+  return add(request, judging_runs(request, observer), observer);
+}
+
+fit::Addition add(const AddRequest& request, const diagnosis::JudgingRuns& runs,
+                  const Observer& observer) {
   model::Model model = model::load_model(request.model);
-  const fit::EffectChange change = request.expression
-                                       ? fit::change_expression(model.terms, *request.expression)
-                                       : fit::change_effects(model.terms, request.effects);
-  const recording::ReadOptions reading = reading_for(model, request.reading, observer);
-  if (!reading.columns.empty()) model.columns = reading.columns;
-  const fit::TrainingRuns training =
-      fit::read_training_runs(request.runs, reading, model.average_s);
-  const fit::Holdouts judges =
-      fit::read_holdouts(request.hold_outs, reading, model.average_s, training.runs);
-  observer.say(training.notes);
-  observer.say(judges.notes);
+  fit::EffectChange change = request.expression
+                                 ? fit::change_expression(model.terms, *request.expression)
+                                 : fit::change_effects(model.terms, request.effects);
+  change.what += mask_words(request.reading);
+  if (!request.reading.columns.empty()) model.columns = request.reading.columns;
+  observer.say(runs.training.notes);
   observer.tell(kTraining, 0);
-  return fit::add_effect(model, change, training, judges.runs,
+  return fit::add_effect(model, change, runs.training, runs.holdouts,
                          {request.run_offsets, request.seed, observer.of_stage(kTraining)});
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/next_step.hpp"
 #include "fit/add_effect.hpp"
 #include "recording/recording.hpp"
 #include "workflow/observer.hpp"
@@ -24,5 +25,9 @@ struct AddRequest {
 /// Whether the effects are worth it is in the outcome, with the refitted model; nothing is written.
 /// Throws InputError as change_effects(), read_holdouts() and add_effect() do.
 fit::Addition add(const AddRequest& request, const Observer& observer = {});
+/// The same with the request's recordings read before, as judging_runs() does.
+fit::Addition add(const AddRequest& request, const diagnosis::JudgingRuns& runs,
+                  const Observer& observer = {});
+diagnosis::JudgingRuns judging_runs(const AddRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

@@ -32,33 +32,52 @@ std::vector<compare::TurnOnBias> turn_on_biases(model::Model model, double row_s
   return fit::turn_on_biases(model, runs);
 }
 
+double row_length_s(const CompareRequest& request, const model::Model& first) {
+  return request.average_s.value_or(first.average_s);
+}
+
 }  // namespace
 
-std::vector<compare::ModelOnRuns> compare(const CompareRequest& request, const Observer& observer) {
-  std::vector<compare::ModelOnRuns> models = load_models(request);
-  const double row_s = request.average_s.value_or(models[0].model.average_s);
-  const recording::ReadOptions reading = reading_for(models[0].model, request.reading, observer);
+std::vector<compare::RunInBlocks> compared_runs(const CompareRequest& request,
+                                                const Observer& observer) {
+  const model::Model first = model::load_model(request.models.at(0));
+  const recording::ReadOptions reading = reading_for(first, request.reading, observer);
   recording::KnownRows known;
   std::vector<compare::RunInBlocks> runs;
   for (std::size_t i = 0; i < request.runs.size(); ++i) {
     const std::string& file = request.runs[i];
     observer.tell("comparing", static_cast<double>(i) / static_cast<double>(request.runs.size()));
-    compare::RunInBlocks run =
-        compare::run_in_blocks(recording::read_recording(file, reading), row_s);
+    compare::RunInBlocks run = compare::run_in_blocks(recording::read_recording(file, reading),
+                                                      row_length_s(request, first));
     const std::string same = known.file_with(run.rows_hashes[0]);
     if (!same.empty()) {
       observer.say({recording::same_rows_words(run.file, same)});
       continue;
     }
     known.add(run.rows_hashes[0], run.file);
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+std::vector<compare::ModelOnRuns> compare(const CompareRequest& request,
+                                          const std::vector<compare::RunInBlocks>& runs,
+                                          const Observer& observer) {
+  std::vector<compare::ModelOnRuns> models = load_models(request);
+  for (const compare::RunInBlocks& run : runs) {
     observer.say(run.notes);
     for (compare::ModelOnRuns& model : models)
       model.runs.push_back(compare::try_model(model.model, run));
-    runs.push_back(std::move(run));
   }
+  const double row_s = row_length_s(request, models[0].model);
   for (compare::ModelOnRuns& model : models)
     model.turn_on = turn_on_biases(model.model, row_s, runs);
   return models;
+}
+
+std::vector<compare::ModelOnRuns> compare(const CompareRequest& request, const Observer& observer) {
+  load_models(request);  // what is wrong with one is said before a recording is read
+  return compare(request, compared_runs(request, observer), observer);
 }
 
 }  // namespace fogcomp::workflow

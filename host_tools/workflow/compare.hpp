@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/model_on_runs.hpp"
+#include "compare/run_in_blocks.hpp"
 #include "recording/recording.hpp"
 #include "workflow/observer.hpp"
 
@@ -23,5 +24,11 @@ struct CompareRequest {
 /// scale factors where reading has none.
 std::vector<compare::ModelOnRuns> compare(const CompareRequest& request,
                                           const Observer& observer = {});
+/// The same with the request's recordings read before, as compared_runs() does.
+std::vector<compare::ModelOnRuns> compare(const CompareRequest& request,
+                                          const std::vector<compare::RunInBlocks>& runs,
+                                          const Observer& observer = {});
+std::vector<compare::RunInBlocks> compared_runs(const CompareRequest& request,
+                                                const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

@@ -31,17 +31,21 @@ void note_rows(const diagnosis::RowLength& rows, const model::Model& model,
 
 }  // namespace
 
+diagnosis::JudgingRuns judging_runs(const DiagnoseRequest& request, const Observer& observer) {
+  return read_judging_runs(model::load_model(request.model), request.runs, request.hold_outs,
+                           request.reading, observer);
+}
+
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer) {
+  return diagnose(request, judging_runs(request, observer), observer);
+}
+
+DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::JudgingRuns& judging,
+                         const Observer& observer) {
   model::Model model = model::load_model(request.model);
   const recording::ReadOptions reading = reading_for(model, request.reading, observer);
   if (!reading.columns.empty()) model.columns = reading.columns;
-  diagnosis::JudgingRuns judging{fit::read_training_runs(request.runs, reading, model.average_s),
-                                 {}};
-  fit::Holdouts holdouts =
-      fit::read_holdouts(request.hold_outs, reading, model.average_s, judging.training.runs);
   observer.say(judging.training.notes);
-  observer.say(holdouts.notes);
-  judging.holdouts = std::move(holdouts.runs);
 
   const diagnosis::RowLength rows = diagnosis::row_length(judging.training.runs);
   auto in_rows = std::make_unique<model::Model>(model);

@@ -33,5 +33,9 @@ struct DiagnoseOutcome {
 /// Throws InputError as DiagnosisData::add(), noise_of_static(), read_holdouts() and walk_ladder()
 /// do. Additions are judged in the model's own rows, as `add` does.
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer = {});
+/// The same with the request's recordings read before, as judging_runs() does.
+DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::JudgingRuns& judging,
+                         const Observer& observer = {});
+diagnosis::JudgingRuns judging_runs(const DiagnoseRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

@@ -9,6 +9,7 @@
 #include "recording/recording_writer.hpp"
 #include "support/text.hpp"
 #include "workflow/fit_presets.hpp"
+#include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {
 namespace {
@@ -81,6 +82,7 @@ void write_history(FitOutcome& outcome, const FitRequest& request, const WantedM
   const double effects_rms_dph = outcome.result.effects_rms_dph;
   std::string fitted = wanted.effects;
   for (const std::string& definition : request.expressions) fitted += ", " + definition;
+  fitted += mask_words(request.reading);
   model.history.push_back({"fit " + fitted, training.data_hash, outcome.result.raw_std_dph,
                            effects_rms_dph, training.noise_floor_dph});
   if (!model.network.present()) return;
@@ -118,14 +120,21 @@ void check(const FitRequest& request) {
   plan_of(request);
 }
 
+fit::TrainingRuns training_runs(const FitRequest& request, const Observer& observer) {
+  return fit::read_training_runs(request.runs, observer.heard(plan_of(request).reading),
+                                 request.average_s);
+}
+
 FitOutcome fit(const FitRequest& request, const Observer& observer) {
+  return fit(request, training_runs(request, observer), observer);
+}
+
+FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Observer& observer) {
   auto [wanted, settings, wanted_terms, reading] = plan_of(request);
   FitOutcome outcome;
   model::Model& model = outcome.model;
   model = std::move(wanted_terms);
   outcome.searched_steps = fit::searches_steps(model.terms);
-  fit::TrainingRuns training =
-      fit::read_training_runs(request.runs, observer.heard(reading), model.average_s);
   observer.say(training.notes);
   observer.say(training.doubts);
   model.noise_dph_rthz = training.noise_dph_rthz;

@@ -8,6 +8,7 @@
 #include "compare/run_in_blocks.hpp"
 #include "fit/fit_model.hpp"
 #include "fit/physical_lags.hpp"
+#include "fit/training_runs.hpp"
 #include "workflow/observer.hpp"
 
 namespace fogcomp::workflow {
@@ -66,5 +67,9 @@ void check(const FitRequest& request);
 /// Effects, then the network on what they leave. Throws InputError for settings that contradict and
 /// for recordings that lack what an effect needs.
 FitOutcome fit(const FitRequest& request, const Observer& observer = {});
+/// The same with the request's recordings read before, as training_runs() does.
+FitOutcome fit(const FitRequest& request, fit::TrainingRuns training,
+               const Observer& observer = {});
+fit::TrainingRuns training_runs(const FitRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

@@ -435,6 +435,16 @@ lot '^--axis: means nothing without --latitude' lot -o results --axis down
 lot "^fogcomp batch: --sample-rate 'fast'" lot -o results --sample-rate fast
 refuses "^effect 'biass': .*did you mean 'bias'" batch lot -o results --effects biass
 
+# Masks, and the page that calculates (a fogcomp without its engine says that first).
+refuses "^--mask '5': is not FROM\.\.TO in seconds" "${fit[@]}" good.csv --mask 5
+refuses "^--mask '9\.\.5': ends before it begins" compare good.model good.csv --mask 9..5
+refuses "^--mask: names other\.csv, which is none of the runs" diagnose good.model good.csv --mask other.csv:5..9
+refuses "^good\.csv: is masked from end to end" add good.model shupe good.csv -o kept --mask 0..1e9
+refuses "has no recording to fit to|built without" workbench good.model -o kept
+refuses "has the name of another file|built without" workbench good.csv ./good.csv -o kept
+refuses "missing\.csv|built without" workbench missing.csv -o kept
+refuses "look swapped: fogcomp workbench good\.model good\.csv" workbench good.csv good.model -o kept
+
 # A header for another layout is refused by the compiler.
 echo "$cases cases, $failures failures"
 ((failures == 0))

@@ -57,6 +57,7 @@ for command in "${commands[@]}"; do
   cp -r files here
   status=0
   (cd here && bash -euo pipefail -c "$example") >said.txt 2>errors.txt || status=$?
+  [[ $command != workbench ]] || ! grep -q "built without" errors.txt || continue # no emscripten here
   ((status <= 1)) || fail "$example: exit code $status, $(cat errors.txt)" # 1: the answer is no
 done
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "cli/command.hpp"
+#include "cli/recording_options.hpp"
+#include "cli/report_option.hpp"
+#include "workflow/diagnose.hpp"
+
+namespace fogcomp::cli {
+
+/// fogcomp diagnose
+struct DiagnoseCommand : Command {
+  Texts expressions{this,
+                    {"effect-expr", "EXPR",
+                     "a candidate of your own beside the catalogue's, e.g. 'burst = T*T*dTdt'"}};
+  Text at_rest{this, {"static", "RUN", "recording at rest: the noise is taken from there"}};
+  Integer<int> max_effects{
+      this, {"max-effects", "N", "add what is proposed, look again, up to N times", "0"}, 0, 12};
+  Text output{this, {"o", "MODEL", "the loop's model, with --max-effects"}};
+  Texts holdouts{this, {"holdout", "RUN", "a run that judges additions; may be repeated"}};
+  Number average{
+      this, {"average", "S", "rows, seconds (default: 10 where it can be)"}, {1e-3, 1e6}};
+  Integer<std::uint64_t> seed{
+      this, {"seed", "N", "of the draws that calibrate the test", "1"}, 0, INT64_MAX};
+  ReportOption report{this};
+  Flag json{this, "json", "one JSON object on stdout"};
+  MaskedRecordingOptions recording{this};
+
+  DiagnoseCommand()
+      : Command("diagnose", {"MODEL RUN...", 2, kAnyNumber},
+                "where and why the model fails: which effect is missing",
+                "fogcomp diagnose gyro.model run.csv --max-effects 4") {}
+  /// What is asked for. Throws InputError for values out of range.
+  workflow::DiagnoseRequest request() const;
+  int run() const override;
+};
+
+}  // namespace fogcomp::cli

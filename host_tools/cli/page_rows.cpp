@@ -1,0 +1,43 @@
+#include "cli/page_rows.hpp"
+
+#include <vector>
+
+#include "recording/columns.hpp"
+#include "recording/fixed_decimal.hpp"
+#include "series/complete_rows.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+std::string csv_of(const recording::Recording& recording) {
+  std::vector<const recording::ColumnInfo*> columns;
+  std::vector<std::string> names;
+  for (const recording::ColumnInfo& info : recording::kColumns) {
+    if (recording[info.column].empty()) continue;
+    columns.push_back(&info);
+    names.emplace_back(info.name);
+  }
+  std::string text = join(names, ",") + "\n";
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    for (const recording::ColumnInfo* info : columns) {
+      char digits[recording::kLongestDecimal];
+      char* const end =
+          recording::print_fixed(recording[info->column][row], info->decimals, digits);
+      text.append(digits, static_cast<std::size_t>(end - digits));
+      text += info == columns.back() ? '\n' : ',';
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+PageRows page_rows(const std::string& path, const recording::ReadOptions& options) {
+  constexpr double kBlock_s = 1;
+  const recording::Recording recording = recording::read_recording(path, options);
+  const series::CompleteRows rows = series::complete_rows(recording, kBlock_s);
+  return {csv_of(rows.means), recording.rows() * recording.rows_per_row, rows.means.rows()};
+}
+
+}  // namespace fogcomp::cli

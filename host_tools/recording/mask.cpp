@@ -1,0 +1,52 @@
+#include "recording/mask.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+bool is_of(const Mask& mask, const std::string& path) {
+  return mask.run.empty() || mask.run == path || mask.run == path.substr(path.rfind('/') + 1);
+}
+
+}  // namespace
+
+Mask parse_mask(const std::string& text) {
+  const auto fail = [&](const std::string& what) {
+    throw InputError("--mask '" + text + "'", what);
+  };
+  const std::size_t colon = text.rfind(':');
+  const std::string times = colon == std::string::npos ? text : text.substr(colon + 1);
+  const std::size_t dots = times.find("..");
+  const auto number = [&](std::size_t first, std::size_t count) {
+    return parse_number(std::string_view(times).substr(first, count));
+  };
+  const auto from = number(0, dots == std::string::npos ? 0 : dots);
+  const auto to = number(dots == std::string::npos ? times.size() : dots + 2, times.size());
+  if (!from || !to) {
+    fail("is not FROM..TO in seconds since power-on, as 3600..7200, nor RUN:FROM..TO");
+  }
+  if (*from > *to) fail("ends before it begins; swap its ends");
+  return {colon == std::string::npos ? "" : text.substr(0, colon), *from, *to};
+}
+
+std::vector<Mask> masks_of(const std::vector<Mask>& masks, const std::string& path) {
+  std::vector<Mask> own;
+  std::copy_if(masks.begin(), masks.end(), std::back_inserter(own),
+               [&](const Mask& mask) { return is_of(mask, path); });
+  return own;
+}
+
+void require_masked_runs(const std::vector<Mask>& masks, const std::vector<std::string>& runs) {
+  for (const Mask& mask : masks) {
+    const bool known = std::any_of(runs.begin(), runs.end(),
+                                   [&](const std::string& run) { return is_of(mask, run); });
+    if (!known) throw InputError("--mask", "names " + mask.run + ", which is none of the runs");
+  }
+}
+
+}  // namespace fogcomp::recording

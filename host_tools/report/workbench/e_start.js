@@ -1,0 +1,357 @@
+// What happens on the page: a change makes a command, the command a state, the state is shown and then
+// diagnosed beside.
+"use strict";
+(async () => {
+  let fitting = null;   // the engine that answers what the reader does
+  let diagnosing = null; // another one, for what takes longer
+  let previewing = null; // and one for the candidate under the mouse
+  let catalogue = [];
+  let run = 0;
+  let variable = "temperature_degc";
+  const columns = ["time_s", "gap_before", "outlier", "branch", "measured_dph", "modelled_dph", "residual_dph",
+                   "temperature_degc", "temperature_rate"];
+
+  const trouble = (what) => {
+    byId("trouble").textContent = what || "";
+    byId("trouble").hidden = !what;
+  };
+  const working = (stage, done) => {
+    byId("working").hidden = stage === null;
+    byId("working").firstElementChild.style.width = `${100 * (done || 0)}%`;
+  };
+
+  const checked = ({ found, values }) => {
+    if (found.error) throw new Error(found.error);
+    return { ...found, values };
+  };
+
+  // A model file that one engine has made, for all.
+  const keep_model = (name, text) => {
+    const bytes = new TextEncoder().encode(text);
+    [fitting, diagnosing, previewing].forEach((engine) => engine.put(name, bytes));
+  };
+
+  const view_of = async (model, masks) => {
+    const inputs = setup.columns || [];
+    const view = checked(await fitting.call(compare_words(model, masks), [...columns, ...inputs]));
+    // What a recording has beside the three columns is known by now.
+    const more = view.runs.flatMap((one) => one.variables.map(({ name }) => name)).filter((name) => ![...columns, ...inputs].includes(name));
+    if (more.length === 0) return view;
+    setup.columns = [...inputs, ...new Set(more)];
+    return view_of(model, masks);
+  };
+
+  // Not before the reader pauses, and not while a change is fitted: that comes first.
+  const diagnose = async (state) => {
+    diagnosing.cancel();
+    await new Promise((done) => setTimeout(done, 300));
+    if (states.now !== state || changing > 0) return;
+    try {
+      state.diagnosis = checked(await diagnosing.call(diagnose_words(state.model, state.masks)));
+    } catch (fault) {
+      if (fault instanceof Cancelled) return;
+      state.trouble = fault.message;
+    }
+    if (states.now === state) show_findings();
+  };
+
+  const show_findings = () => {
+    const state = states.now;
+    show_effects(catalogue, state.view, state.notes || [], state.diagnosis && state.diagnosis.diagnosis, actions);
+    show_diagnosis(state, actions);
+    document.body.dataset.diagnosed = state.diagnosis ? "yes" : "no";
+  };
+
+  const show_runs = (view) => {
+    const group = byId("runs");
+    group.hidden = view.runs.length < 2;
+    group.replaceChildren(...view.runs.map(({ file }, i) => make("button", {
+      type: "button", textContent: file + (setup.holdouts.includes(file) ? " (judges)" : ""), ariaPressed: String(i === run),
+      onclick: () => { run = i; show(); },
+    })));
+    byId("variable").replaceChildren(...view.runs[run].variables.map(({ name, label }) =>
+      make("option", { value: name, textContent: label, selected: name === variable })));
+  };
+
+  const show = () => {
+    const { view } = states.now;
+    run = Math.min(run, view.runs.length - 1);
+    show_runs(view);
+    draw();
+    const [found, ...rest] = view.runs[run].words;
+    byId("found").textContent = found;
+    byId("depends").textContent = rest.join(" ");
+    show_ladder(go);
+    show_findings();
+    byId("commands").textContent = states.commands().map((words) => "$ " + shell_line(words)).join("\n") || `$ ${shell_line(compare_words(states.now.model, states.now.masks))}`;
+    show_masks();
+    const notes = [...(setup.notes || []), ...(states.now.notes || [])];
+    byId("notes").replaceChildren(...notes.map((note) => make("li", { textContent: note })));
+    byId("notes_box").hidden = notes.length === 0;
+    byId("undo").disabled = states.at <= 0;
+    byId("redo").disabled = states.at >= states.list.length - 1;
+    document.body.dataset.state = states.at;
+  };
+
+  const go = (index) => {
+    states.go(index);
+    preview(null, false);
+    trouble("");
+    show();
+    if (!states.now.diagnosis) diagnose(states.now);
+  };
+
+  // One after the other: what comes while another is under way waits for it.
+  let last = Promise.resolve();
+  let changing = 0;
+  const in_turn = (work) => {
+    ++changing;
+    diagnosing.cancel();
+    previewing.cancel();
+    last = last.then(work).catch((fault) => {
+      trouble(fault.message);
+      if (states.now) show();
+    }).then(() => {
+      if (--changing === 0 && states.now && !states.now.diagnosis) diagnose(states.now);
+    });
+    return last;
+  };
+
+  const enter = (state) => {
+    states.push(state);
+    trouble("");
+    show();
+  };
+
+  // `change` makes of the model as it then is what is to be fitted.
+  const fit = (label, change) => in_turn(async () => {
+    const model = states.next_model();
+    const before = states.now ? { effects: effects_of(states.now.view), expressions: expressions_of(states.now.view), masks: states.now.masks }
+      : { effects: ["bias"], expressions: [], masks: [] };
+    const { effects, expressions, masks } = { ...before, ...change(before) };
+    const words = fit_words(effects, expressions, model, masks);
+    const fitted = checked(await fitting.call(words));
+    keep_model(model, fitted.text);
+    enter({ model, words, label, masks, notes: [...fitted.fit.notes, ...fitted.remarks], view: await view_of(model, masks) });
+  });
+
+  const judge = (what, force = false) => in_turn(async () => {
+    const model = states.next_model();
+    const masks = states.now.masks;
+    const words = [...add_words(states.now.model, what, model, masks), ...(force ? ["--force"] : [])];
+    const answer = checked(await fitting.call(words));
+    if (!answer.add.model) {
+      states.now.judged = { good: false, reason: `Not added. ${answer.reason}`, anyway: () => judge(what, true) };
+      show_findings();
+      return;
+    }
+    keep_model(model, answer.text);
+    enter({ model, words, label: `+ ${answer.add.effects.join(", ")}`, masks, judged: { good: answer.add.accepted, reason: answer.reason },
+            notes: [...answer.add.notes, ...answer.remarks], view: await view_of(model, masks) });
+  });
+
+  // The candidate under the mouse over what is left; a change does not wait for it.
+  let wanted = null;
+  const preview = async (effect, on) => {
+    wanted = on ? effect : null;
+    const state = states.now;
+    if (!on) {
+      state.view.values.forEach((values) => { delete values.preview; });
+      byId("candidate").textContent = "";
+      draw();
+      return;
+    }
+    await new Promise((done) => setTimeout(done, 150));
+    if (wanted !== effect || changing > 0) return;
+    state.previews = state.previews || new Map();
+    if (!state.previews.has(effect)) {
+      previewing.cancel();
+      const words = add_words(state.model, { effects: [effect] }, "preview.model", state.masks, "preview");
+      const answer = await previewing.call(words, ["preview"]).catch(() => null);
+      if (!answer) return; // something else is wanted by now
+      state.previews.set(effect, answer);
+    }
+    if (wanted !== effect || states.now !== state) return;
+    const { found, values } = state.previews.get(effect);
+    byId("candidate").textContent = found.error || `with ${effect}: ${significant(found.rms_after_dph)}`;
+    // Files of one run are joined there, and here shown one by one: then there is none to draw.
+    values.forEach((one, i) => {
+      const shown = state.view.values[i];
+      if (one.preview && shown && one.preview.length === shown.time_s.length) shown.preview = one.preview;
+    });
+    draw();
+  };
+
+  const actions = {
+    add: (effect) => fit(`+ ${effect}`, ({ effects }) => ({ effects: [...effects, effect] })),
+    remove: (term) => fit(`− ${term.effect}`, ({ effects, expressions }) => ({
+      effects: effects.filter((words) => effect_name(words) !== term.effect),
+      expressions: expressions.filter((words) => words !== term.words),
+    })),
+    change: (changed) => fit(changed, ({ effects }) => ({
+      effects: effects.map((words) => (effect_name(words) === effect_name(changed) ? changed : words)),
+    })),
+    judge, preview,
+  };
+
+  // Rows of the run in view that are not to count.
+  const draw = () => {
+    const name = name_of_run();
+    const masks = states.now.masks.filter(([of]) => of === name).map(([, from, to]) => [from, to]);
+    draw_run(states.now.view, run, variable, masks, masking() ? select_mask : null);
+  };
+  const name_of_run = () => states.now.view.runs[run].file;
+  const masking = () => byId("mask_mode").ariaPressed === "true";
+  const mask = (from, to) => fit(`mask ${from}..${to} s`, ({ masks }) => ({ masks: [...masks, [name_of_run(), from, to]] }));
+  const select_mask = (u) => {
+    if (u.select.width < 3) return;
+    const [from, to] = [u.select.left, u.select.left + u.select.width].map((x) => Math.round(3600 * u.posToVal(x, "x")));
+    set_masking(false);
+    mask(from, to);
+  };
+  const set_masking = (on) => {
+    byId("mask_mode").ariaPressed = String(on);
+    byId("residual_plot").classList.toggle("masking", on);
+    plots.residual.u.cursor.drag.setScale = !on;
+    draw();
+  };
+  const show_masks = () => byId("masks").replaceChildren(...states.now.masks.map((one) => make("li", {}, make("button", {
+    type: "button", title: "count these rows again", textContent: `${one[0]} ${one[1]}..${one[2]} s ×`,
+    onclick: () => fit(`unmask ${one[1]}..${one[2]} s`, ({ masks }) => ({ masks: masks.filter((other) => other !== one) })),
+  }))));
+  byId("mask_mode").onclick = () => set_masking(!masking());
+  byId("masking").onsubmit = (event) => {
+    event.preventDefault();
+    const [from, to] = ["mask_from", "mask_to"].map((id) => Number(byId(id).value.replace(",", ".") || NaN));
+    if (from < to) mask(from, to);
+    else trouble("Mask: two times in seconds since power-on are needed, the earlier one first");
+  };
+
+  const save = (name, text) => {
+    const link = make("a", { href: URL.createObjectURL(new Blob([text])), download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  };
+  const copy = async (text, button) => {
+    const said = button.textContent;
+    await navigator.clipboard.writeText(text).then(() => { button.textContent = "Copied"; }, () => { trouble(text); });
+    setTimeout(() => { button.textContent = said; }, 1200);
+  };
+
+  byId("undo").onclick = () => go(states.at - 1);
+  byId("redo").onclick = () => go(states.at + 1);
+  byId("variable").onchange = () => { variable = byId("variable").value; draw_variable(states.now.view, run, variable); };
+  byId("save_model").onclick = () => save(states.now.model, states.now.view.text);
+  const save_written = (name, words) => in_turn(async () => save(name, checked(await fitting.call([...words, "-o", name])).text));
+  byId("save_header").onclick = () => save_written("fog_model.h", ["export", states.now.model]);
+  byId("save_rows").onclick = () => save_written("compensated.csv", ["apply", states.now.model, name_of_run(), ...setup.reading]);
+  byId("copy_commands").onclick = () => copy(byId("commands").textContent.replaceAll("$ ", ""), byId("copy_commands"));
+  byId("link").onclick = () => copy(location.href.split("#")[0] + "#" + encodeURIComponent(JSON.stringify(states.commands())), byId("link"));
+  addEventListener("keydown", (event) => {
+    if (event.key === "Escape" && changing > 0) fitting.cancel();
+    if (!(event.ctrlKey || event.metaKey) || event.target.matches("input:not([type])")) return;
+    const key = event.key.toLowerCase();
+    if (key === "z" && !event.shiftKey) byId("undo").click();
+    else if (key === "y" || (key === "z" && event.shiftKey)) byId("redo").click();
+    else return;
+    event.preventDefault();
+  });
+
+  // A formula is read as it is typed.
+  byId("expression").oninput = () => {
+    const text = byId("expression").value.trim();
+    if (!text) { byId("formula_error").textContent = ""; return; }
+    fitting.call(["formula", states.now.model, text]).then(({ found }) => {
+      if (text === byId("expression").value.trim()) byId("formula_error").textContent = found.error || "";
+    }).catch(() => {}); // cancelled with a change
+  };
+  byId("formula").onsubmit = (event) => {
+    event.preventDefault();
+    const text = byId("expression").value.trim();
+    if (text) fit(`+ ${text}`, ({ expressions }) => ({ expressions: [...expressions, text] }));
+  };
+
+  // The commands of a link, in the order in which they were given.
+  const replay = async (commands) => {
+    for (const words of commands) {
+      const model = words[words.indexOf("-o") + 1];
+      const answer = checked(await fitting.call(words));
+      if (!answer.text) throw new Error(answer.reason);
+      keep_model(model, answer.text);
+      states.reserve(model);
+      const masks = masks_from(words);
+      states.push({ model, words, masks, label: words[0] === "fit" ? words[words.indexOf("--effects") + 1] : `+ ${answer.add.effects.join(", ")}`, view: await view_of(model, masks) });
+    }
+    go(states.list.length - 1);
+  };
+
+  const begin = async (module, files) => {
+    fitting = new Engine(module, new Map(files), working, trouble);
+    diagnosing = new Engine(module, new Map(files), () => {}, trouble);
+    previewing = new Engine(module, new Map(files), () => {}, trouble);
+    catalogue = checked(await fitting.call(["effects"])).effects;
+    byId("opening").hidden = true;
+    byId("starting").hidden = true;
+    byId("bench").hidden = false;
+    byId("link").disabled = false;
+    await in_turn(async () => {
+      if (location.hash.length > 1) return replay(JSON.parse(decodeURIComponent(location.hash.slice(1))));
+      if (setup.model) enter({ model: setup.model, label: setup.model, masks: [], view: await view_of(setup.model, []) });
+    });
+    if (!states.now) await fit("bias", () => ({}));
+  };
+
+  // Without recordings in the page, the reader brings them.
+  const ask_for_files = (module) => {
+    const form = byId("opening");
+    const files = new Map();
+    const judges = new Set();
+    byId("starting").hidden = true;
+    form.hidden = false;
+    const engine = new Engine(module, files, working, trouble);
+    const list = async () => {
+      const reading = byId("reading").value.trim();
+      setup.reading = reading ? reading.match(/'[^']*'|"[^"]*"|\S+/g).map((word) => word.replace(/^(['"])(.*)\1$/, "$2")) : [];
+      const rows = [];
+      let good = files.size > judges.size;
+      for (const name of files.keys()) {
+        const { found } = await engine.call(["info", name, ...setup.reading]);
+        if (found.error) good = false;
+        const use = make("select", { ariaLabel: `use of ${name}`, onchange: () => { if (use.value === "judges") judges.add(name); else judges.delete(name); list(); } },
+          make("option", { value: "fit", textContent: "fit to it" }), make("option", { value: "judges", textContent: "judge by it", selected: judges.has(name) }));
+        rows.push(make("li", {}, make("strong", { textContent: name }), use,
+          make("p", { textContent: found.error || [`${found.rows} rows, every ${significant(found.period_s)} s.`, ...found.remarks].join(" ") })));
+      }
+      byId("dropped").replaceChildren(...rows);
+      byId("begin").disabled = !good;
+    };
+    const take = async (chosen) => {
+      for (const file of chosen) {
+        engine.put(file.name, new Uint8Array(await file.arrayBuffer()));
+      }
+      await list();
+    };
+    byId("chosen").onchange = () => take(byId("chosen").files);
+    byId("reading").onchange = list;
+    document.body.ondragover = (event) => { event.preventDefault(); form.classList.add("over"); };
+    document.body.ondragleave = () => form.classList.remove("over");
+    document.body.ondrop = (event) => { event.preventDefault(); form.classList.remove("over"); if (!form.hidden) take(event.dataTransfer.files); };
+    form.onsubmit = (event) => {
+      event.preventDefault();
+      setup.runs = [...files.keys()].filter((name) => !judges.has(name));
+      setup.holdouts = [...judges];
+      begin(module, files);
+    };
+  };
+
+  try {
+    byId("starting").hidden = false;
+    const module = await compile_engine();
+    const files = [...document.querySelectorAll("script[data-file]")].map((script) => [script.dataset.file, bytes_of(script.textContent)]);
+    if (setup.runs.length > 0) await begin(module, files);
+    else ask_for_files(module);
+  } catch (fault) {
+    byId("starting").hidden = true;
+    trouble(`This page cannot calculate here: ${fault.message}. It needs a browser of 2023 or later.`);
+  }
+})();

@@ -1,0 +1,100 @@
+#include "workbench/model_json.hpp"
+
+#include "findings/text.hpp"
+#include "model/catalogue.hpp"
+#include "model/model_file.hpp"
+#include "model/shape_limits.hpp"
+
+namespace fogcomp::workbench {
+namespace {
+
+std::string unit_of(const std::string& unit) {
+  return findings::words(unit).typeset();
+}
+
+Json parameters_json(const model::EffectTerm& term, const model::TermInfo& info) {
+  Json parameters = Json::array();
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    const model::TermInfo::Parameter& parameter = info.parameters[i];
+    Json one = Json::object();
+    one.set("name", parameter.name).set("unit", unit_of(parameter.unit));
+    one.set("value", term.parameters[i]).set("sigma", term.parameter_sigma[i]);
+    one.set("identified", static_cast<bool>(term.identified[i]));
+    one.set("left_out", model::is_left_at_zero(term, i));
+    one.set("min", parameter.bounds.least).set("max", parameter.bounds.most);
+    one.set("whole", parameter.scale == fog::Scale::whole);
+    one.set("logarithmic", parameter.scale == fog::Scale::logarithmic);
+    parameters.push(std::move(one));
+  }
+  return parameters;
+}
+
+// As `fit --effects` takes the term: its name, what was given of its shape, and what is identified
+// though it need not be.
+std::string effect_words(const model::EffectTerm& term) {
+  if (term.expression) return term.name + " = " + term.expression->expression.text;
+  std::string words = term.name;
+  const model::CatalogueEntry& entry = model::find_effect(term.name);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    const fog::ParameterDescription& parameter = entry.parameters[i];
+    if (model::is_reference(parameter)) continue;
+    const bool by_itself = parameter.not_given == fog::NotGiven::identified;
+    const bool is_default = term.parameters[i] == parameter.default_milli / 1000.0;
+    if (term.identified[i]) {
+      if (!by_itself) words += std::string(":") + parameter.name + "=?";
+    } else if (by_itself || !is_default) {
+      words += std::string(":") + parameter.name + "=" + Json(term.parameters[i]).text();
+    }
+  }
+  return words;
+}
+
+Json coefficients_json(const model::EffectTerm& term, const model::TermInfo& info) {
+  Json coefficients = Json::array();
+  for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
+    const fog::CoefficientDescription& description = info.coefficients[i];
+    coefficients.push(Json::object()
+                          .set("symbol", description.symbol)
+                          .set("unit", unit_of(description.unit))
+                          .set("value", model::natural_coefficient(term, i))
+                          .set("sigma", model::in_natural_unit(term.sigma_dph[i], description)));
+  }
+  return coefficients;
+}
+
+Json history_json(const std::vector<model::HistoryEntry>& history) {
+  return json_array(history, [](const model::HistoryEntry& entry) {
+    Json one = Json::object();
+    one.set("action", entry.action).set("forced", entry.forced);
+    one.set("rms_before_dph", entry.rms_before_dph).set("rms_after_dph", entry.rms_after_dph);
+    one.set("noise_floor_dph", entry.noise_floor_dph);
+    one.set("holdout_before_dph", entry.holdout ? Json(entry.holdout->rms_before_dph) : Json());
+    one.set("holdout_after_dph", entry.holdout ? Json(entry.holdout->rms_after_dph) : Json());
+    return one;
+  });
+}
+
+}  // namespace
+
+Json terms_json(const model::Model& model) {
+  return json_array(model.terms, [](const model::EffectTerm& term) {
+    const model::TermInfo info = model::info_of(term);
+    Json one = Json::object();
+    one.set("effect", term.name).set("title", info.title).set("equation", info.equation);
+    one.set("words", effect_words(term)).set("is_expression", term.expression.has_value());
+    one.set("parameters", parameters_json(term, info));
+    one.set("coefficients", coefficients_json(term, info));
+    one.set("doubt", model::coefficient_doubt(term));
+    return one;
+  });
+}
+
+Json model_json(const model::Model& model) {
+  Json json = Json::object();
+  json.set("text", model::model_text(model)).set("terms", terms_json(model));
+  json.set("network", model.network.present()).set("history", history_json(model.history));
+  json.set("residual_rms_dph", model.residual_rms_dph);
+  return json;
+}
+
+}  // namespace fogcomp::workbench

@@ -1,0 +1,334 @@
+#include "workbench/session.hpp"
+
+#include <algorithm>
+#include <new>
+
+#include "cli/add_command.hpp"
+#include "cli/arguments.hpp"
+#include "cli/compare_command.hpp"
+#include "cli/diagnose_command.hpp"
+#include "cli/effects_text.hpp"
+#include "cli/fit_command.hpp"
+#include "compare/branches.hpp"
+#include "findings/compare_words.hpp"
+#include "findings/diagnosis_words.hpp"
+#include "findings/json.hpp"
+#include "findings/labels.hpp"
+#include "model/input_value.hpp"
+#include "model/model_file.hpp"
+#include "support/input_error.hpp"
+#include "support/output_file.hpp"
+#include "support/text.hpp"
+#include "workbench/model_json.hpp"
+#include "workflow/info.hpp"
+
+namespace fogcomp::workbench {
+namespace {
+
+template <class Command>
+void parse_words(Command& command, const std::vector<std::string>& words) {
+  cli::parse(command, {words.begin() + 1, words.end()});
+}
+
+// Words that name a set of recordings and how they are read.
+std::string key_of(const std::vector<std::vector<std::string>>& parts) {
+  std::string key;
+  for (const std::vector<std::string>& part : parts) key += join(part, "\n") + "\n\n";
+  return key;
+}
+
+// Rows of one length, read as a model has it.
+std::vector<std::string> rows_of(const model::Model& model) {
+  return {format("%a", model.average_s), model.columns, format("%a", model.scale_factor)};
+}
+
+const char* name_of(recording::SegmentKind kind) {
+  switch (kind) {
+    case recording::SegmentKind::ramp_up:
+      return "heating";
+    case recording::SegmentKind::ramp_down:
+      return "cooling";
+    case recording::SegmentKind::soak:
+      break;
+  }
+  return "soak";
+}
+
+Json segments_json(const compare::Comparison& comparison) {
+  return json_array(comparison.segments, [](const compare::Comparison::SegmentError& segment) {
+    return Json::object()
+        .set("name", segment.name)
+        .set("kind", name_of(segment.kind))
+        .set("start_s", segment.start_s)
+        .set("end_s", segment.end_s);
+  });
+}
+
+// What the residual can be drawn over, with the words of its axis.
+Json variables_json(const compare::Comparison& comparison) {
+  Json variables = Json::array();
+  const auto push = [&](const char* name, const findings::Text& label) {
+    variables.push(Json::object().set("name", name).set("label", label.typeset()));
+  };
+  push("temperature_degc", findings::words("temperature, degC"));
+  push("temperature_rate", findings::words("temperature rate, degC/min"));
+  push("time_s", findings::words("time since power-on, s"));
+  for (const compare::Comparison::VaryingInput& input : comparison.inputs) {
+    push(description_of(input.input).name, findings::input_label(input.input));
+  }
+  return variables;
+}
+
+std::string sentence_of(const std::string& words) {
+  return findings::words(words).sentence();
+}
+
+// What `compare` says of a run, a sentence each.
+Json words_json(const compare::ModelOnRun& run, const model::Model& model) {
+  std::vector<std::string> words{findings::error_words(run.comparison),
+                                 findings::structure_words(run)};
+  for (const std::string& remark : findings::remarks(run)) words.push_back(remark);
+  for (const std::string& warning : findings::range_warnings(run.comparison, model)) {
+    words.push_back(warning);
+  }
+  words.erase(std::remove(words.begin(), words.end(), ""), words.end());
+  return json_array(words, sentence_of);
+}
+
+std::vector<double> numbers_of(const std::vector<compare::Branch>& branches) {
+  std::vector<double> numbers;
+  for (const compare::Branch branch : branches) numbers.push_back(static_cast<double>(branch));
+  return numbers;
+}
+
+std::vector<double> gaps_of(const series::Rows& rows) {
+  std::vector<double> gaps(rows.time_s.size());
+  for (const recording::RowRange& stretch : rows.stretches()) gaps[stretch.first] = 1;
+  return gaps;
+}
+
+}  // namespace
+
+std::string Session::answer(const std::vector<std::string>& words) {
+  static const std::map<std::string, Json (Session::*)(const Words&)> kCommands{
+      {"fit", &Session::fit},         {"add", &Session::add},
+      {"compare", &Session::compare}, {"diagnose", &Session::diagnose},
+      {"preview", &Session::preview}, {"formula", &Session::formula},
+      {"info", &Session::info},       {"apply", &Session::written},
+      {"export", &Session::written}};
+  notes_.clear();
+  const auto error = [](const std::string& what) {
+    return Json::object().set("error", displayable(what)).text();
+  };
+  try {
+    if (words.empty()) throw InputError("fogcomp", "no command");
+    if (words[0] == "effects") return effects().text();
+    const auto command = kCommands.find(words[0]);
+    if (command == kCommands.end())
+      throw InputError("fogcomp", "no command '" + words[0] + "' here");
+    Json found = (this->*command->second)(words);
+    return found.set("remarks", notes_).text();
+  } catch (const InputError& wrong) {
+    return error(wrong.what());
+  } catch (const std::bad_alloc&) {
+    return error("out of memory; use a shorter recording, or the command line");
+  } catch (const std::exception& fault) {
+    return error(std::string("internal error: ") + fault.what());
+  }
+}
+
+const std::vector<double>* Session::column(std::size_t run, const std::string& name) const {
+  if (run >= columns_.size()) return nullptr;
+  const auto found = columns_[run].find(name);
+  return found == columns_[run].end() ? nullptr : &found->second;
+}
+
+Json Session::effects() const {
+  const auto& catalogue = model::catalogue();
+  return Json::object().set("effects", json_array(catalogue, cli::effect_json));
+}
+
+Json Session::info(const Words& words) {
+  struct InfoCall : cli::Command {
+    cli::RecordingOptions recording{this};
+    InfoCall() : Command("info", {"RUN", 1, 1}, "", "") {}
+    int run() const override { return 0; }
+  } call;
+  parse_words(call, words);
+  const workflow::InfoOutcome found =
+      workflow::info({call.arguments[0], call.recording.value(), std::nullopt}, observer());
+  return findings::info_json(found.recording, found.summary);
+}
+
+Json Session::fit(const Words& words) {
+  cli::FitCommand call;
+  parse_words(call, words);
+  const workflow::FitRequest request = call.request();
+  workflow::check(request);
+  const std::string key = key_of({{"fit", format("%a", request.average_s)},
+                                  request.runs,
+                                  call.recording.given_words(),
+                                  call.fit.limits.given_words()});
+  auto known = judging_.find(key);
+  if (known == judging_.end()) {
+    known =
+        judging_
+            .emplace(key, diagnosis::JudgingRuns{workflow::training_runs(request, observer()), {}})
+            .first;
+  }
+  const workflow::FitOutcome found = workflow::fit(request, known->second.training, observer());
+  model::save_model(found.model, call.output.value());
+  return model_json(found.model).set("fit", findings::fit_json(found, call.output.value()));
+}
+
+Json Session::add(const Words& words) {
+  cli::AddCommand call;
+  parse_words(call, words);
+  const workflow::AddRequest request = call.request();
+  const fit::Addition found =
+      workflow::add(request, judging_runs(request, call.recording.given_words()), observer());
+  const bool written = found.accepted || call.force.given();
+  if (written) model::save_model(found.model, call.output.value());
+  const std::string name = written ? call.output.value() : "";
+  Json answer = written ? model_json(found.model) : Json::object();
+  answer.set("reason", sentence_of(found.reason));
+  return std::move(answer.set("add", findings::add_json(found, name)));
+}
+
+Json Session::compare(const Words& words) {
+  cli::CompareCommand call;
+  parse_words(call, words);
+  const workflow::CompareRequest request = call.request();
+  const model::Model first = model::load_model(request.models[0]);
+  const std::string key = key_of({request.runs, call.recording.given_words(), rows_of(first)});
+  auto known = compared_.find(key);
+  if (known == compared_.end()) {
+    known = compared_.emplace(key, workflow::compared_runs(request, observer())).first;
+  }
+  const std::vector<compare::ModelOnRuns> judged =
+      workflow::compare(request, known->second, observer());
+  keep_columns(judged[0]);
+  Json runs = json_array(judged[0].runs, [&](const compare::ModelOnRun& run) {
+    return Json::object()
+        .set("file", run.comparison.file)
+        .set("words", words_json(run, judged[0].model))
+        .set("segments", segments_json(run.comparison))
+        .set("variables", variables_json(run.comparison));
+  });
+  Json answer = model_json(judged[0].model);
+  answer.set("runs", std::move(runs)).set("compare", findings::compare_json(judged));
+  return answer;
+}
+
+void Session::keep_columns(const compare::ModelOnRuns& model) {
+  columns_.clear();
+  for (const compare::ModelOnRun& run : model.runs) {
+    const compare::Comparison& comparison = run.comparison;
+    std::map<std::string, std::vector<double>>& columns = columns_.emplace_back();
+    columns["time_s"] = comparison.rows.time_s;
+    columns["temperature_degc"] = comparison.rows.temperatures_degc();
+    columns["temperature_rate"] = comparison.rows.temperature_rates_degc_per_min();
+    columns["measured_dph"] = comparison.measured_dph();
+    columns["modelled_dph"] = {comparison.modelled_dph.begin(), comparison.modelled_dph.end()};
+    columns["residual_dph"] = comparison.residuals_dph();
+    columns["outlier"] = {comparison.outlier.begin(), comparison.outlier.end()};
+    columns["branch"] = numbers_of(compare::branches(columns["temperature_degc"]));
+    columns["gap_before"] = gaps_of(comparison.rows);
+    for (const compare::Comparison::VaryingInput& input : comparison.inputs) {
+      columns[description_of(input.input).name] = input.values;
+    }
+  }
+}
+
+Json Session::diagnose(const Words& words) {
+  cli::DiagnoseCommand call;
+  parse_words(call, words);
+  const workflow::DiagnoseRequest request = call.request();
+  const workflow::DiagnoseOutcome found =
+      workflow::diagnose(request, judging_runs(request, call.recording.given_words()), observer());
+  const findings::DiagnosedFiles files{request.model, found.runs, request.hold_outs,
+                                       call.recording.given_words(), ""};
+  const diagnosis::Ladder& ladder = found.ladder;
+  const findings::DiagnosisWords said = findings::words_of(ladder.first, ladder.next, files);
+  Json sentences = Json::object();
+  sentences.set("verdict", sentence_of(said.verdict)).set("certainty", sentence_of(said.certainty));
+  sentences.set("findings", json_array(said.findings, sentence_of))
+      .set("next", sentence_of(said.next));
+  sentences.set("limits", json_array(said.limits, sentence_of));
+  // What `add` is to be told, as words.
+  Json next = Json();
+  if (ladder.next.addition && ladder.next.addition->accepted) {
+    const diagnosis::AdditionRequest& request_to_add = ladder.next.addition->request;
+    next = Json::object()
+               .set("effects", request_to_add.effects)
+               .set("expression", request_to_add.expression)
+               .set("describes", ladder.next.describes);
+  }
+  return Json::object()
+      .set("diagnosis", findings::diagnosis_json(ladder.first, ladder.next, files))
+      .set("words", std::move(sentences))
+      .set("add", std::move(next));
+}
+
+Json Session::preview(const Words& words) {
+  cli::AddCommand call;
+  parse_words(call, words);
+  const workflow::AddRequest request = call.request();
+  const diagnosis::JudgingRuns& runs = judging_runs(request, call.recording.given_words());
+  const model::Model model = model::load_model(request.model);
+  const fit::EffectChange change = request.expression
+                                       ? fit::change_expression(model.terms, *request.expression)
+                                       : fit::change_effects(model.terms, request.effects);
+  model::Model with = model;
+  with.terms = change.terms;
+  series::SignalSeries series(with);
+  for (const compare::RunInBlocks& run : runs.training.runs) series.add(run.blocks);
+  fit::FitSettings physics_alone;
+  physics_alone.network.hidden = 0;
+  const fit::FitResult found = fit::fit_model(with, series, physics_alone);
+  columns_.resize(std::max(columns_.size(), runs.training.runs.size()));
+  for (std::size_t i = 0; i < runs.training.runs.size(); ++i) {
+    const compare::RunInBlocks& run = runs.training.runs[i];
+    const Eigen::VectorXd brought = compare::compare_with(with, run).modelled_dph -
+                                    compare::compare_with(model, run).modelled_dph;
+    columns_[i]["preview"] = {brought.begin(), brought.end()};
+  }
+  return Json::object()
+      .set("rms_before_dph", model.residual_rms_dph)
+      .set("rms_after_dph", with.residual_rms_dph)
+      .set("terms", terms_json(with))
+      .set("notes", found.identified.warnings);
+}
+
+Json Session::formula(const Words& words) {
+  if (words.size() != 3) throw InputError("formula", "takes a model and `NAME = EXPRESSION`");
+  fit::change_expression(model::load_model(words[1]).terms, words[2]);
+  return Json::object();
+}
+
+Json Session::written(const Words& words) {
+  const cli::CommandPointer command =
+      words[0] == "apply" ? cli::apply_command() : cli::export_command();
+  parse_words(*command, words);
+  command->run();
+  return Json::object().set("text", read_file(command->find_option("o")->text()));
+}
+
+template <class Request>
+const diagnosis::JudgingRuns& Session::judging_runs(const Request& request, const Words& reading) {
+  const std::string key =
+      key_of({request.runs, request.hold_outs, reading, rows_of(model::load_model(request.model))});
+  auto known = judging_.find(key);
+  if (known == judging_.end()) {
+    known = judging_.emplace(key, workflow::judging_runs(request, observer())).first;
+  }
+  return known->second;
+}
+
+// Keeps what is said, for the answer, and passes on how far the work is.
+workflow::Observer Session::observer() {
+  const auto keep = [this](const std::string& line) { notes_.push_back(line); };
+  return {keep, keep, observer_.progress};
+}
+
+}  // namespace fogcomp::workbench

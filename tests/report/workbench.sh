@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# workbench.sh FOGCOMP [SHOTS]: the workbench's page in Chromium, with a mouse and a keyboard: the README's loop, a random
+# session whose commands make the same model in a shell, masked rows, hostile names, an engine that stops, 60,000
+# rows, a narrow window. Screenshots go to the folder SHOTS.
+set -euo pipefail
+fogcomp=$(realpath "${1:?usage: workbench.sh FOGCOMP [SHOTS]}")
+shots=${2:+$(realpath "$2")}
+here=$(realpath "$(dirname "$0")")
+example=$here/../../docs/examples/mems_chamber.csv
+for program in chromium node; do
+  command -v $program >/dev/null || { echo "skipped: no $program here"; exit 77; }
+done
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+if ! "$fogcomp" workbench -o empty.html >said.txt 2>&1; then
+  grep -q "built without" said.txt || { cat said.txt >&2; exit 1; }
+  echo "skipped: $(cat said.txt)"
+  exit 77
+fi
+
+cp "$example" mems.csv
+"$fogcomp" fit mems.csv -o cubic.model --effects bias,bias_temperature:order=3 >/dev/null
+"$fogcomp" workbench cubic.model mems.csv -o loop.html >/dev/null
+"$fogcomp" simulate -o run.csv >/dev/null
+"$fogcomp" simulate -o other.csv --profile reversed --seed 2 >/dev/null
+"$fogcomp" workbench run.csv --holdout other.csv -o session.html >/dev/null
+hostile='<img src=x onerror=document.title="gone">.csv'
+awk -F, -v OFS=, '/^time_s/ { print "time_s", "temperature_degc", "<b>rate</b> [deg/h]"; next } 1' mems.csv >"$hostile"
+"$fogcomp" workbench "$hostile" -o hostile.html --columns 'rate=<b>rate</b> [deg/h]' >/dev/null
+"$fogcomp" simulate -o fast.csv --rate 5 >/dev/null # 297,750 rows: the page has their means over 1 s
+for page in *.html; do
+  (($(stat -c %s $page) < 2500000)) || { echo "$page is $(stat -c %s $page) bytes" >&2; exit 1; }
+done
+
+"$fogcomp" workbench fast.csv -o long.html >/dev/null 2>note.txt
+grep -q "has 297750 rows, of which the page has the 59550 means over 1 s" note.txt
+
+node "$here/workbench.mjs" chromium "$shots"
+
+# The commands that the session's page shows, in a shell.
+mkdir shell
+cp run.csv other.csv shell
+[[ -s commands.txt ]] || { echo "the page shows no commands" >&2; exit 1; }
+(cd shell && PATH=$(dirname "$fogcomp"):$PATH bash -euo pipefail ../commands.txt >said.txt)
+node "$here/compare_models.mjs" page.model "shell/$(sed -n '$ s/.* -o \([^ ]*\).*/\1/p' commands.txt)"

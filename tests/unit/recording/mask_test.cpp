@@ -1,0 +1,62 @@
+// Masks: what they are typed as, for which files they are, and that what they hide counts nowhere
+// but in the temperature's history.
+
+#include "recording/mask.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/input_error.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+std::string refusal(const std::string& text) {
+  try {
+    parse_mask(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Mask, IsTypedAsTwoTimesAndPerhapsARun) {
+  const Mask all = parse_mask("3600..7200.5");
+  EXPECT_EQ(all.run, "");
+  EXPECT_EQ(all.from_s, 3600);
+  EXPECT_EQ(all.to_s, 7200.5);
+  const Mask one = parse_mask("a:b.csv:-10..0");
+  EXPECT_EQ(one.run, "a:b.csv");
+  EXPECT_EQ(one.from_s, -10);
+}
+
+TEST(Mask, ThatIsNoneIsRefusedWithAnExample) {
+  for (const char* text :
+       {"", "..", "1..", "..2", "1-2", "1..2..3", "run.csv", "a..b", "run.csv:"}) {
+    EXPECT_NE(refusal(text).find("as 3600..7200"), std::string::npos)
+        << text << ": " << refusal(text);
+  }
+  EXPECT_NE(refusal("2..1").find("ends before it begins"), std::string::npos);
+}
+
+TEST(Mask, IsForTheFilesThatItNames) {
+  const std::vector<Mask> masks{parse_mask("1..2"), parse_mask("run.csv:3..4"),
+                                parse_mask("a/run.csv:5..6")};
+  EXPECT_EQ(masks_of(masks, "a/run.csv").size(), 3U);
+  EXPECT_EQ(masks_of(masks, "b/run.csv").size(), 2U);
+  EXPECT_EQ(masks_of(masks, "other.csv").size(), 1U);
+  EXPECT_NO_THROW(require_masked_runs(masks, {"a/run.csv"}));
+  EXPECT_THROW(require_masked_runs(masks, {"b/run.csv"}), InputError);
+}
+
+TEST(Mask, HidesBothEnds) {
+  const Mask mask = parse_mask("1..2");
+  EXPECT_TRUE(mask.hides(1));
+  EXPECT_TRUE(mask.hides(2));
+  EXPECT_FALSE(mask.hides(0.999));
+  EXPECT_FALSE(mask.hides(2.001));
+}
+
+}  // namespace
+}  // namespace fogcomp::recording

@@ -1,0 +1,191 @@
+// What a page of the workbench asks for is what the commands do: the same models to the byte, the
+// same words.
+
+#include "workbench/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "model/model_file.hpp"
+#include "support/output_file.hpp"
+#include "support/text.hpp"
+#include "unit/recording/temporary_file.hpp"
+
+namespace fogcomp::workbench {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// A gyro that follows the temperature and its rate, in rows of 10 s.
+class Workbench : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    write_run("run.csv", 0.7);
+    write_run("other.csv", 0.8);
+  }
+
+  static std::string path(const std::string& name) { return recording::temporary_path(name); }
+
+  static void write_run(const std::string& name, double swing) {
+    std::ofstream file(path(name));
+    file << "time_s,temperature_degc,rate_dph\n";
+    std::uint32_t draw = 12345;
+    for (int row = 0; row < 1500; ++row) {
+      const double phase = swing * row / 100.0;
+      draw = draw * 1664525U + 1013904223U;
+      const double noise = draw / 4294967296.0 - 0.5;
+      const double rate = 0.5 + 0.01 * std::sin(phase) + 0.2 * std::cos(phase) + 0.02 * noise;
+      file << format("%d,%.5f,%.6f\n", 10 * row, 20 + 30 * std::sin(phase), rate);
+    }
+  }
+
+  // By the shell's command.
+  static void run(const std::string& name, const Words& words) {
+    const cli::CommandPointer command = cli::find_command(name);
+    cli::parse(*command, words);
+    testing::internal::CaptureStdout();
+    command->run();
+    testing::internal::GetCapturedStdout();
+  }
+
+  std::string ask(const Words& words) { return session_.answer(words); }
+  static bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  }
+
+  Session session_;
+};
+
+TEST_F(Workbench, FitsTheModelThatTheCommandFits) {
+  const Words what{path("run.csv"), "--effects", "bias,bias_temperature:order=2", "-o"};
+  Words shell = what;
+  shell.push_back(path("shell.model"));
+  run("fit", shell);
+  Words page{"fit"};
+  page.insert(page.end(), what.begin(), what.end());
+  page.push_back(path("page.model"));
+  for (int time = 0; time < 2; ++time) {  // the second one with rows that are there
+    const std::string answer = ask(page);
+    EXPECT_FALSE(holds(answer, "\"error\"")) << answer;
+    EXPECT_EQ(read_file(path("page.model")), read_file(path("shell.model")));
+  }
+}
+
+TEST_F(Workbench, AddsWhatTheCommandAddsAndSaysWhyNot) {
+  run("fit", {path("run.csv"), "--effects", "bias", "-o", path("base.model")});
+  const Words more{path("base.model"), "temperature_rate", path("run.csv"),
+                   "--holdout",        path("other.csv"),  "-o"};
+  Words shell = more;
+  shell.push_back(path("shell2.model"));
+  run("add", shell);
+  Words page{"add"};
+  page.insert(page.end(), more.begin(), more.end());
+  page.push_back(path("page2.model"));
+  EXPECT_TRUE(holds(ask(page), "\"accepted\":true"));
+  EXPECT_EQ(read_file(path("page2.model")), read_file(path("shell2.model")));
+  const std::string refused =
+      ask({"add", path("page2.model"), "aging", path("run.csv"), "-o", path("none.model")});
+  EXPECT_TRUE(holds(refused, "\"accepted\":false")) << refused;
+}
+
+TEST_F(Workbench, ComparesWithAColumnForEveryPlot) {
+  run("fit", {path("run.csv"), "--effects", "bias", "-o", path("plot.model")});
+  const std::string answer =
+      ask({"compare", path("plot.model"), path("run.csv"), path("other.csv")});
+  EXPECT_TRUE(holds(answer, "\"found\"") || holds(answer, "\"words\"")) << answer;
+  for (std::size_t run = 0; run < 2; ++run) {
+    for (const char* name : {"time_s", "measured_dph", "modelled_dph", "residual_dph", "branch",
+                             "temperature_degc", "temperature_rate", "outlier", "gap_before"}) {
+      const std::vector<double>* const column = session_.column(run, name);
+      ASSERT_NE(column, nullptr) << name;
+      EXPECT_EQ(column->size(), 1500U) << name;
+    }
+  }
+  EXPECT_EQ(session_.column(2, "time_s"), nullptr);
+  EXPECT_EQ(session_.column(0, "magnetic"), nullptr);
+}
+
+TEST_F(Workbench, DiagnosesInWordsAndSaysWhatToAdd) {
+  run("fit", {path("run.csv"), "--effects", "bias", "-o", path("ask.model")});
+  const std::string answer = ask({"diagnose", path("ask.model"), path("run.csv")});
+  EXPECT_TRUE(holds(answer, "\"verdict\":\"Missing effect: temperature_rate")) << answer;
+  EXPECT_TRUE(holds(answer, "\"add\":{\"effects\":[\"temperature_rate\"]")) << answer;
+}
+
+TEST_F(Workbench, PreviewsACandidateOverTheRowsOfTheLastComparison) {
+  run("fit", {path("run.csv"), "--effects", "bias", "-o", path("hover.model")});
+  ask({"compare", path("hover.model"), path("run.csv")});
+  const std::string answer = ask({"preview", path("hover.model"), "temperature_rate",
+                                  path("run.csv"), "-o", path("hovered.model")});
+  EXPECT_FALSE(holds(answer, "\"error\"")) << answer;
+  const std::vector<double>* const preview = session_.column(0, "preview");
+  ASSERT_NE(preview, nullptr);
+  EXPECT_EQ(preview->size(), session_.column(0, "time_s")->size());
+  EXPECT_GT(*std::max_element(preview->begin(), preview->end()), 0.1);
+}
+
+// The words with which `fit` makes the model's terms anew.
+TEST_F(Workbench, NamesTheTermsAsFitTakesThem) {
+  const std::string list = "bias,bias_temperature:order=3,thermal_lag:tau=600";
+  const std::string answer =
+      ask({"fit", path("run.csv"), "--effects", list, "-o", path("terms.model")});
+  for (const std::string& words : split(list, ',')) {
+    EXPECT_TRUE(holds(answer, "\"words\":\"" + words + "\"")) << answer;
+  }
+}
+
+TEST_F(Workbench, AppliesAndExportsAsTheCommandsDo) {
+  run("fit", {path("run.csv"), "--effects", "bias", "-o", path("out.model")});
+  run("apply", {path("out.model"), path("run.csv"), "-o", path("shell.csv")});
+  run("export", {path("out.model"), "-o", path("shell.h")});
+  testing::internal::CaptureStdout();
+  const std::string series =
+      ask({"apply", path("out.model"), path("run.csv"), "-o", path("page.csv")});
+  const std::string header = ask({"export", path("out.model"), "-o", path("page.h")});
+  testing::internal::GetCapturedStdout();
+  EXPECT_EQ(series, Json::object()
+                        .set("text", read_file(path("shell.csv")))
+                        .set("remarks", Json::array())
+                        .text());
+  EXPECT_EQ(
+      header,
+      Json::object().set("text", read_file(path("shell.h"))).set("remarks", Json::array()).text());
+}
+
+TEST_F(Workbench, AnswersWhatIsWrongInOneLine) {
+  EXPECT_EQ(ask({}), "{\"error\":\"fogcomp: no command\"}");
+  EXPECT_TRUE(holds(ask({"flash", "x"}), "no command 'flash' here"));
+  EXPECT_TRUE(holds(ask({"fit", path("run.csv"), "--effects", "temprate", "-o", path("x.model")}),
+                    "\"error\":\""));
+  EXPECT_TRUE(holds(ask({"compare", path("missing.model"), path("run.csv")}), "\"error\":\""));
+  run("fit", {path("run.csv"), "--effects", "bias", "-o", path("formula.model")});
+  EXPECT_TRUE(holds(ask({"formula", path("formula.model"), "x = T*T*"}), "column 9"));
+  EXPECT_EQ(ask({"formula", path("formula.model"), "x = T*T*dTdt"}), "{\"remarks\":[]}");
+}
+
+TEST_F(Workbench, LeavesMaskedRowsOutAsTheCommandDoes) {
+  const Words what{path("run.csv"), "--effects",  "bias,temperature_rate",
+                   "--mask",        "3000..6000", "-o"};
+  Words shell = what;
+  shell.push_back(path("masked_shell.model"));
+  run("fit", shell);
+  Words page{"fit"};
+  page.insert(page.end(), what.begin(), what.end());
+  page.push_back(path("masked.model"));
+  ask(page);
+  EXPECT_EQ(read_file(path("masked.model")), read_file(path("masked_shell.model")));
+  ask({"compare", path("masked.model"), path("run.csv"), "--mask", "3000..6000"});
+  for (const double time_s : *session_.column(0, "time_s")) {
+    EXPECT_TRUE(time_s < 3000 || time_s > 6000);
+  }
+  EXPECT_EQ(session_.column(0, "time_s")->size(), 1500U - 301U);
+}
+
+}  // namespace
+}  // namespace fogcomp::workbench
