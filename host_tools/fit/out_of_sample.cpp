@@ -149,7 +149,8 @@ std::vector<model::EffectTerm> shapes_kept(std::vector<model::EffectTerm> terms,
 struct Residuals {
   Eigen::VectorXd before;
   Eigen::VectorXd after;
-  std::vector<Fold> added;  // of the set `after`, one for each part left out
+  std::vector<Fold> given;  // of the set `before`, one for each part left out
+  std::vector<Fold> added;  // of the set `after`
 };
 
 Residuals leave_each_out(const series::SignalSeries& series,
@@ -157,7 +158,7 @@ Residuals leave_each_out(const series::SignalSeries& series,
                          const std::vector<model::EffectTerm>& after,
                          const std::vector<Part>& parts, const JudgedWith& with) {
   Residuals residuals{
-      Eigen::VectorXd(series.rows().size()), Eigen::VectorXd(series.rows().size()), {}};
+      Eigen::VectorXd(series.rows().size()), Eigen::VectorXd(series.rows().size()), {}, {}};
   for (const Part& part : parts) {
     Fold without = leave_out(series, before, part, with);
     Fold added = leave_out(series, after, part, with);
@@ -165,6 +166,7 @@ Residuals leave_each_out(const series::SignalSeries& series,
       segment(residuals.before, range) = segment(without.residual_dph, range);
       segment(residuals.after, range) = segment(added.residual_dph, range);
     }
+    residuals.given.push_back(std::move(without));
     residuals.added.push_back(std::move(added));
   }
   return residuals;
@@ -185,6 +187,19 @@ bool tell_terms(const std::vector<Fold>& folds, const series::SignalSeries& seri
     first += count;
   }
   return true;
+}
+
+// A part without which even the effects that are given cannot be told, as a warm-up without the
+// start of its run, says nothing of those that are added: its rows do not count, unless that leaves
+// none.
+Eigen::VectorXd weights_of_judged(const std::vector<Fold>& given, const std::vector<Part>& parts,
+                                  const Fold& all, const Eigen::VectorXd& row_weights) {
+  Eigen::VectorXd weights = row_weights;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (tells_all(given[i], all)) continue;
+    for (const recording::RowRange& range : parts[i]) segment(weights, range).setZero();
+  }
+  return weights.any() ? weights : row_weights;
 }
 
 Eigen::VectorXd residual_on(const model::Model& model,
@@ -246,7 +261,9 @@ OutOfSample cross_validate(const series::SignalSeries& series,
   const std::vector<Part> parts =
       parts_of(rows, stretches_of(rows, fitted_residual(series, after), with.noise));
   const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
-  OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
+  const Fold all = leave_out(series, fixed_before, {}, with);
+  OutOfSample result = judge(rows, left.before, left.after, with.noise,
+                             weights_of_judged(left.given, parts, all, with.row_weights));
   result.how = how_of(parts, rows);
   result.within_runs = true;
   return result;

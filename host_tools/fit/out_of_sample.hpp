@@ -53,9 +53,10 @@ struct JudgedWith {
 
 /// Leaves every run out once where there are three or more and the others determine all effects,
 /// the changed ones not much worse than all runs do. Else stretches of time, three times as long as
-/// noise or residual go together (but 10 to 50 in all), every fifth of them at once. `before`,
-/// `after`: identified on all of `series`; shapes stay as they are but for those of after[i], i in
-/// `changed`, which are searched anew without the data left out, as are all coefficients.
+/// noise or residual go together (but 10 to 50 in all), every fifth of them at once; those without
+/// which not even `before` is determined do not count. `before`, `after`: identified on all of
+/// `series`; shapes stay as they are but for those of after[i], i in `changed`, which are searched
+/// anew without the data left out, as are all coefficients.
 OutOfSample cross_validate(const series::SignalSeries& series,
                            const std::vector<model::EffectTerm>& before,
                            const std::vector<model::EffectTerm>& after,

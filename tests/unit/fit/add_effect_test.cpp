@@ -165,6 +165,18 @@ TEST(AddEffect, TellsWhatTheHalvesOfTheRunsSay) {
   }
 }
 
+// All of the warm-up is in the first of the stretches that are left out in turn: what the others
+// say of it is nothing, and says nothing of another effect.
+TEST(AddEffect, IsNotJudgedWhereTheModelItselfCannotBeTold) {
+  Model warming = truth();
+  warming.terms[2].coefficients_dph = {0.3};
+  warming.terms.push_back(fog::test::natural_term("warm_up", {300}, {0.5}));
+  const Addition result =
+      add("bias,bias_temperature:order=3,warm_up:tau=300", "temperature_rate", warming, {1});
+  EXPECT_TRUE(result.accepted) << result.reason;
+  EXPECT_LT(result.out_of_sample->rms_before_dph, 0.2) << result.reason;
+}
+
 TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
   Model model = incomplete("bias,bias_temperature:order=3");
   model.network = paper_like_model().network;
