@@ -17,7 +17,8 @@ namespace {
 class Tables : public testing::Test {
  protected:
   Tables() {
-    std::string folder = "/tmp/fogcomp_tables_XXXXXX";
+    std::string folder =
+        (std::filesystem::temp_directory_path() / "fogcomp_tables_XXXXXX").string();
     folder_ = mkdtemp(folder.data());
   }
   ~Tables() override { std::filesystem::remove_all(folder_); }

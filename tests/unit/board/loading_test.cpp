@@ -132,7 +132,8 @@ class Board {
 class LoadTable : public testing::Test {
  protected:
   LoadTable() {
-    std::string folder = "/tmp/fogcomp_loading_XXXXXX";
+    std::string folder =
+        (std::filesystem::temp_directory_path() / "fogcomp_loading_XXXXXX").string();
     folder_ = mkdtemp(folder.data());
     path_ = folder_ + "/port";
     board_ = std::make_unique<Board>(path_);
