@@ -34,10 +34,10 @@ void walk_blocks(const BlockSeries& series, const fog::BlockMeans<model::RealNum
     const fog::BlockMeans<model::RealNumbers>& means = means_of(i);
     const auto missing = static_cast<std::uint32_t>(std::min(block.number - before - 1, too_many));
     before = block.number;
-    if (bridge.aim(means, missing)) {
+    if (bridge.bridge_to(means, missing)) {
       model.see_rate(means.input_rate);
       visit(block);
-      while (bridge.left() > 0) model.step(bridge.next());
+      while (bridge.remaining() > 0) model.step(bridge.next());
     } else {
       model.start(means);
       bridge.start(means);

@@ -21,8 +21,8 @@ std::vector<double> bridged(const BlockSeries& series, std::size_t first, std::s
   std::vector<double> values{series.blocks[first].means.temperature};
   for (std::size_t i = first + 1; i < end; ++i) {
     const std::int64_t missing = series.blocks[i].number - series.blocks[i - 1].number - 1;
-    bridge.aim(series.blocks[i].means, static_cast<std::uint32_t>(missing));
-    while (bridge.left() > 0) values.push_back(bridge.next().temperature);
+    bridge.bridge_to(series.blocks[i].means, static_cast<std::uint32_t>(missing));
+    while (bridge.remaining() > 0) values.push_back(bridge.next().temperature);
   }
   return values;
 }

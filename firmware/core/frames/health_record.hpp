@@ -8,7 +8,7 @@
 
 namespace fog {
 
-/// The words of a health record, in the order in which they are sent.
+/// Words of a health record in their order in the frame.
 enum class HealthWord : std::uint8_t {
   model,            ///< CRC-32 of the model file that the weights come from
   image,            ///< the seal of the image, by which it is known: no two images have the same
@@ -28,7 +28,7 @@ enum class HealthWord : std::uint8_t {
   count = serial + 4
 };
 
-/// What is counted of the samples: words of the record.
+/// Counters of samples: words of the record.
 struct SampleCounts {
   std::uint32_t samples = 0;
   std::uint32_t invalid_rates = 0;
@@ -46,7 +46,7 @@ struct SampleCounts {
   }
 };
 
-/// What a board knows about itself (SPEC.md, "Health record").
+/// State of a board for diagnosis (SPEC.md, "Health record").
 struct HealthRecord {
   bool image_intact = false;     ///< at the start; what is found later ends in a restart
   bool memory_good = false;      ///< likewise
@@ -65,8 +65,8 @@ using HealthResponse = std::array<std::uint8_t, kHealthResponseBytes>;
 
 HealthResponse encode_health_response(const HealthRecord& record);
 
-/// Reads kHealthResponseBytes bytes; false, with nothing changed, unless sync, layout and CRC are
-/// right, all other flags are 0, and serial number and reset cause end.
+/// Reads kHealthResponseBytes bytes. Returns false, and changes nothing, unless sync, layout and
+/// CRC are right, all other flags are 0, and serial number and reset cause are terminated.
 bool decode_health_response(const std::uint8_t* bytes, HealthRecord& record);
 
 }  // namespace fog

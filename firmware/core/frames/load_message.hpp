@@ -6,8 +6,8 @@
 
 namespace fog {
 
-// How a model table gets into a slot of a board over its command port (SPEC.md, "Loading a table"):
-// a message, its answer, the next message.
+// Protocol that writes a model table into a slot of a board through its command port (SPEC.md,
+// "Loading a table"): each message is answered before the next one is sent.
 
 enum class LoadStep : std::uint8_t {
   begin,  ///< the first words of the slot: whether the rest may come; erases
@@ -15,7 +15,7 @@ enum class LoadStep : std::uint8_t {
   end,    ///< all have come: verifies them, and makes them a slot
 };
 
-/// Why a board refuses a step. Numbers up to other_board are those of ModelError.
+/// Reasons for which a board refuses a step. Numbers up to other_board are those of ModelError.
 enum class LoadRefusal : std::uint8_t {
   none,
   not_a_model,
@@ -40,7 +40,7 @@ struct LoadMessage {
   std::array<std::uint32_t, kMaxLoadWords> words{};
 };
 
-/// Bits of `at` of a begin.
+/// Bits of `at` in a `begin` message.
 constexpr std::uint32_t kMayBeAnotherGyro = 1;
 
 struct LoadAnswer {
@@ -54,17 +54,17 @@ constexpr std::size_t kMaxLoadBytes = kLoadHeaderBytes + 4 * kMaxLoadWords + 4;
 constexpr std::size_t kLoadAnswerBytes = 12;
 using LoadAnswerBytes = std::array<std::uint8_t, kLoadAnswerBytes>;
 
-/// Writes a message to `out`, room for kMaxLoadBytes, and returns its size in bytes.
+/// Writes a message to `out`, at least kMaxLoadBytes, and returns its size in bytes.
 std::size_t encode_load_message(const LoadMessage& message, std::uint8_t* out);
 
 LoadAnswerBytes encode_load_answer(const LoadAnswer& answer);
 
-/// Reads kLoadAnswerBytes bytes; false, with nothing changed, unless sync, numbers and CRC are
-/// right.
+/// Reads kLoadAnswerBytes bytes. Returns false, and changes nothing, unless sync, numbers and CRC
+/// are right.
 bool decode_load_answer(const std::uint8_t* bytes, LoadAnswer& answer);
 
-/// Finds messages in what comes in. After damage it may miss the next one: whoever gets no answer
-/// sends it again.
+/// Finds messages in a byte stream. After damage it may miss the next one: a sender that gets no
+/// answer repeats the message.
 class LoadParser {
  public:
   /// Whether this byte completes a message with a right CRC.

@@ -7,7 +7,7 @@
 
 namespace fog {
 
-/// What the pipeline makes of one sensor sample.
+/// Result of the pipeline for one sensor sample.
 struct OutputSample {
   std::uint16_t sequence = 0;  ///< of the sensor sample that caused it
   Rate compensated{};          ///< measured - drift, undelayed

@@ -4,7 +4,7 @@
 
 namespace fog {
 
-/// What is known against a sample. The bits are part of the compact frame (SPEC.md, "Status
+/// Faults and conditions of a sample. The bits are part of the compact frame (SPEC.md, "Status
 /// flags"): add at the end, never move one.
 enum class Status : std::uint32_t {
   none = 0,
@@ -54,17 +54,18 @@ constexpr Status status_if(bool condition, Status flag) {
   return condition ? flag : Status::none;
 }
 
-/// Any of these, and no rate is valid, whatever the model says of other flags.
+/// With any of these no rate is valid, whatever flags the model selects.
 constexpr Status kRateInvalid = Status::gyro_invalid | Status::rate_out_of_range |
                                 Status::gyro_stuck | Status::drift_given_up |
                                 Status::model_refused | Status::rate_jump |
                                 Status::self_test_failed | Status::sample_rate | Status::no_samples;
 
-/// Any of these, and the denoised rate must not be used.
+/// With any of these the denoised rate is not valid.
 constexpr Status kDenoisedInvalid =
     kRateInvalid | Status::denoised_invalid | Status::denoised_refused;
 
-/// What a model may choose, beside kRateInvalid, to make a rate not valid (SPEC.md, "Validity").
+/// Flags that a model may select, beside kRateInvalid, to make a rate invalid (SPEC.md,
+/// "Validity").
 constexpr Status kMayInvalidate =
     Status::sequence_gap | Status::temperature_invalid | Status::temperature_clamped |
     Status::drift_held | Status::thermal_settling | Status::denoiser_filling |

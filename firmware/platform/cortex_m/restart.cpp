@@ -19,7 +19,7 @@ void restart(hal::ResetCause cause, const hal::CrashRecord& crash) {
   system_control_block().application_interrupt_and_reset.write(
       SystemControlBlock::kResetKeyAndRequest);
   asm volatile("dsb" ::: "memory");
-  for (;;) {  // the reset takes a few cycles to arrive
+  for (;;) {  // the reset takes effect after a few cycles
   }
 }
 

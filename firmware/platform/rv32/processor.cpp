@@ -9,11 +9,11 @@
 namespace fog::platform {
 namespace {
 
-constexpr std::uint32_t kCrashed = 3;  // as the bulk image exits on a board
+constexpr std::uint32_t kCrashed = 3;  // exit code of the bulk image, as on a board
 
 }  // namespace
 
-/// Says what happened and ends the emulator: what runs here runs for a test.
+/// Reports the exception and ends the emulator.
 extern "C" [[noreturn]] void fog_report_trap() {
   std::uint32_t cause;
   std::uint32_t program_counter;
@@ -27,8 +27,8 @@ extern "C" [[noreturn]] void fog_report_trap() {
 
 namespace {
 
-// Nothing returns from here, so nothing on the stack is needed any more. Aligned, because the low
-// bits of mtvec are its mode.
+// Never returns, so the old stack is not needed. Aligned, because the low bits of mtvec are its
+// mode.
 [[gnu::naked, gnu::aligned(4)]] void trap_entry() {
   asm volatile(
       "la sp, fog_stack_top\n"

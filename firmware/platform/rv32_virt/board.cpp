@@ -13,7 +13,7 @@ const hal::ResetReport& hal::reset_report() {
 
 namespace platform {
 
-// Nothing to start: the bulk image has no lines, no tick and no watchdog.
+// Nothing to start: the bulk image uses no serial lines, tick or watchdog.
 void start_board() {}
 
 BoardDescription describe_board() {

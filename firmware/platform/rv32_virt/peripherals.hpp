@@ -7,7 +7,7 @@
 // The devices of QEMU's virt machine that the bulk image uses (hw/riscv/virt.c).
 namespace fog::platform {
 
-/// A 16550: its registers are bytes, of which the emulated one needs no set-up.
+/// A 16550 with byte registers; the emulated one needs no set-up.
 struct ByteUart {
   volatile std::uint8_t data;
 };

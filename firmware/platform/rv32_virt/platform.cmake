@@ -1,1 +1,1 @@
-# A processor to replay on: no lines, no watchdog, nothing to choose.
+# A processor for replays: no serial lines, no watchdog, no variants.

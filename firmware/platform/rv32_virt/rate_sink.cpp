@@ -4,7 +4,7 @@
 
 namespace fog::hal {
 
-// The emulated UART takes a byte at any time. The machine has one: the output stream of the bulk
+// The emulated UART accepts a byte at any time. It is the only one: the output stream of the bulk
 // image goes to a file.
 void write_console(const char* text) {
   for (; *text != '\0'; ++text) {

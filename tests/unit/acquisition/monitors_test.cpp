@@ -508,7 +508,7 @@ class TemperatureConfirmationTest : public testing::Test {
 
 TEST_F(TemperatureConfirmationTest, FirstReadingsAreConfirmedByHalfASecondThatAgrees) {
   send(0, 99);
-  EXPECT_EQ(send(20), Use::good_anew);
+  EXPECT_EQ(send(20), Use::good_new_history);
   EXPECT_EQ(send(20, 99), Use::good);
   EXPECT_FALSE(monitor_.confirmed());
   EXPECT_EQ(send(22), Use::good);
@@ -532,7 +532,7 @@ TEST_F(TemperatureConfirmationTest, NothingIsConfirmedByThePowerOnReadingOrByNon
 TEST_F(TemperatureConfirmationTest, WhatIsAcceptedAfterAJumpIsGoodAnew) {
   send(20, kSecond);
   EXPECT_EQ(send(30, 8 * kSecond - 1), Use::none);
-  EXPECT_EQ(send(30), Use::good_anew);
+  EXPECT_EQ(send(30), Use::good_new_history);
   EXPECT_EQ(send(30), Use::good);
   EXPECT_EQ(send(60), Use::none);
   EXPECT_EQ(send(30.5), Use::good) << "a spike leaves no trace";
@@ -552,7 +552,7 @@ TEST_F(TemperatureConfirmationTest, WhatMovesAgainAfterItWasFrozenIsGoodAnew) {
   for (int i = 0; i < 60; ++i) send(reading += 1.0 / 16, kSecond);
   EXPECT_EQ(send(reading, 119 * kSecond), Use::good);
   EXPECT_EQ(send(reading, 2 * kSecond), Use::none);
-  EXPECT_EQ(send(reading + 0.5), Use::good_anew);
+  EXPECT_EQ(send(reading + 0.5), Use::good_new_history);
   EXPECT_EQ(send(reading + 0.5), Use::good);
 }
 

@@ -143,7 +143,7 @@ TEST(ClockTree, TriesOtherSpeedsUntilTheLineIsUnderstood) {
 TEST(Interrupts, NoneIsLeftEnabledOrPending) {
   Stm32F405Model board({}, Stm32Start::boot_loader);
   EXPECT_FALSE(board.enabled_interrupts().empty());
-  fog::platform::quiet_interrupts();
+  fog::platform::disable_all_interrupts();
   EXPECT_TRUE(board.enabled_interrupts().empty());
   EXPECT_TRUE(board.pending_interrupts().empty());
 }
