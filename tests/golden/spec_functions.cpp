@@ -259,6 +259,19 @@ void print_sequence() {
   }
 }
 
+// Samples at the rate of the table, then 3 % too fast, then right again, then far too slow.
+void print_sample_rate() {
+  fog::SampleRateMonitor monitor(5000);
+  std::uint32_t us = 0;
+  for (int i = 0; i < 400; ++i) {
+    us += i < 120 ? 250'000 : i < 200 ? 242'500 : i < 330 ? 250'500 : 400'000;
+    const std::uint32_t elapsed = i % 60 == 59 ? 0 : 50;
+    const bool known = i % 150 != 149;
+    const auto status = static_cast<std::uint32_t>(monitor.judge(elapsed, {known, us / 1000}));
+    line("sample_rate", {elapsed, known ? std::int64_t{us / 1000} : -1}, {status});
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -279,7 +292,8 @@ int main() {
       "# reading x valid elapsed -> flags, use (0 none, 1 good, 2 good anew), confirmed: the "
       "coil's, period 200000.\n"
       "# sequence number ms -> without a clock flags, missing, late; with it the same; period "
-      "5000.");
+      "5000.\n"
+      "# sample_rate elapsed ms (-1: unknown) -> flag; elapsed 0: a late sample; period 5000.");
   constexpr int kBlocks = 24;
   Random random;
   print_rounding(random);
@@ -295,5 +309,6 @@ int main() {
   print_denoiser("denoise_heursure_soft", fog::ThresholdRule::heursure, fog::ThresholdMode::soft);
   print_monitors();
   print_sequence();
+  print_sample_rate();
   return 0;
 }
