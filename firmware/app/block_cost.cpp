@@ -21,9 +21,9 @@ using Means = BlockMeans<BoardNumbers>;
 
 Means block_at(std::uint32_t index, const ThermalParameters<BoardNumbers>& thermal) {
   const auto i = static_cast<std::int32_t>(index);
-  const std::int32_t step = (thermal.most - thermal.least).raw() / static_cast<int>(kBlocks);
+  const std::int32_t step = (thermal.max - thermal.min).raw() / static_cast<int>(kBlocks);
   Means means;
-  means.temperature = Temperature::from_raw(thermal.least.raw() + i * step);
+  means.temperature = Temperature::from_raw(thermal.min.raw() + i * step);
   means.input_rate = Rate::from_raw(15 * 1024 + i);
   means.elapsed = Elapsed::from_raw(i);
   for (ExtensionValue& value : means.extension) value = ExtensionValue::from_raw(50000 + 1000 * i);
@@ -42,18 +42,18 @@ class Ticks {
   void add(std::uint32_t ticks) {
     sum_ += ticks;
     ++count_;
-    if (ticks > most_) most_ = ticks;
+    if (ticks > max_) max_ = ticks;
   }
   void print(const char* name) const {
     platform::TextLine line;
-    line.text(name).text(": mean ").decimal(sum_ / count_).text(" most ").decimal(most_);
+    line.text(name).text(": mean ").decimal(sum_ / count_).text(" max ").decimal(max_);
     hal::write_console(line.text(" ticks\r\n").c_str());
   }
 
  private:
   std::uint32_t sum_ = 0;
   std::uint32_t count_ = 0;
-  std::uint32_t most_ = 0;
+  std::uint32_t max_ = 0;
 };
 
 ScaledInputs inputs_at(std::uint32_t index) {

@@ -32,12 +32,12 @@ class OutputFile {
  public:
   explicit OutputFile(semihosting::File file) : file_(file) {}
 
-  /// Where the next output goes; room for kMostOutputBytes of it.
+  /// Where the next output goes; room for kMaxOutputBytes of it.
   std::uint8_t* end() { return &bytes_[size_]; }
 
   void extend(std::size_t count) {
     size_ += count;
-    if (size_ + kMostOutputBytes > bytes_.size()) flush();
+    if (size_ + kMaxOutputBytes > bytes_.size()) flush();
   }
 
   void flush() {
@@ -88,7 +88,7 @@ void run() {
   if (announce_crash(hal::reset_report().last_crash)) {
     give_up("bulk replay: crashed\r\n", kCrashed);
   }
-  pipeline().image_proof() = ImageProof::not_needed();  // nobody flies a replay
+  pipeline().integrity_token() = IntegrityToken::not_needed();  // nobody flies a replay
   const semihosting::File input = semihosting::open("in.bin", semihosting::Mode::kRead);
   if (input == semihosting::kNoFile) give_up("bulk replay: no in.bin here\r\n", kNoInput);
   const semihosting::File output = semihosting::open("out.bin", semihosting::Mode::kWrite);

@@ -71,7 +71,7 @@ SampleTime sample_time() {
   return {hal::clock_is_accurate(), hal::milliseconds()};
 }
 
-using Frames = std::array<std::uint8_t, kMostOutputBytes>;
+using Frames = std::array<std::uint8_t, kMaxOutputBytes>;
 
 void send(const Frames& frames, std::size_t size) {
   if (sends_frames()) hal::write_output_stream(frames.data(), size);
@@ -116,7 +116,7 @@ SilenceClock silence_from_now() {
   return SilenceClock(model().parameters.acquisition.sample_period_us, hal::milliseconds());
 }
 
-constexpr std::uint32_t kMostFaults = 5;
+constexpr std::uint32_t kMaxFaults = 5;
 constexpr std::uint32_t kGoodRunMs = 60'000;
 
 // A board that fails again and again, however it is restarted, does no more than say that nothing
@@ -137,7 +137,7 @@ void start() {
   platform::start_board();
   hal::kick_watchdog();
   const hal::ResetReport& reset = hal::reset_report();
-  if (reset.counts.faults >= kMostFaults) answer_without_samples();
+  if (reset.counts.faults >= kMaxFaults) answer_without_samples();
   self_test().run_all();
   hal::kick_watchdog();
   announce(platform::describe_board(), reset);

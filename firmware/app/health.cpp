@@ -70,7 +70,7 @@ KvhSettings kvh_settings() {
 void answer_kvh_command(std::uint8_t byte) {
   if constexpr (kKvhCommands) {
     if (!answers_kvh_commands()) return;
-    std::array<std::uint8_t, KvhCommands::kMostAnswer> answer;
+    std::array<std::uint8_t, KvhCommands::kMaxAnswer> answer;
     const std::size_t size = kvh_commands().feed(byte, answer.data());
     if (size > 0) hal::write_output_stream(answer.data(), size);
   }

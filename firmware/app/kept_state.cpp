@@ -17,7 +17,7 @@ using KeptTime = std::uint64_t;
 constexpr std::size_t kTimeWords = kHasLastingClock ? sizeof(KeptTime) / sizeof(std::uint32_t) : 0;
 constexpr KeptTime kUnknown = ~KeptTime{0};
 
-[[gnu::section(".noinit")]] KeptWords<Pipeline::kMostStateWords + kTimeWords> kept;
+[[gnu::section(".noinit")]] KeptWords<Pipeline::kMaxStateWords + kTimeWords> kept;
 
 KeptTime lasting_ms() {
   const hal::LastingTime now = hal::lasting_time();

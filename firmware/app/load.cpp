@@ -30,7 +30,7 @@ ModelFlash flash;
 std::uint32_t heard_ms = 0;  // when the last message came
 
 SlotLoader<ModelFlash>& loader() {
-  static SlotLoader<ModelFlash> instance(flash, model().load_target(), Pipeline::room);
+  static SlotLoader<ModelFlash> instance(flash, model().load_target(), Pipeline::capacity);
   return instance;
 }
 

@@ -26,10 +26,10 @@ class ModelTable {
   using Sealed = SealedScan<sealed_parts>::Parts;
 
   /// Takes it apart; the error is why there is none.
-  ModelError read(const ModelShape& room, ModelParameters& parameters) {
+  ModelError read(const ModelShape& capacity, ModelParameters& parameters) {
     const auto memories = hal::model_memories();
     choice_ = choose_slot(
-        {{{memories[0].words, memories[0].size}, {memories[1].words, memories[1].size}}}, room,
+        {{{memories[0].words, memories[0].size}, {memories[1].words, memories[1].size}}}, capacity,
         hal::processor_number(), parameters);
     return choice_.error;
   }
@@ -84,12 +84,12 @@ class ModelTable {
   static constexpr std::size_t sealed_parts = 2;
   using Sealed = SealedScan<sealed_parts>::Parts;
 
-  ModelError read(const ModelShape& room, ModelParameters& parameters) {
-    const ModelError error = read_model({fog_model, FOG_MODEL_WORDS}, room, parameters);
+  ModelError read(const ModelShape& capacity, ModelParameters& parameters) {
+    const ModelError error = read_model({fog_model, FOG_MODEL_WORDS}, capacity, parameters);
     if constexpr (FOG_MODEL_BOUND != 0) {
       if (error == ModelError::none &&
           is_bound_elsewhere(&fog_model[kProcessorAt], hal::processor_number())) {
-        read_model({}, room, parameters);  // none
+        read_model({}, capacity, parameters);  // none
         return ModelError::other_board;
       }
     }

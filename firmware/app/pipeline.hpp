@@ -24,7 +24,7 @@ using Pipeline =
 
 /// The image's weights, checked once, and sealed: they are in RAM, and must not change any more.
 struct Model : ModelTable {
-  Model() : error(read(Pipeline::room, parameters)) {
+  Model() : error(read(Pipeline::capacity, parameters)) {
     seal = seal_of(crc32(bytes().data, bytes().size - seal.size(), kIntactImage));
   }
 
@@ -50,14 +50,14 @@ inline const Model& model() {
 /// than the stack. No rate is valid before the self-test has seen the image.
 inline Pipeline& pipeline() {
   static Pipeline instance(model().parameters,
-                           SelfTest::new_proof(model().parameters.acquisition.sample_period_us));
+                           SelfTest::new_token(model().parameters.acquisition.sample_period_us));
   return instance;
 }
 
 inline SelfTest& self_test() {
   static SelfTest instance(model().bytes(), model(),
                            model().parameters.acquisition.sample_period_us,
-                           pipeline().image_proof());
+                           pipeline().integrity_token());
   return instance;
 }
 

@@ -11,10 +11,10 @@
 #include "platform/shared/semihosting.hpp"
 #include "platform/text_line.hpp"
 
-// What in.bin costs the product, as instructions: mean and most of the bytes that complete a sample
-// (all stages, frames, health and self-test; without the line itself), and of any kSensorFrameBytes
-// bytes in a row, which is what comes in the time of a sample, frames or not. For QEMU's
-// netduinoplus2 with `-icount shift=0,sleep=off` (tests/target/sample_cost.sh).
+// What in.bin costs the product, as instructions: mean and maximum of the bytes that complete a
+// sample (all stages, frames, health and self-test; without the line itself), and of any
+// kSensorFrameBytes bytes in a row, which is what comes in the time of a sample, frames or not. For
+// QEMU's netduinoplus2 with `-icount shift=0,sleep=off` (tests/target/sample_cost.sh).
 namespace fog::app {
 namespace {
 
@@ -25,19 +25,19 @@ class Cost {
   void add(std::uint32_t ticks) {
     total_ += ticks;
     ++count_;
-    if (ticks > most_) most_ = ticks;
+    if (ticks > max_) max_ = ticks;
   }
   void report(const char* what) const {
     platform::TextLine line;
     line.text(what).text(": count ").decimal(count_).text(" mean ");
     line.decimal(count_ > 0 ? static_cast<std::uint32_t>(total_ / count_) : 0);
-    hal::write_console(line.text(" most ").decimal(most_).text("\r\n").c_str());
+    hal::write_console(line.text(" max ").decimal(max_).text("\r\n").c_str());
   }
 
  private:
   std::uint64_t total_ = 0;
   std::uint32_t count_ = 0;
-  std::uint32_t most_ = 0;
+  std::uint32_t max_ = 0;
 };
 
 std::array<std::uint8_t, 16384> chunk;
@@ -53,7 +53,7 @@ SampleTime time_of_byte() {
 }
 
 [[gnu::noinline]] bool answer(Pipeline& pipeline, std::uint8_t byte) {
-  std::array<std::uint8_t, kMostOutputBytes> frames;
+  std::array<std::uint8_t, kMaxOutputBytes> frames;
   ++bytes_so_far;
   const auto as_sent = [](const SensorSample& sample) -> const SensorSample& { return sample; };
   if (pipeline.feed(byte, frames.data(), as_sent, time_of_byte) == 0) return false;

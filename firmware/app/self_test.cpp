@@ -50,14 +50,14 @@ std::uint32_t seal_of_image() {
 }
 
 SelfTest::SelfTest(Span<const std::uint8_t> constants, const ModelTable& table,
-                   std::uint32_t sample_period_us, ImageProof& proof)
+                   std::uint32_t sample_period_us, IntegrityToken& token)
     : sealed_(table.sealed(image(), constants)),
       memory_(ram()),
-      proof_(proof),
+      token_(token),
       bytes_a_step_(sealed_.size() / samples_in(kImagePassUs, sample_period_us) + 1) {}
 
-ImageProof SelfTest::new_proof(std::uint32_t sample_period_us) {
-  return ImageProof(samples_in(kProofUs, sample_period_us));
+IntegrityToken SelfTest::new_token(std::uint32_t sample_period_us) {
+  return IntegrityToken(samples_in(kProofUs, sample_period_us));
 }
 
 void SelfTest::run_all() {
@@ -68,7 +68,7 @@ void SelfTest::run_all() {
   volatile std::uint32_t crc = kImageCrcStart;
   sealed_.step(sealed_.size(), crc);
   start_crc_ = crc;
-  if (memory_good_) proof_.give(crc, crc);
+  if (memory_good_) token_.publish(crc, crc);
 }
 
 // The CRC is volatile, so that each use of it loads it anew: one flipped bit can make one of them
@@ -82,7 +82,7 @@ void SelfTest::step() {
   volatile std::uint32_t crc = kImageCrcStart;
   if (!sealed_.step(bytes_a_step_, crc)) return;
   ++image_passes_;
-  if (memory_good_) proof_.give(crc, crc);
+  if (memory_good_) token_.publish(crc, crc);
   if (crc != kIntactImage && start_crc_ == kIntactImage) {
     restart_because("image damaged, restarting\r\n");
   }

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "app/model_table.hpp"
-#include "core/health/image_proof.hpp"
+#include "core/health/integrity_token.hpp"
 #include "core/health/memory_scan.hpp"
 #include "core/health/sealed_scan.hpp"
 
@@ -21,10 +21,10 @@ class SelfTest {
   /// samples. `constants` are what in RAM must not change, with their seal; a `table` that is not
   /// part of the image is gone over as well. What the checks come to goes to `proof`.
   SelfTest(Span<const std::uint8_t> constants, const ModelTable& table,
-           std::uint32_t sample_period_us, ImageProof& proof);
+           std::uint32_t sample_period_us, IntegrityToken& token);
 
   /// As long as a proof must last for the next one to be there.
-  static ImageProof new_proof(std::uint32_t sample_period_us);
+  static IntegrityToken new_token(std::uint32_t sample_period_us);
 
   /// Everything once. Where image or memory is damaged, no sample will have a proof.
   void run_all();
@@ -44,7 +44,7 @@ class SelfTest {
 
   SealedScan<ModelTable::sealed_parts> sealed_;
   MemoryScan<> memory_;
-  ImageProof& proof_;
+  IntegrityToken& token_;
   std::size_t bytes_a_step_;
   bool memory_good_ = false;
   std::uint32_t start_crc_ = kImageCrcStart;

@@ -42,7 +42,7 @@ std::string broken_limits(const GyroResult& result, const std::vector<Limit>& li
     if (value && limit.keeps(*value)) continue;
     text += (text.empty() ? "" : "; ") + limit.figure + " " +
             (value ? format("%.4g", *value) : "is missing") + ", must be " +
-            format("%s %g", limit.is_most ? "<=" : ">=", limit.value);
+            format("%s %g", limit.is_max ? "<=" : ">=", limit.value);
   }
   return text;
 }

@@ -10,11 +10,11 @@ namespace fogcomp::batch {
 /// What a figure must keep: "holdout_drift_dph <= 0.01".
 struct Limit {
   std::string figure;
-  bool is_most = true;  ///< else it is the least
+  bool is_max = true;  ///< else a lower limit
   double value = 0;
 
   bool keeps(double figure_value) const {
-    return is_most ? figure_value <= value : figure_value >= value;
+    return is_max ? figure_value <= value : figure_value >= value;
   }
 };
 

@@ -28,17 +28,17 @@ double sine_integral(double power, double angle) {
 
 // Beyond which a value of Student's distribution lies, on either side, with that chance: by
 // t = sqrt(freedom) cot(angle) the tail is an integral of sin^(freedom - 1).
-double student_bound(double chance, double freedom) {
+double student_bound(double chance, double degrees_of_freedom) {
   constexpr int kHalvings = 50;
   const double right = std::acos(0.0);
-  const double whole = sine_integral(freedom - 1, right);
+  const double whole = sine_integral(degrees_of_freedom - 1, right);
   double inside = right;
   double beyond = 0;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (inside + beyond) / 2;
-    (sine_integral(freedom - 1, middle) < chance * whole ? beyond : inside) = middle;
+    (sine_integral(degrees_of_freedom - 1, middle) < chance * whole ? beyond : inside) = middle;
   }
-  return std::sqrt(freedom) / std::tan(beyond);
+  return std::sqrt(degrees_of_freedom) / std::tan(beyond);
 }
 
 std::vector<double> values_of(const std::vector<GyroResult>& results, const std::string& figure) {

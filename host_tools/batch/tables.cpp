@@ -17,7 +17,7 @@ namespace {
 std::string limits_text(const std::vector<Limit>& limits) {
   std::vector<std::string> texts;
   for (const Limit& limit : limits) {
-    texts.push_back(limit.figure + (limit.is_most ? " <= " : " >= ") + format("%.7g", limit.value));
+    texts.push_back(limit.figure + (limit.is_max ? " <= " : " >= ") + format("%.7g", limit.value));
   }
   return join(texts, "; ");
 }

@@ -21,8 +21,8 @@
 namespace fogcomp::board {
 namespace {
 
-constexpr double kStuckSeconds = 0.5;       // equal counts for longer than this ...
-constexpr double kLeastStuckSamples = 100;  // ... and for at least this many samples
+constexpr double kStuckSeconds = 0.5;     // equal counts for longer than this ...
+constexpr double kMinStuckSamples = 100;  // ... and for at least this many samples
 
 struct Timing {
   std::int64_t period_us = 0;
@@ -69,7 +69,7 @@ void write_calibration(TableWriter& out, const model::Model& model,
   out.integer(rate.step.raw(), "the step");
   const double stuck = kStuckSeconds * 1e6 / static_cast<double>(timing.period_us);
   out.note("counts in a row within one LSB that mean a stuck gyro");
-  out.integer(std::llround(std::max(stuck, kLeastStuckSamples)), "stuck samples");
+  out.integer(std::llround(std::max(stuck, kMinStuckSamples)), "stuck samples");
 }
 
 void write_thermal(TableWriter& out, const model::Model& model, const Timing& timing) {
@@ -79,19 +79,19 @@ void write_thermal(TableWriter& out, const model::Model& model, const Timing& ti
            "the derivative's decay");
   out.note("the same times blocks per minute: from the lags' distance to degC/min");
   out.real(thermal.derivative.rate_gain, 24, "the derivative's gain");
-  const double least = std::max(model.least_degc, recording::kColdestDegc);
-  const double most = std::min(model.most_degc, recording::kWarmestDegc);
-  if (least > most) {
+  const double min = std::max(model.min_degc, recording::kColdestDegc);
+  const double max = std::min(model.max_degc, recording::kWarmestDegc);
+  if (min > max) {
     throw InputError(
         "export",
         format("the trained range %.4g to %.4g degC lies outside %g to %g "
                "degC, what a board has; %s and fit again",
-               model.least_degc, model.most_degc, recording::kColdestDegc, recording::kWarmestDegc,
-               recording::temperature_question(model.least_degc, model.most_degc)));
+               model.min_degc, model.max_degc, recording::kColdestDegc, recording::kWarmestDegc,
+               recording::temperature_question(model.min_degc, model.max_degc)));
   }
-  out.note(format("trained range (%.4g to %.4g degC)", least, most));
-  out.real<fog::Temperature>(least, "the coldest trained temperature");
-  out.real<fog::Temperature>(most, "the warmest trained temperature");
+  out.note(format("trained range (%.4g to %.4g degC)", min, max));
+  out.real<fog::Temperature>(min, "the coldest trained temperature");
+  out.real<fog::Temperature>(max, "the warmest trained temperature");
   out.note(format("blocks for which a drift is held without a temperature (%g s)",
                   recording::kHoldSeconds));
   const std::uint32_t hold = series::hold_blocks(timing.block_s);
@@ -117,21 +117,21 @@ struct InputLimits {
 InputLimits input_limits(const model::Model& model, fog::Input input) {
   const bool temperature = input == fog::Input::temperature2;
   const auto& trained = model.input_ranges[extension_number(input)];
-  const double kMost = std::ldexp(1, 31 - fog::ExtensionValue::fractional_bits) - 1;
-  InputLimits limits{-kMost, kMost, kMost};
-  if (trained && trained->range.least < trained->range.most) {
-    const double margin = (trained->range.most - trained->range.least) / 2;
-    limits = {trained->range.least - margin, trained->range.most + margin, trained->step};
+  const double kMax = std::ldexp(1, 31 - fog::ExtensionValue::fractional_bits) - 1;
+  InputLimits limits{-kMax, kMax, kMax};
+  if (trained && trained->range.min < trained->range.max) {
+    const double margin = (trained->range.max - trained->range.min) / 2;
+    limits = {trained->range.min - margin, trained->range.max + margin, trained->step};
   }
   if (temperature) limits.step = std::ldexp(fog::kTemperatureStep.raw(), -16);
-  limits.min = std::max(limits.min, temperature ? recording::kColdestDegc : -kMost);
-  limits.max = std::min(limits.max, temperature ? recording::kWarmestDegc : kMost);
-  limits.step = std::min(limits.step, kMost);
+  limits.min = std::max(limits.min, temperature ? recording::kColdestDegc : -kMax);
+  limits.max = std::min(limits.max, temperature ? recording::kWarmestDegc : kMax);
+  limits.step = std::min(limits.step, kMax);
   if (limits.min <= limits.max) return limits;
   throw InputError("export",
                    format("%s was trained from %.4g to %.4g, which no board is told; "
                           "correct its unit and fit again",
-                          description_of(input).column, trained->range.least, trained->range.most));
+                          description_of(input).column, trained->range.min, trained->range.max));
 }
 
 void write_input_limits(TableWriter& out, const model::Model& model) {
@@ -165,13 +165,13 @@ double largest_coefficient(const model::Model& model) {
 
 // Throws where a coefficient is larger than the board's numbers, in the unit that people read.
 void require_held(const model::EffectTerm& term, std::size_t coefficient, int fraction) {
-  const double most = std::ldexp(1, 31 - fraction);
-  if (std::abs(term.coefficients_dph[coefficient]) < most) return;
+  const double max = std::ldexp(1, 31 - fraction);
+  if (std::abs(term.coefficients_dph[coefficient]) < max) return;
   const fog::CoefficientDescription description = model::info_of(term).coefficients[coefficient];
   std::string text =
       format("%s = %.5g %s is more than the board's numbers hold, %.5g %s", description.symbol,
              model::natural_coefficient(term, coefficient), description.unit,
-             model::in_natural_unit(most, description), description.unit);
+             model::in_natural_unit(max, description), description.unit);
   for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) text += "; " + doubt.sentence;
   throw InputError("effect '" + term.name + "'",
                    text + "; fit again without it or with its shape given");
@@ -265,12 +265,12 @@ void check_expressions(const BoardTable& table, std::size_t first) {
   next += count;
   const auto words = static_cast<std::size_t>(*next++);
   expressions.program = {next, words};
-  if (words <= fog::kMostExpressionWords && fog::expressions_fit(expressions)) return;
+  if (words <= fog::kMaxExpressionWords && fog::expressions_fit(expressions)) return;
   throw InputError("export", format("the expressions are more than a board takes (%zu of them, %zu "
                                     "lags and plays, a stack of %zu, %zu words at most); fit with "
                                     "fewer or shorter ones",
-                                    fog::kMostExpressions, fog::kMostExpressionStates,
-                                    fog::kMostExpressionStack, fog::kMostExpressionWords));
+                                    fog::kMaxExpressions, fog::kMaxExpressionStates,
+                                    fog::kMaxExpressionStack, fog::kMaxExpressionWords));
 }
 
 void write_output(TableWriter& out, const BoardSettings& settings) {
@@ -322,8 +322,8 @@ BoardTable make_board_table(const model::Model& whole, const BoardSettings& sett
   write_calibration(out, model, settings.limits.over(model.limits), timing);
   write_thermal(out, model, timing);
   write_input_limits(out, model);
-  const int fraction = fraction_within(largest_coefficient(model), fog::kLeastCoefficientFraction,
-                                       fog::kMostCoefficientFraction);
+  const int fraction = fraction_within(largest_coefficient(model), fog::kMinCoefficientFraction,
+                                       fog::kMaxCoefficientFraction);
   write_effects(out, model, timing, fraction);
   const std::size_t first_expression_word = table.words.size();
   write_expressions(out, model, timing, fraction);

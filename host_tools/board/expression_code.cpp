@@ -17,8 +17,8 @@ namespace {
 using Op = fog::ExpressionOp;
 
 constexpr int kUsedBits = 30;  // of a value: one is spare
-constexpr int kMostFraction = 58;
-constexpr int kMostPower = 16;
+constexpr int kMaxFraction = 58;
+constexpr int kMaxPower = 16;
 // Of the core's functions, from their headers.
 constexpr double kSineError = 5e-9;
 constexpr double kDecayError = 3e-9;
@@ -29,12 +29,12 @@ constexpr int kTanhFraction = 27;   // what tanh takes
 
 // A value on the board's stack: its real range, by how much it may be off, its fractional bits.
 struct Value {
-  double least = 0;
-  double most = 0;
+  double min = 0;
+  double max = 0;
   double error = 0;
   int fraction = 0;
 
-  double size() const { return std::max(std::abs(least), std::abs(most)); }
+  double size() const { return std::max(std::abs(min), std::abs(max)); }
 };
 
 double half_lsb(int fraction) {
@@ -43,7 +43,7 @@ double half_lsb(int fraction) {
 
 // Fractional bits at which a value of this size uses kUsedBits.
 int fraction_for(double size) {
-  return size > 0 ? std::min(kMostFraction, kUsedBits - 1 - std::ilogb(size)) : kUsedBits;
+  return size > 0 ? std::min(kMaxFraction, kUsedBits - 1 - std::ilogb(size)) : kUsedBits;
 }
 
 class Compiler {
@@ -63,7 +63,7 @@ class Compiler {
     const int shift = value.fraction + scale - kRegressor;
     if (shift < -31 || shift > 62) refuse("its regressor's scale is out of range");
     emit(Op::output, shift);
-    code_.most = std::ldexp(value.size(), -scale);
+    code_.max = std::ldexp(value.size(), -scale);
     code_.error = std::ldexp(value.error, -scale) + half_lsb(kRegressor);
     return std::move(code_);
   }
@@ -76,7 +76,7 @@ class Compiler {
 
   void emit(Op op, int bits = 0) {
     code_.words.push_back(static_cast<std::int32_t>(op) + 256 * bits);
-    if (code_.words.size() > fog::kMostExpressionWords) refuse("it is too long");
+    if (code_.words.size() > fog::kMaxExpressionWords) refuse("it is too long");
   }
   void emit_word(double raw) {
     if (!(std::abs(raw) <= 2147483647.0)) refuse("a value is beyond 32 bits");
@@ -112,29 +112,29 @@ class Compiler {
     model::SignalRange range = term_.expression->ranges[static_cast<std::size_t>(which)];
     if (which == fog::Input::elapsed) return elapsed(range);
     if (which == fog::Input::temperature) {
-      range = {std::max({range.least, model_.least_degc, -70.0}),
-               std::min({range.most, model_.most_degc, 130.0})};
+      range = {std::max({range.min, model_.min_degc, -70.0}),
+               std::min({range.max, model_.max_degc, 130.0})};
     }
     const int fraction = description_of(which).fraction;
     const double own_error = which == fog::Input::temperature_rate ? rate_error() : 0;
-    push_signal(which, range.least, range.most, fraction);
+    push_signal(which, range.min, range.max, fraction);
     // The clamp's own rounding.
-    return {range.least, range.most, own_error + half_lsb(fraction), fraction};
+    return {range.min, range.max, own_error + half_lsb(fraction), fraction};
   }
 
-  void push_signal(fog::Input which, double least, double most, int fraction) {
+  void push_signal(fog::Input which, double min, double max, int fraction) {
     emit(Op::signal, static_cast<int>(which));
-    emit_word(std::ldexp(least, fraction));
-    emit_word(std::ldexp(most, fraction));
+    emit_word(std::ldexp(min, fraction));
+    emit_word(std::ldexp(max, fraction));
   }
 
   // Blocks times their length.
   Value elapsed(const model::SignalRange& range) {
-    const double most_blocks = std::min(range.most / block_s_, 2147483647.0);
-    push_signal(fog::Input::elapsed, 0, most_blocks, 0);
-    // Where time stands at its most, blocks that are no whole number are off by up to a half.
-    const double off = std::abs(most_blocks - std::round(most_blocks)) < 1e-6 ? 1e-6 : 0.5;
-    const Value blocks{0, most_blocks, off, 0};
+    const double max_blocks = std::min(range.max / block_s_, 2147483647.0);
+    push_signal(fog::Input::elapsed, 0, max_blocks, 0);
+    // Where time stands at its maximum, blocks that are no whole number are off by up to a half.
+    const double off = std::abs(max_blocks - std::round(max_blocks)) < 1e-6 ? 1e-6 : 0.5;
+    const Value blocks{0, max_blocks, off, 0};
     return product(blocks, constant(block_s_));
   }
 
@@ -143,18 +143,17 @@ class Compiler {
   double rate_error() const {
     const auto real = model::thermal_parameters(model_, block_s_).derivative;
     const double lags = 3 * half_lsb(22) + half_lsb(26);
-    const double rate = fog::kMostRateDegcPerMin;
+    const double rate = fog::kMaxRateDegcPerMin;
     return lags * real.rate_gain + rate * (half_lsb(24) / real.rate_gain) +
            4 * rate * half_lsb(31) / real.decay + half_lsb(fog::TemperatureRate::fractional_bits);
   }
 
   // Of two values on the stack.
   Value product(const Value& a, const Value& b) {
-    const double corners[] = {a.least * b.least, a.least * b.most, a.most * b.least,
-                              a.most * b.most};
+    const double corners[] = {a.min * b.min, a.min * b.max, a.max * b.min, a.max * b.max};
     Value result;
-    result.least = *std::min_element(std::begin(corners), std::end(corners));
-    result.most = *std::max_element(std::begin(corners), std::end(corners));
+    result.min = *std::min_element(std::begin(corners), std::end(corners));
+    result.max = *std::max_element(std::begin(corners), std::end(corners));
     result.error = a.size() * b.error + b.size() * a.error + a.error * b.error;
     return multiplied(result, a.fraction + b.fraction);
   }
@@ -170,18 +169,18 @@ class Compiler {
   // Of the value on the stack.
   Value negated(const Value& x) {
     emit(Op::negate);
-    return {-x.most, -x.least, x.error, x.fraction};
+    return {-x.max, -x.min, x.error, x.fraction};
   }
   Value magnitude(const Value& x) {
     emit(Op::absolute);
-    const bool crosses = x.least < 0 && x.most > 0;
-    const double least = crosses ? 0 : std::min(std::abs(x.least), std::abs(x.most));
-    return {least, x.size(), x.error, x.fraction};
+    const bool crosses = x.min < 0 && x.max > 0;
+    const double min = crosses ? 0 : std::min(std::abs(x.min), std::abs(x.max));
+    return {min, x.size(), x.error, x.fraction};
   }
   Value tangent(const Value& argument) {
     const Value x = in_format(argument, kTanhFraction);
     emit(Op::tanh);
-    return {std::tanh(x.least), std::tanh(x.most), x.error + kTanhError, kWaveFraction};
+    return {std::tanh(x.min), std::tanh(x.max), x.error + kTanhError, kWaveFraction};
   }
 
   Value node(std::size_t index) {
@@ -241,13 +240,13 @@ class Compiler {
     const Value b = trial(now.right);
     Value result;
     if (now.kind == model::NodeKind::add) {
-      result = {a.least + b.least, a.most + b.most, 0, 0};
+      result = {a.min + b.min, a.max + b.max, 0, 0};
     } else if (now.kind == model::NodeKind::subtract) {
-      result = {a.least - b.most, a.most - b.least, 0, 0};
+      result = {a.min - b.max, a.max - b.min, 0, 0};
     } else if (now.kind == model::NodeKind::minimum) {
-      result = {std::min(a.least, b.least), std::min(a.most, b.most), 0, 0};
+      result = {std::min(a.min, b.min), std::min(a.max, b.max), 0, 0};
     } else {
-      result = {std::max(a.least, b.least), std::max(a.most, b.most), 0, 0};
+      result = {std::max(a.min, b.min), std::max(a.max, b.max), 0, 0};
     }
     checked(result);
     const int fraction = std::min(
@@ -258,8 +257,8 @@ class Compiler {
         now.kind == model::NodeKind::minimum || now.kind == model::NodeKind::maximum;
     emit(now.kind == model::NodeKind::add        ? Op::add
          : now.kind == model::NodeKind::subtract ? Op::subtract
-         : now.kind == model::NodeKind::minimum  ? Op::least
-                                                 : Op::most);
+         : now.kind == model::NodeKind::minimum  ? Op::min
+                                                 : Op::max);
     result.error = chooses ? std::max(left.error, right.error) : left.error + right.error;
     result.fraction = fraction;
     return result;
@@ -274,16 +273,15 @@ class Compiler {
     }
     const Value b = trial(now.right);
     const Value a = trial(now.left);
-    const double nearest = b.least > 0 ? b.least : -b.most;
+    const double nearest = b.min > 0 ? b.min : -b.max;
     if (!(nearest > 2 * b.error)) {
       refuse(format("a divisor goes from %.4g to %.4g within the ranges that it was fitted in",
-                    b.least, b.most));
+                    b.min, b.max));
     }
-    const double corners[] = {a.least / b.least, a.least / b.most, a.most / b.least,
-                              a.most / b.most};
+    const double corners[] = {a.min / b.min, a.min / b.max, a.max / b.min, a.max / b.max};
     Value result;
-    result.least = *std::min_element(std::begin(corners), std::end(corners));
-    result.most = *std::max_element(std::begin(corners), std::end(corners));
+    result.min = *std::min_element(std::begin(corners), std::end(corners));
+    result.max = *std::max_element(std::begin(corners), std::end(corners));
     checked(result);
     result.fraction = std::min(fraction_for(result.size()), a.fraction - b.fraction + 30);
     const int left_fraction = std::min(a.fraction, result.fraction + b.fraction);
@@ -297,9 +295,9 @@ class Compiler {
 
   // x on the stack to a whole power.
   Value power(const Value& x, double exponent) {
-    if (exponent != std::round(exponent) || std::abs(exponent) > kMostPower || exponent == 0) {
+    if (exponent != std::round(exponent) || std::abs(exponent) > kMaxPower || exponent == 0) {
       refuse(format("a power of %.6g; it has whole powers from -%d to %d but 0", exponent,
-                    kMostPower, kMostPower));
+                    kMaxPower, kMaxPower));
     }
     if (exponent < 0) {
       refuse("a negative power; write a division");
@@ -310,8 +308,8 @@ class Compiler {
     for (int n = 2; n <= static_cast<int>(exponent); ++n) {
       emit(Op::over);
       // Of one and the same value: the range is that of the power, the error that of a product.
-      const double ends[] = {std::pow(x.least, n), std::pow(x.most, n)};
-      const bool turns = n % 2 == 0 && x.least < 0 && x.most > 0;
+      const double ends[] = {std::pow(x.min, n), std::pow(x.max, n)};
+      const bool turns = n % 2 == 0 && x.min < 0 && x.max > 0;
       Value next{turns ? 0 : std::min(ends[0], ends[1]), std::max(ends[0], ends[1]), 0, 0};
       next.error = result.size() * x.error + x.size() * result.error + x.error * result.error;
       result = multiplied(next, result.fraction + x.fraction);
@@ -327,23 +325,23 @@ class Compiler {
     return {-1, 1, x.error + kSineError + x.size() * half_lsb(30) + half_lsb(30), kWaveFraction};
   }
 
-  // exp(x) = exp(most) exp(-(most - x)).
+  // exp(x) = exp(max) exp(-(max - x)).
   Value exponential(std::size_t operand) {
     const Value x = trial(operand);
-    const double factor = std::exp(x.most);
-    if (!(factor < 1073741824.0)) refuse(format("exp() of up to %.4g is too large", x.most));
-    const int fraction = std::min(x.fraction, fraction_for(std::max(x.size(), x.most - x.least)));
+    const double factor = std::exp(x.max);
+    if (!(factor < 1073741824.0)) refuse(format("exp() of up to %.4g is too large", x.max));
+    const int fraction = std::min(x.fraction, fraction_for(std::max(x.size(), x.max - x.min)));
     emit(Op::constant);
-    emit_word(std::ldexp(x.most, fraction));
+    emit_word(std::ldexp(x.max, fraction));
     const Value right = in_format(node(operand), fraction);
     emit(Op::subtract);
-    Value below{0, x.most - x.least, right.error + half_lsb(fraction), fraction};
+    Value below{0, x.max - x.min, right.error + half_lsb(fraction), fraction};
     below = in_format(below, kDecayFraction);  // clips at 32
     emit(Op::decay);
     constexpr double kBeyond = 1.3e-14;  // exp(-32)
-    const Value share{std::exp(-below.most), 1, below.error + kDecayError + kBeyond, kWaveFraction};
+    const Value share{std::exp(-below.max), 1, below.error + kDecayError + kBeyond, kWaveFraction};
     Value result = product(share, constant(factor));
-    result.least = std::exp(x.least);
+    result.min = std::exp(x.min);
     return result;
   }
 
@@ -357,7 +355,7 @@ class Compiler {
     emit(Op::lag);
     emit_word(std::ldexp(decay, 31));
     if (code_.words.back() == 0) refuse("a lag's time constant is too long");
-    x.error += 2 * half_lsb(x.fraction) + (x.most - x.least) * half_lsb(31) / decay;
+    x.error += 2 * half_lsb(x.fraction) + (x.max - x.min) * half_lsb(31) / decay;
     return x;
   }
 

@@ -10,7 +10,7 @@ namespace fogcomp::board {
 /// An expression in the integers of fog::ExpressionBank.
 struct ExpressionCode {
   std::vector<std::int32_t> words;
-  double most = 0;   ///< of |regressor|, by interval analysis over the signals' ranges
+  double max = 0;    ///< of |regressor|, by interval analysis over the signals' ranges
   double error = 0;  ///< of the regressor against double, at most
 };
 

@@ -19,20 +19,19 @@ class RoundTrip {
  public:
   RoundTrip(const model::Model& model, double block_s) : model_(model, block_s) {
     const model::Range& rate = *model.rate_range_degc_per_min;
-    const double fastest =
-        std::max({std::abs(rate.least), std::abs(rate.most), kSlowestDegcPerMin});
+    const double fastest = std::max({std::abs(rate.min), std::abs(rate.max), kSlowestDegcPerMin});
     const double step_degc = fastest * block_s / 60;
     const auto soak_blocks =
         std::min(static_cast<std::uint32_t>(std::ceil(settling_time_s(model) / block_s)),
                  kLongestSoakBlocks);
-    block_.temperature = model.least_degc;
+    block_.temperature = model.min_degc;
     block_.elapsed = kSinceStartS / block_s;
     for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
       const auto& input = model.input_ranges[i];
-      if (input) block_.extension[i] = (input->range.least + input->range.most) / 2;
+      if (input) block_.extension[i] = (input->range.min + input->range.max) / 2;
     }
     model_.start(block_);
-    for (const double end : {model.most_degc, model.least_degc}) {
+    for (const double end : {model.max_degc, model.min_degc}) {
       while (block_.temperature != end) {
         const double left = end - block_.temperature;
         block_.temperature += std::clamp(left, -step_degc, step_degc);

@@ -15,7 +15,7 @@ std::array<std::uint32_t, fog::kSerialWords> serial_words(const std::string& ser
     throw InputError("--serial",
                      format("'%s' is not what a board holds; give 1 to %zu characters of ASCII "
                             "without spaces",
-                            serial.c_str(), model::kMostSerial));
+                            serial.c_str(), model::kMaxSerial));
   }
   for (std::size_t i = 0; i < serial.size(); ++i) {
     words[i / 4] |= std::uint32_t{static_cast<unsigned char>(serial[i])} << (8 * (i % 4));
@@ -25,7 +25,7 @@ std::array<std::uint32_t, fog::kSerialWords> serial_words(const std::string& ser
 
 std::string serial_text(const std::uint32_t* words) {
   std::string text;
-  for (std::size_t i = 0; i < model::kMostSerial; ++i) {
+  for (std::size_t i = 0; i < model::kMaxSerial; ++i) {
     const auto character = static_cast<char>((words[i / 4] >> (8 * (i % 4))) & 0xFFU);
     if (character == '\0') break;
     text += character;

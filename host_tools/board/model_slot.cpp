@@ -35,9 +35,9 @@ void require_room(const BoardTable& table, const std::string& file) {
                                   "its own",
                                   fog::kGenericTaps % fog::kOrNone, denoise.taps()));
   }
-  if (table.words.size() > fog::kMostSlotWords) {
+  if (table.words.size() > fog::kMaxSlotWords) {
     throw InputError(file, format("a table of %zu words, of which a slot holds %zu",
-                                  table.words.size(), fog::kMostSlotWords));
+                                  table.words.size(), fog::kMaxSlotWords));
   }
   fog::ModelParameters generic;
   const fog::ModelError error = fog::read_model(table.span(), fog::kGenericImage, generic);

@@ -48,7 +48,7 @@ int weight_fraction(const Eigen::MatrixXd& weights, const Eigen::VectorXd& biase
   const double largest_sum =
       (weights.cwiseAbs().rowwise().sum() + biases.cwiseAbs() / 2).maxCoeff();
   const double largest = std::max(weights.cwiseAbs().maxCoeff(), largest_sum / 2);
-  return fraction_within(largest * 1.001, fog::kWeightFraction - fog::kMostWeightShift,
+  return fraction_within(largest * 1.001, fog::kWeightFraction - fog::kMaxWeightShift,
                          fog::kWeightFraction);
 }
 
@@ -62,15 +62,15 @@ double write_input(TableWriter& out, const model::RealInput& input, double block
   out.real(input.tau_s > 0 ? model::RealNumbers::decay(block_s / input.tau_s) : 0, 31,
            "an input's decay");
   const NetworkInputFormat board = network_input_format(input.signal, block_s);
-  const double reach = std::ldexp(input.half_range / board.per_unit, board.fraction);
-  if (reach < 1)
+  const double half_range = std::ldexp(input.half_range / board.per_unit, board.fraction);
+  if (half_range < 1)
     throw InputError("export", format("an input's half range %g is below the board's resolution",
                                       input.half_range));
-  const int shift = fraction_within(std::round(reach), 0, 30);
+  const int shift = fraction_within(std::round(half_range), 0, 30);
   out.real(input.centre / board.per_unit, board.fraction, "an input's centre");
-  out.real(reach, 0, "an input's half range");
+  out.real(half_range, 0, "an input's half range");
   out.integer(shift, "an input's shift");
-  return std::ldexp(1 / reach, 30 - shift);
+  return std::ldexp(1 / half_range, 30 - shift);
 }
 
 }  // namespace
@@ -98,10 +98,10 @@ void write_network(TableWriter& out, const model::RealNetwork& network, double b
   out.integer(fog::kWeightFraction - output, "the output's shift");
   out.note(format("hidden neurons (%s): bias, %d weights, weight in the output",
                   model::name_of(network.hidden.activation),
-                  static_cast<int>(fog::kMostNetworkInputs)));
+                  static_cast<int>(fog::kMaxNetworkInputs)));
   for (Eigen::Index row = 0; row < board.weights.rows(); ++row) {
     out.real(board.biases[row], hidden - 2, "a bias");
-    for (std::size_t i = 0; i < fog::kMostNetworkInputs; ++i) {
+    for (std::size_t i = 0; i < fog::kMaxNetworkInputs; ++i) {
       const double weight = i < inputs ? board.weights(row, static_cast<Eigen::Index>(i)) : 0;
       out.real(weight, hidden, "a weight");
     }

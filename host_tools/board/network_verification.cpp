@@ -10,9 +10,9 @@
 namespace fogcomp::board {
 namespace {
 
-constexpr double kBeyond = 1.25;         // half ranges: inputs are clipped at 1
-constexpr double kMostPoints = 200'000;  // of the whole grid
-constexpr std::size_t kMostPerInput = 401;
+constexpr double kBeyond = 1.25;        // half ranges: inputs are clipped at 1
+constexpr double kMaxPoints = 200'000;  // of the whole grid
+constexpr std::size_t kMaxPerInput = 401;
 
 // The nearest value that the board's format holds.
 std::int32_t board_value(double value, const NetworkInputFormat& format) {
@@ -29,9 +29,9 @@ NetworkError verify_network(const model::Model& model, const fog::ModelParameter
   const std::vector<model::RealInput>& inputs = model.network.inputs;
   if (!model.network.present()) return error;
   // An odd number, so that the centre is among them.
-  const double even_share = std::pow(kMostPoints, 1 / static_cast<double>(inputs.size()));
+  const double even_share = std::pow(kMaxPoints, 1 / static_cast<double>(inputs.size()));
   const std::size_t per_input =
-      std::min(kMostPerInput, static_cast<std::size_t>(even_share)) / 2 * 2 - 1;
+      std::min(kMaxPerInput, static_cast<std::size_t>(even_share)) / 2 * 2 - 1;
   std::vector<std::size_t> place(inputs.size(), 0);
   fog::ScaledInputs on_board_inputs{};
   Eigen::VectorXd values(static_cast<Eigen::Index>(inputs.size()));

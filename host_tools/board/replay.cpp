@@ -5,12 +5,13 @@
 namespace fogcomp::board {
 
 Replay::Replay(const fog::ModelParameters& parameters)
-    : compensator_(std::make_unique<HostCompensator>(parameters, fog::ImageProof::not_needed())) {}
+    : compensator_(
+          std::make_unique<HostCompensator>(parameters, fog::IntegrityToken::not_needed())) {}
 
 fog::Span<const std::uint8_t> Replay::feed(fog::Span<const std::uint8_t> bytes,
                                            fog::SampleTime time) {
   output_.clear();
-  std::array<std::uint8_t, fog::kMostOutputBytes> frames;
+  std::array<std::uint8_t, fog::kMaxOutputBytes> frames;
   const auto as_sent = [](const fog::SensorSample& sample) { return sample; };
   for (const std::uint8_t byte : bytes) {
     const std::size_t size = compensator_->feed(byte, frames.data(), as_sent, [&] { return time; });
@@ -19,7 +20,7 @@ fog::Span<const std::uint8_t> Replay::feed(fog::Span<const std::uint8_t> bytes,
     const fog::OutputSample& sample = compensator_->last();
     ++summary_.frames;
     if (!sample.compensated_valid()) ++summary_.invalid_rates;
-    if (any(sample.status, fog::Status::temperature_clamped)) ++summary_.clamped_samples;
+    if (has_any(sample.status, fog::Status::temperature_clamped)) ++summary_.clamped_samples;
   }
   summary_.output_bytes += output_.size();
   return {output_.data(), output_.size()};

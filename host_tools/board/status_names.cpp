@@ -27,7 +27,7 @@ fog::Status flag(std::size_t bit) {
 std::vector<std::string> flag_names(fog::Status status) {
   std::vector<std::string> names;
   for (std::size_t bit = 0; bit < std::size(kFlagNames); ++bit) {
-    if (any(status, flag(bit))) names.emplace_back(kFlagNames[bit]);
+    if (has_any(status, flag(bit))) names.emplace_back(kFlagNames[bit]);
   }
   return names;
 }
@@ -38,7 +38,7 @@ fog::Status parse_flags(const std::string& list, fog::Status allowed, const std:
   for (const std::string& name : split(list, ',')) {
     const auto found = std::find(std::begin(kFlagNames), std::end(kFlagNames), name);
     const auto bit = static_cast<std::size_t>(found - std::begin(kFlagNames));
-    if (found == std::end(kFlagNames) || !any(allowed, flag(bit))) {
+    if (found == std::end(kFlagNames) || !has_any(allowed, flag(bit))) {
       throw InputError(who, "'" + name + "' is none of " + join(flag_names(allowed), ", ") +
                                 "; write some of them with commas between, or none");
     }

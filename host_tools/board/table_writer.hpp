@@ -11,10 +11,10 @@
 
 namespace fogcomp::board {
 
-/// The largest fraction, `least`..`most`, at which `largest` still fits 32 bits.
-inline int fraction_within(double largest, int least, int most) {
-  int fraction = most;
-  while (fraction > least && std::ldexp(largest, fraction) > 2147483646.0) --fraction;
+/// The largest fraction, `min`..`max`, at which `largest` still fits 32 bits.
+inline int fraction_within(double largest, int min, int max) {
+  int fraction = max;
+  while (fraction > min && std::ldexp(largest, fraction) > 2147483646.0) --fraction;
   return fraction;
 }
 

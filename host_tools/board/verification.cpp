@@ -40,10 +40,10 @@ class ExpressionCheck {
     for (std::size_t i = 0; i < real_.size(); ++i) {
       double expected = 0;
       real_[i]->step(signals, &expected);
-      const double most = std::ldexp(1, 31 - fog::Regressor::fractional_bits);
+      const double max = std::ldexp(1, 31 - fog::Regressor::fractional_bits);
       const double got = std::ldexp(board_.regressors()[i].raw(), -fog::Regressor::fractional_bits);
-      results[i].worst_dph = std::max(
-          results[i].worst_dph, sizes_[i] * std::abs(got - std::clamp(expected, -most, most)));
+      results[i].worst_dph = std::max(results[i].worst_dph,
+                                      sizes_[i] * std::abs(got - std::clamp(expected, -max, max)));
     }
   }
 
@@ -71,7 +71,7 @@ QuantizationError verify_quantization(const model::Model& model,
   QuantizationError error;
   ExpressionCheck expressions(real_model, parameters, block_s);
   const auto programme =
-      verification_programme(parameters.thermal.least, parameters.thermal.most, block_s);
+      verification_programme(parameters.thermal.min, parameters.thermal.max, block_s);
   for (const auto& block : programme) {
     const model::RealBlock real_block = model::to_real(block);
     if (error.blocks == 0) {

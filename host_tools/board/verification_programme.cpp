@@ -48,9 +48,9 @@ class Programme {
   void loops_about(double share) {
     const double centre = low_ + (high_ - low_) * share;
     for (int loop = kLoops; loop > 0; --loop) {
-      const double reach = (high_ - low_) / 4 * loop / kLoops;
-      ramp_to(centre + reach, kLoopRateDegcPerMin);
-      ramp_to(centre - reach, kLoopRateDegcPerMin);
+      const double half_range = (high_ - low_) / 4 * loop / kLoops;
+      ramp_to(centre + half_range, kLoopRateDegcPerMin);
+      ramp_to(centre - half_range, kLoopRateDegcPerMin);
     }
     soak();
   }
@@ -86,11 +86,11 @@ class Programme {
 
 }  // namespace
 
-std::vector<fog::BlockMeans<fog::BoardNumbers>> verification_programme(fog::Temperature least,
-                                                                       fog::Temperature most,
+std::vector<fog::BlockMeans<fog::BoardNumbers>> verification_programme(fog::Temperature min,
+                                                                       fog::Temperature max,
                                                                        double block_s) {
-  const double low = std::ldexp(least.raw(), -fog::Temperature::fractional_bits);
-  const double high = std::ldexp(most.raw(), -fog::Temperature::fractional_bits);
+  const double low = std::ldexp(min.raw(), -fog::Temperature::fractional_bits);
+  const double high = std::ldexp(max.raw(), -fog::Temperature::fractional_bits);
   Programme programme(low, high, block_s);
   for (const double rate : kRatesDegcPerMin) {
     programme.ramp_to(high, rate);

@@ -12,8 +12,8 @@ namespace fogcomp::board {
 /// three quarters of the range, while every other input goes through its usual range with a period
 /// of its own; the second half years after power-on. Every value is one that the board can hold, so
 /// that only the model is compared.
-std::vector<fog::BlockMeans<fog::BoardNumbers>> verification_programme(fog::Temperature least,
-                                                                       fog::Temperature most,
+std::vector<fog::BlockMeans<fog::BoardNumbers>> verification_programme(fog::Temperature min,
+                                                                       fog::Temperature max,
                                                                        double block_s);
 
 }  // namespace fogcomp::board

@@ -7,15 +7,15 @@ namespace fogcomp::cli {
 namespace {
 
 constexpr std::size_t kLeftColumn = 22;
-constexpr std::size_t kMostColumns = 80;
+constexpr std::size_t kMaxColumns = 80;
 
-// Words in lines of at most kMostColumns, the first of which begins at `column`; the others are
+// Words in lines of at most kMaxColumns, the first of which begins at `column`; the others are
 // indented, after `end` of the line before.
 std::string wrapped(const std::string& text, std::size_t column, std::size_t indent,
                     const std::string& end = "") {
   std::string lines;
   for (const std::string& word : split(text, ' ')) {
-    if (column + word.size() + end.size() > kMostColumns && column > indent) {
+    if (column + word.size() + end.size() > kMaxColumns && column > indent) {
       lines.pop_back();
       lines += end + "\n" + std::string(indent, ' ');
       column = indent;

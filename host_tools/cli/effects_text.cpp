@@ -24,8 +24,8 @@ std::string without_value(const model::CatalogueEntry& entry,
 
 std::string range(const model::CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
   const bool lag = model::is_lag_of_rate(parameter.unit, entry.coefficients);
-  return format("%g to %g%s; not given: %s%s", parameter.least_milli / 1000.0,
-                parameter.most_milli / 1000.0, model::unit_behind_number(parameter).c_str(),
+  return format("%g to %g%s; not given: %s%s", parameter.min_milli / 1000.0,
+                parameter.max_milli / 1000.0, model::unit_behind_number(parameter).c_str(),
                 without_value(entry, parameter).c_str(),
                 lag ? "; behind the lags of dT/dt: `fit` prints the gyro's own beside it" : "");
 }
@@ -113,7 +113,7 @@ std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& en
       "power-on; `input_rate_dph` on the board is what the gyro itself measures; the other columns "
       "reach the board in extension records (`export --extension`).\n\n"
       "In `fit --effects`, `NAME:parameter=value` gives a shape parameter, `parameter=?` or "
-      "`parameter=?[least,most]` identifies one.\n\n"
+      "`parameter=?[min,max]` identifies one.\n\n"
       "| effect | equation | needs |\n|---|---|---|\n";
   for (const model::CatalogueEntry* entry : entries) {
     text += format("| [`%s`](#%s) | %s | %s |\n", entry->description.name, entry->description.name,
@@ -130,8 +130,8 @@ Json effect_json(const model::CatalogueEntry& entry) {
     return Json::object()
         .set("name", parameter.name)
         .set("unit", parameter.unit)
-        .set("least", parameter.least_milli / 1000.0)
-        .set("most", parameter.most_milli / 1000.0)
+        .set("min", parameter.min_milli / 1000.0)
+        .set("max", parameter.max_milli / 1000.0)
         .set("default", parameter.default_milli / 1000.0);
   });
   Json coefficients = json_array(entry.coefficients, [&](const auto& coefficient) {

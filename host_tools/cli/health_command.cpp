@@ -28,7 +28,7 @@ fog::ModelError model_error(const fog::HealthRecord& record) {
 bool is_healthy(const fog::HealthRecord& record) {
   return record.image_intact && record.memory_good &&
          model_error(record) == fog::ModelError::none &&
-         !any(record.status_last(), fog::Status::self_test_failed);
+         !has_any(record.status_last(), fog::Status::self_test_failed);
 }
 
 std::string version_of(const fog::HealthRecord& r) {

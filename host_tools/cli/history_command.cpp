@@ -44,19 +44,19 @@ class Scale {
  public:
   explicit Scale(const std::vector<model::HistoryEntry>& steps) {
     for (const model::HistoryEntry& step : steps) {
-      most_dph_ = std::max({most_dph_, step.rms_before_dph, step.rms_after_dph});
+      max_dph_ = std::max({max_dph_, step.rms_before_dph, step.rms_after_dph});
     }
     floor_dph_ = steps.back().noise_floor_dph.value_or(0);
   }
-  bool by_ratio() const { return floor_dph_ > 0 && most_dph_ > floor_dph_; }
+  bool by_ratio() const { return floor_dph_ > 0 && max_dph_ > floor_dph_; }
   double share(double rms_dph) const {
-    if (most_dph_ <= 0 || rms_dph <= floor_dph_) return 0;
-    if (!by_ratio()) return rms_dph / most_dph_;
-    return std::log(rms_dph / floor_dph_) / std::log(most_dph_ / floor_dph_);
+    if (max_dph_ <= 0 || rms_dph <= floor_dph_) return 0;
+    if (!by_ratio()) return rms_dph / max_dph_;
+    return std::log(rms_dph / floor_dph_) / std::log(max_dph_ / floor_dph_);
   }
 
  private:
-  double most_dph_ = 0;
+  double max_dph_ = 0;
   double floor_dph_ = 0;
 };
 

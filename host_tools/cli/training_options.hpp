@@ -15,7 +15,7 @@ struct TrainingOptions : OptionGroup {
   Integer<int> network{this,
                        {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
                        0,
-                       fit::kMostTrainedHidden};
+                       fit::kMaxTrainedHidden};
   Choice<std::string> trainer{
       this, {"trainer", "NAME", trainer_summaries(), "lm"}, as_named(fit::trainer_names())};
   Integer<std::uint64_t> seed{

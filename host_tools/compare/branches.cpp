@@ -10,9 +10,8 @@ namespace fogcomp::compare {
 std::vector<Branch> branches(const std::vector<double>& temperature_degc) {
   std::vector<Branch> branch;
   if (temperature_degc.empty()) return branch;
-  const auto [least, most] = std::minmax_element(temperature_degc.begin(), temperature_degc.end());
-  const double radius =
-      std::max(rules::kMinPlayDegc, rules::kPlayShareOfRange * (*most - *least)) / 2;
+  const auto [min, max] = std::minmax_element(temperature_degc.begin(), temperature_degc.end());
+  const double radius = std::max(rules::kMinPlayDegc, rules::kPlayShareOfRange * (*max - *min)) / 2;
   double centre = temperature_degc[0];
   Branch current = Branch::none;
   for (const double value : temperature_degc) {

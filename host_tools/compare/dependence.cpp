@@ -19,19 +19,19 @@ constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
 class Grid {
  public:
   Grid(const std::vector<double>& values, std::size_t bins) : bins_(bins) {
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const auto [min, max] = std::minmax_element(values.begin(), values.end());
     if (values.empty()) return;
-    least_ = *least;
-    width_ = (*most - *least) / static_cast<double>(bins);
+    min_ = *min;
+    width_ = (*max - *min) / static_cast<double>(bins);
   }
   std::size_t bin(double value) const {
     if (width_ <= 0) return 0;
-    return std::min(static_cast<std::size_t>((value - least_) / width_), bins_ - 1);
+    return std::min(static_cast<std::size_t>((value - min_) / width_), bins_ - 1);
   }
 
  private:
   std::size_t bins_;
-  double least_ = 0;
+  double min_ = 0;
   double width_ = 0;
 };
 
@@ -84,17 +84,17 @@ double excess_scatter(const ResidualRows& rows, const std::vector<std::size_t>& 
                       const ClassMeans& means) {
   std::vector<double> within(place_of_row.size(), 0);
   double square = 0;
-  double freedom = -static_cast<double>(means.mean_dph.size());
+  double degrees_of_freedom = -static_cast<double>(means.mean_dph.size());
   for (std::size_t i = 0; i < place_of_row.size(); ++i) {
     if (place_of_row[i] == kNoClass) continue;
     within[i] = rows.residual_dph[i] - means.mean_dph[static_cast<Eigen::Index>(place_of_row[i])];
     square += within[i] * within[i];
-    ++freedom;
+    ++degrees_of_freedom;
   }
   const double expected = long_run_variance(rows.noise);
   if (expected <= 0) return 1;
   const double seen =
-      square / std::max(1.0, freedom) * noise::correlated_values(within, rows.stretches);
+      square / std::max(1.0, degrees_of_freedom) * noise::correlated_values(within, rows.stretches);
   return std::max(1.0, seen / expected);
 }
 

@@ -31,8 +31,8 @@ EffectShare share_of(const std::string& name, const std::vector<double>& part_dp
   const Spread without =
       spread_of(count, [&](std::size_t i) { return residual_dph[i] + part_dph[i]; });
   const Spread raw = spread_of(count, [&](std::size_t i) { return measured_dph[i]; });
-  const double freedom = std::max(1.0, static_cast<double>(count) - 1);
-  return {name, part.mean, std::sqrt(part.squares / freedom),
+  const double degrees_of_freedom = std::max(1.0, static_cast<double>(count) - 1);
+  return {name, part.mean, std::sqrt(part.squares / degrees_of_freedom),
           raw.squares > 0 ? (without.squares - with.squares) / raw.squares : 0};
 }
 

@@ -63,11 +63,11 @@ SegmentSummary summarize_segment(const recording::Recording& recording,
   summary.end_s = recording.time_s[last];
   summary.duration_s = summary.end_s - summary.start_s + recording.period_s;
   const auto first = recording.temperature_degc.begin();
-  const auto [least, most] =
+  const auto [min, max] =
       std::minmax_element(first + static_cast<std::ptrdiff_t>(segment.rows.first),
                           first + static_cast<std::ptrdiff_t>(segment.rows.end));
-  summary.temperature_min_degc = *least;
-  summary.temperature_max_degc = *most;
+  summary.temperature_min_degc = *min;
+  summary.temperature_max_degc = *max;
   if (last > segment.rows.first) {
     summary.temperature_rate_degc_per_min =
         (recording.temperature_degc[last] - recording.temperature_degc[segment.rows.first]) /

@@ -114,16 +114,16 @@ void find_widest_loop(const recording::Recording& rows, const std::vector<double
                       const std::vector<recording::Segment>& segments,
                       TemperatureSensitivity& result) {
   constexpr std::size_t kBins = 20;
-  const auto [least, most] =
+  const auto [min, max] =
       std::minmax_element(rows.temperature_degc.begin(), rows.temperature_degc.end());
-  const double width_degc = (*most - *least) / kBins;
+  const double width_degc = (*max - *min) / kBins;
   if (width_degc * kBins < rules::kMinRangeDegc) return;
   std::array<std::array<Branch, 2>, kBins> branches{};
   for (const recording::Segment& segment : segments) {
     if (segment.kind == recording::SegmentKind::soak) continue;
     const std::size_t branch = segment.kind == recording::SegmentKind::ramp_up ? 0 : 1;
     for (std::size_t i = segment.rows.first; i < segment.rows.end; ++i) {
-      const auto bin = static_cast<std::size_t>((rows.temperature_degc[i] - *least) / width_degc);
+      const auto bin = static_cast<std::size_t>((rows.temperature_degc[i] - *min) / width_degc);
       Branch& part = branches[std::min(bin, kBins - 1)][branch];
       part.sum_dph += bias[i];
       ++part.rows;
@@ -136,7 +136,7 @@ void find_widest_loop(const recording::Recording& rows, const std::vector<double
                                       cooling.sum_dph / static_cast<double>(cooling.rows));
     if (loop_dph <= result.hysteresis_dph.value_or(-1)) continue;
     result.hysteresis_dph = loop_dph;
-    result.hysteresis_at_degc = *least + (static_cast<double>(bin) + 0.5) * width_degc;
+    result.hysteresis_at_degc = *min + (static_cast<double>(bin) + 0.5) * width_degc;
   }
 }
 

@@ -14,22 +14,21 @@ constexpr model::Range kEverything{-HUGE_VAL, HUGE_VAL};
 model::Range rate_limits(const model::Model& model) {
   if (!model.rate_range_degc_per_min) return kEverything;
   const model::Range& trained = *model.rate_range_degc_per_min;
-  const double margin = std::max(rules::kMinRateMarginDegcPerMin,
-                                 rules::kRateMargin * (trained.most - trained.least));
-  return {trained.least - margin, trained.most + margin};
+  const double margin =
+      std::max(rules::kMinRateMarginDegcPerMin, rules::kRateMargin * (trained.max - trained.min));
+  return {trained.min - margin, trained.max + margin};
 }
 
 model::Range time_limits(const model::Model& model, double row_s) {
   if (!model.time_range_s) return kEverything;
   const bool needs_time = (model::needs_of(model) & bit_of(fog::Input::elapsed)) != 0;
-  return {model.time_range_s->least - row_s,
-          needs_time ? model.time_range_s->most + row_s : HUGE_VAL};
+  return {model.time_range_s->min - row_s, needs_time ? model.time_range_s->max + row_s : HUGE_VAL};
 }
 
 }  // namespace
 
 TrainedRange::TrainedRange(const model::Model& model, double row_s)
-    : degc_{model.least_degc, model.most_degc},
+    : degc_{model.min_degc, model.max_degc},
       rate_(rate_limits(model)),
       time_(time_limits(model, row_s)) {}
 
@@ -37,8 +36,8 @@ void TrainedRange::count(double time_s, double temperature_degc, double rate_deg
   ++rows_;
   if (!degc_.holds(temperature_degc)) ++rows_outside_.temperature;
   if (!rate_.holds(rate_degc_per_min)) ++rows_outside_.temperature_rate;
-  if (time_s < time_.least) ++rows_outside_.sooner;
-  if (time_s > time_.most) ++rows_outside_.later;
+  if (time_s < time_.min) ++rows_outside_.sooner;
+  if (time_s > time_.max) ++rows_outside_.later;
 }
 
 OutsideTraining TrainedRange::outside() const {

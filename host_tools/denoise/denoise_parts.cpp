@@ -14,9 +14,9 @@ constexpr std::size_t kLiftingTaps = 5;
 int possible_levels(std::size_t length, const DenoiseMethod& method) {
   switch (method.by) {
     case DenoiseBy::wavelet:
-      return most_levels(length, lowpass_filter(method.wavelet).size());
+      return max_levels(length, lowpass_filter(method.wavelet).size());
     case DenoiseBy::lifting:
-      return most_levels(length, kLiftingTaps);
+      return max_levels(length, kLiftingTaps);
     case DenoiseBy::kalman:
       break;
   }

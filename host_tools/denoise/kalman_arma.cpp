@@ -17,8 +17,8 @@ using Eigen::Vector4d;
 using Eigen::VectorXd;
 
 // Variance that the slope gains per row, against that of the noise.
-constexpr double kLeastWander = 1e-12;
-constexpr double kMostWander = 1e-2;
+constexpr double kMinWander = 1e-12;
+constexpr double kMaxWander = 1e-2;
 constexpr double kWanderStep = 10;
 constexpr double kUnknown = 1e6;  // variance of the first line, against that of the noise
 
@@ -98,12 +98,13 @@ double run(const Filter& filter, fog::Span<const double> values, std::vector<Ste
       covariance =
           filter.transition * covariance * filter.transition.transpose() + filter.disturbance;
     }
-    const Vector4d reach = covariance * filter.observed;
-    const double variance = filter.observed.dot(reach);
+    const Vector4d cross_covariance = covariance * filter.observed;
+    const double variance = filter.observed.dot(cross_covariance);
     const double innovation = values.data[i] - filter.observed.dot(state);
     cost += std::log(variance) + innovation * innovation / variance;
-    const Vector4d filtered = state + reach * (innovation / variance);
-    const Matrix4d filtered_covariance = covariance - reach * reach.transpose() / variance;
+    const Vector4d filtered = state + cross_covariance * (innovation / variance);
+    const Matrix4d filtered_covariance =
+        covariance - cross_covariance * cross_covariance.transpose() / variance;
     if (steps != nullptr) steps->push_back({state, filtered, covariance, filtered_covariance});
     state = filtered;
     covariance = filtered_covariance;
@@ -155,13 +156,13 @@ ArmaNoise kalman_smooth(fog::Span<double> values) {
   const fog::Span<const double> read_only{values.data, values.size};
   const ArmaNoise noise = fit_arma(read_only);
   if (!(noise.variance > 0)) return noise;  // nothing to take away
-  double least = HUGE_VAL;
+  double min = HUGE_VAL;
   Filter best;
-  for (double wander = kLeastWander; wander <= kMostWander; wander *= kWanderStep) {
+  for (double wander = kMinWander; wander <= kMaxWander; wander *= kWanderStep) {
     const Filter filter = make_filter(noise, wander);
     const double cost = run(filter, read_only, nullptr);
-    if (cost >= least) continue;
-    least = cost;
+    if (cost >= min) continue;
+    min = cost;
     best = filter;
   }
   std::vector<Step> steps;

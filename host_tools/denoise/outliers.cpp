@@ -25,8 +25,8 @@ std::size_t remove_outliers(fog::Span<double> values, double limit) {
 }
 
 double outlier_limit(fog::Span<const double> values) {
-  constexpr std::size_t kMostPlaces = 65536;
-  const std::size_t stride = values.size / kMostPlaces + 1;
+  constexpr std::size_t kMaxPlaces = 65536;
+  const std::size_t stride = values.size / kMaxPlaces + 1;
   std::vector<double> differences;
   for (std::size_t i = 1; i < values.size; i += stride) {
     differences.push_back(values[i] - values[i - 1]);

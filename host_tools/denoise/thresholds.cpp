@@ -85,9 +85,9 @@ double threshold_of(ThresholdRule rule, fog::Span<const double> coefficients, do
     case ThresholdRule::heursure:
       break;
   }
-  const double most = sigma * universal(n);
-  if (!is_strong(coefficients, n, sigma)) return most;
-  return std::min(most, min_risk(coefficients, sigma));
+  const double max = sigma * universal(n);
+  if (!is_strong(coefficients, n, sigma)) return max;
+  return std::min(max, min_risk(coefficients, sigma));
 }
 
 double noise_of(fog::Span<const double> details) {

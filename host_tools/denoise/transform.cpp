@@ -9,8 +9,8 @@ namespace {
 
 // Outputs per round: with its inputs this stays in the first-level cache.
 constexpr std::size_t kChunk = 512;
-constexpr std::size_t kMostPhases = 15;  // coif5
-constexpr std::size_t kBuffer = kChunk + kMostPhases + kKernelStep;
+constexpr std::size_t kMaxPhases = 15;  // coif5
+constexpr std::size_t kBuffer = kChunk + kMaxPhases + kKernelStep;
 using Buffer = std::array<double, kBuffer>;
 
 // The index in [0, size) whose value stands at `index` of the extended signal.
@@ -107,9 +107,10 @@ void synthesise_level(const double* high, const FilterPair& filters, fog::Span<d
 
 }  // namespace
 
-int most_levels(std::size_t length, std::size_t taps) {
+int max_levels(std::size_t length, std::size_t taps) {
   int levels = 0;
-  for (std::size_t reach = 2 * (taps - 1); reach <= length; reach *= 2) ++levels;
+  for (std::size_t length_needed = 2 * (taps - 1); length_needed <= length; length_needed *= 2)
+    ++levels;
   return levels;
 }
 

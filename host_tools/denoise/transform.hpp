@@ -24,9 +24,9 @@ struct Decomposition {
 
 /// Levels at which the filter is no longer than what it filters: PyWavelets' dwt_max_level.
 /// 0 where the signal has fewer than 2 (taps - 1) values.
-int most_levels(std::size_t length, std::size_t taps);
+int max_levels(std::size_t length, std::size_t taps);
 
-/// Takes `values` (at least one) apart. Any number of levels works; most_levels() says beyond which
+/// Takes `values` (at least one) apart. Any number of levels works; max_levels() says beyond which
 /// a level is made of extension more than of signal. A level of n values gives
 /// (n + taps - 1) / 2 coefficients, rounded down.
 Decomposition decompose(fog::Span<const double> values, const std::vector<double>& lowpass,

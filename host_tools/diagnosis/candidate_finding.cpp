@@ -21,7 +21,7 @@ std::size_t weigh(std::size_t candidate, std::size_t alone, const EvidenceSpace&
   for (const Hypothesis& hypothesis : hypotheses) {
     if (!hypothesis.has(candidate)) continue;
     finding.probability += hypothesis.probability;
-    if (leading_candidate(evidence.space, evidence.library, hypothesis) == candidate) {
+    if (leading_candidate(evidence.space, evidence.regressors, hypothesis) == candidate) {
       finding.lead += hypothesis.probability;
     }
     for (const Hypothesis::Part& part : hypothesis.parts) {
@@ -36,20 +36,20 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
                          const std::vector<Hypothesis>& hypotheses, double excess,
                          const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
   const Candidate& own = evidence.candidates[candidate];
-  const std::vector<series::ColumnRange>& ranges = evidence.library[candidate];
-  const BestShape best = best_shape(evidence.space, ranges, {}, evidence.space.along());
+  const std::vector<series::ColumnRange>& ranges = evidence.regressors[candidate];
+  const BestShape best = best_shape(evidence.space, ranges, {}, evidence.space.projection());
   CandidateFinding finding;
   finding.effect = own.effect;
   const std::size_t shape = weigh(candidate, best.shape, evidence, hypotheses, finding);
   finding.evidence = best.log_evidence;
   if (excess > 0) {
     const auto columns = static_cast<double>(ranges[shape].count);
-    finding.explained_fraction = std::clamp((best.gain - columns) / excess, 0.0, 1.0);
+    finding.explained_fraction = std::clamp((best.chi2_drop - columns) / excess, 0.0, 1.0);
   }
   const double all_but =
-      best.gain - rules::kPossible * (1 + fit::rules::kModelFormTolerance * best.gain);
+      best.chi2_drop - rules::kPossible * (1 + fit::rules::kModelFormTolerance * best.chi2_drop);
   for (std::size_t s = 0; s < ranges.size(); ++s) {
-    if (s != shape && evidence.space.gain({ranges[s]}) < all_but) continue;
+    if (s != shape && evidence.space.chi2_drop({ranges[s]}) < all_but) continue;
     finding.possible.push_back(own.shapes[s].term);
   }
   std::vector<model::EffectTerm> terms = fit.terms;

@@ -20,21 +20,22 @@ namespace {
 
 // Far from where an effect acts it is next to nothing (a glass transition 80 degC away: e^-40): its
 // coefficient would be beyond 5e5 deg/h, the largest that a board holds, to make 0.5 deg/h.
-constexpr double kLeastRegressor = 1e-6;
+constexpr double kMinRegressor = 1e-6;
 constexpr double kAlike = 0.85;
 constexpr double kTheSame = 0.98;
 constexpr double kRank = 1e-8;
 constexpr int kFirstPlaces = 7;
-constexpr std::size_t kMostPlaces = 72;  // of one parameter
-constexpr double kEdge = 0.02;           // how well known is where an effect begins to show
+constexpr std::size_t kMaxPlaces = 72;  // of one parameter
+constexpr double kEdge = 0.02;          // how well known is where an effect begins to show
 constexpr std::array<double, 3> kOtherPlaces{0.2, 0.5, 0.8};
 constexpr std::size_t kLaidOut = 3;  // parameters; an expression's others stay in the middle
 
 // What the effect's columns are behind those that the model has already.
 class ShapeMaker {
  public:
-  ShapeMaker(const series::SignalSeries& series, const ToVisible& to_visible, Eigen::Index owned)
-      : series_(series), to_visible_(to_visible), owned_(owned) {}
+  ShapeMaker(const series::SignalSeries& series, const ProjectOutModel& project_out_model,
+             Eigen::Index owned)
+      : series_(series), to_visible_(project_out_model), owned_(owned) {}
 
   std::optional<Candidate::Shape> operator()(const model::EffectTerm& term) const {
     const Eigen::MatrixXd all = series_.regressors(term);
@@ -42,7 +43,7 @@ class ShapeMaker {
     if (added <= 0) return std::nullopt;
     if (!all.allFinite()) return std::nullopt;  // an expression at this shape
     const double largest = all.rightCols(added).cwiseAbs().maxCoeff();
-    if (!term.expression && largest < kLeastRegressor) return std::nullopt;
+    if (!term.expression && largest < kMinRegressor) return std::nullopt;
     VisiblePart part = to_visible_(all.rightCols(added));
     if (!part.visible.allFinite()) return std::nullopt;
     if (part.visible.maxCoeff() < rules::kMinVisible) return std::nullopt;
@@ -57,7 +58,7 @@ class ShapeMaker {
 
  private:
   const series::SignalSeries& series_;
-  const ToVisible& to_visible_;
+  const ProjectOutModel& to_visible_;
   Eigen::Index owned_;
 };
 
@@ -69,7 +70,7 @@ double likeness(const Candidate::Shape& a, const Candidate::Shape& b) {
 
 std::size_t best_of(const std::vector<Candidate::Shape>& shapes, const Eigen::VectorXd& residual) {
   const auto less = [&](const Candidate::Shape& a, const Candidate::Shape& b) {
-    return a.gain(residual) < b.gain(residual);
+    return a.chi2_drop(residual) < b.chi2_drop(residual);
   };
   return static_cast<std::size_t>(std::max_element(shapes.begin(), shapes.end(), less) -
                                   shapes.begin());
@@ -108,11 +109,11 @@ void lay_out(const ShapeMaker& make, model::EffectTerm term, const model::ShapeP
   for (int i = 0; i < kFirstPlaces; ++i) {
     places.push_back(at(static_cast<double>(i) / (kFirstPlaces - 1)));
   }
-  for (bool halved = true; halved && places.size() < kMostPlaces;) {
+  for (bool halved = true; halved && places.size() < kMaxPlaces;) {
     halved = false;
     std::vector<Place> finer;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const bool more = i + 1 < places.size() && finer.size() + places.size() - i < kMostPlaces;
+      const bool more = i + 1 < places.size() && finer.size() + places.size() - i < kMaxPlaces;
       const double left = places[i].unit;
       const bool different = more && !places[i].as_the_next && differ(places[i], places[i + 1]);
       places[i].as_the_next = more && !different;
@@ -154,16 +155,16 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const model::Ef
 // What the model's own term could grow by. Laid out along what is new; the rest stays where it is,
 // until all is fitted.
 std::vector<Candidate::Shape> grown_shapes(const series::SignalSeries& series,
-                                           const ToVisible& to_visible,
+                                           const ProjectOutModel& project_out_model,
                                            const model::EffectTerm& own) {
   std::vector<Candidate::Shape> shapes;
   const Eigen::Index owned = series.regressors(own).cols();
   for (const model::EffectTerm& term : model::grown_terms(own)) {
-    model::EffectTerm along = term;
-    for (std::size_t i = 0; i < along.identified.size(); ++i) {
-      along.identified[i] = term.identified[i] && !own.identified[i];
+    model::EffectTerm projection = term;
+    for (std::size_t i = 0; i < projection.identified.size(); ++i) {
+      projection.identified[i] = term.identified[i] && !own.identified[i];
     }
-    for (Candidate::Shape& shape : all_shapes({series, to_visible, owned}, along)) {
+    for (Candidate::Shape& shape : all_shapes({series, project_out_model, owned}, projection)) {
       shape.term.identified = term.identified;
       shapes.push_back(std::move(shape));
     }
@@ -229,15 +230,15 @@ void leave_to_simpler(std::vector<Candidate>& candidates) {
 // Those that the model has not got already.
 void add_expressions(const series::SignalSeries& series,
                      const std::vector<model::EffectTerm>& terms,
-                     std::vector<model::EffectTerm> offered, const ToVisible& to_visible,
-                     CandidateList& list) {
+                     std::vector<model::EffectTerm> offered,
+                     const ProjectOutModel& project_out_model, CandidateList& list) {
   fit::set_expression_ranges(offered, series);
   for (const model::EffectTerm& expression : offered) {
     const bool own = std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
       return term.name == expression.name;
     });
     if (own) continue;
-    Candidate candidate{expression.name, all_shapes({series, to_visible, 0}, expression)};
+    Candidate candidate{expression.name, all_shapes({series, project_out_model, 0}, expression)};
     if (!candidate.shapes.empty()) {
       list.testable.push_back(std::move(candidate));
     } else {
@@ -250,7 +251,7 @@ void add_expressions(const series::SignalSeries& series,
 void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes, std::size_t index,
                   const Eigen::VectorXd& residual) {
   Candidate::Shape& shape = shapes[index];
-  double gain = shape.gain(residual);
+  double chi2_drop = shape.chi2_drop(residual);
   for (const model::ShapeParameter& parameter : model::shape_parameters({shape.term})) {
     // The shape itself changes below.
     const auto place = [&] { return parameter.to_unit(shape.term.parameters[parameter.index]); };
@@ -263,8 +264,8 @@ void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes,
         model::EffectTerm moved = shape.term;
         moved.parameters[parameter.index] = parameter.from_unit(unit);
         auto tried = make(moved);
-        if (!tried || tried->gain(residual) <= gain) continue;
-        gain = tried->gain(residual);
+        if (!tried || tried->chi2_drop(residual) <= chi2_drop) continue;
+        chi2_drop = tried->chi2_drop(residual);
         shape = std::move(*tried);
         break;
       }
@@ -274,30 +275,31 @@ void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes,
 
 }  // namespace
 
-void sharpen(std::vector<Candidate>& candidates, const series::SignalSeries& series,
-             const std::vector<model::EffectTerm>& terms, const ToVisible& to_visible,
-             const Eigen::VectorXd& residual) {
-  constexpr double kLeastGain = 100;
+void refine_shape_parameters(std::vector<Candidate>& candidates, const series::SignalSeries& series,
+                             const std::vector<model::EffectTerm>& terms,
+                             const ProjectOutModel& project_out_model,
+                             const Eigen::VectorXd& residual) {
+  constexpr double kMinChi2Drop = 100;
   constexpr double kLeading = 0.5;
   std::vector<std::size_t> best;
-  std::vector<double> gain;
+  std::vector<double> chi2_drop;
   for (const Candidate& candidate : candidates) {
     best.push_back(best_of(candidate.shapes, residual));
-    gain.push_back(candidate.shapes[best.back()].gain(residual));
+    chi2_drop.push_back(candidate.shapes[best.back()].chi2_drop(residual));
   }
-  if (gain.empty()) return;
+  if (chi2_drop.empty()) return;
   const double needed =
-      std::max(kLeastGain, kLeading * *std::max_element(gain.begin(), gain.end()));
+      std::max(kMinChi2Drop, kLeading * *std::max_element(chi2_drop.begin(), chi2_drop.end()));
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const bool grown = std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
       return term.name == candidates[i].effect;
     });
-    if (gain[i] < needed || grown) continue;
+    if (chi2_drop[i] < needed || grown) continue;
     if (candidates[i].is_event()) {
-      move_steps(series.rows(), to_visible, candidates[i].shapes, residual);
+      move_steps(series.rows(), project_out_model, candidates[i].shapes, residual);
       continue;
     }
-    move_to_best({series, to_visible, 0}, candidates[i].shapes, best[i], residual);
+    move_to_best({series, project_out_model, 0}, candidates[i].shapes, best[i], residual);
   }
 }
 
@@ -316,7 +318,7 @@ bool Candidate::has_own_input() const {
 CandidateList find_candidates(const series::SignalSeries& series,
                               const std::vector<model::EffectTerm>& terms,
                               const std::vector<model::EffectTerm>& offered, fog::InputMask inputs,
-                              const ToVisible& to_visible,
+                              const ProjectOutModel& project_out_model,
                               const std::function<void(double)>& progress) {
   CandidateList list;
   double done = 0;
@@ -336,13 +338,14 @@ CandidateList find_candidates(const series::SignalSeries& series,
                                   [&](const model::EffectTerm& term) { return term.name == name; });
     Candidate candidate{name, {}};
     if (entry.description.event) {
-      candidate.shapes = step_shapes(series.rows(), to_visible, model::parse_effects(name)[0]);
+      candidate.shapes =
+          step_shapes(series.rows(), project_out_model, model::parse_effects(name)[0]);
     } else if (own == terms.end()) {
       std::vector<model::EffectTerm> added = model::parse_effects(name);
       fit::set_references(added, series);
-      candidate.shapes = all_shapes({series, to_visible, 0}, added[0]);
+      candidate.shapes = all_shapes({series, project_out_model, 0}, added[0]);
     } else {
-      candidate.shapes = grown_shapes(series, to_visible, *own);
+      candidate.shapes = grown_shapes(series, project_out_model, *own);
     }
     if (!candidate.shapes.empty()) {
       list.testable.push_back(std::move(candidate));
@@ -350,7 +353,7 @@ CandidateList find_candidates(const series::SignalSeries& series,
       list.untestable.push_back({name, what_would_show(entry)});
     }
   }
-  add_expressions(series, terms, offered, to_visible, list);
+  add_expressions(series, terms, offered, project_out_model, list);
   leave_to_simpler(list.testable);
   return list;
 }

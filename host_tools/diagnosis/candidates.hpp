@@ -17,7 +17,7 @@ struct Candidate {
     std::size_t row = 0;     ///< of a bias step: from which on it is there
 
     /// chi^2 that it by itself takes out of the whitened residual.
-    double gain(const Eigen::VectorXd& residual) const {
+    double chi2_drop(const Eigen::VectorXd& residual) const {
       return (basis.transpose() * residual).squaredNorm();
     }
   };
@@ -47,7 +47,7 @@ struct VisiblePart {
   Eigen::MatrixXd columns;
   Eigen::VectorXd visible;
 };
-using ToVisible = std::function<VisiblePart(const Eigen::MatrixXd& regressors)>;
+using ProjectOutModel = std::function<VisiblePart(const Eigen::MatrixXd& regressors)>;
 
 /// Every effect of the catalogue that `terms` lack, what they have of it could grow by (a higher
 /// order, a second radius), and those of the expressions `offered` that they lack. Shape parameters
@@ -60,7 +60,7 @@ using ToVisible = std::function<VisiblePart(const Eigen::MatrixXd& regressors)>;
 CandidateList find_candidates(const series::SignalSeries& series,
                               const std::vector<model::EffectTerm>& terms,
                               const std::vector<model::EffectTerm>& offered, fog::InputMask inputs,
-                              const ToVisible& to_visible,
+                              const ProjectOutModel& project_out_model,
                               const std::function<void(double)>& progress);
 
 /// Moves the best shape of each leading candidate to where it explains most of the whitened
@@ -69,8 +69,9 @@ CandidateList find_candidates(const series::SignalSeries& series,
 /// explained (chi^2 of 100) that no test against noise is in question: there every shape must be
 /// one that noise is tried with too. Of bias steps the best few, to the row. Not for effects that
 /// `terms` have and that could grow.
-void sharpen(std::vector<Candidate>& candidates, const series::SignalSeries& series,
-             const std::vector<model::EffectTerm>& terms, const ToVisible& to_visible,
-             const Eigen::VectorXd& residual);
+void refine_shape_parameters(std::vector<Candidate>& candidates, const series::SignalSeries& series,
+                             const std::vector<model::EffectTerm>& terms,
+                             const ProjectOutModel& project_out_model,
+                             const Eigen::VectorXd& residual);
 
 }  // namespace fogcomp::diagnosis

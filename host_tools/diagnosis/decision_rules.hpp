@@ -48,8 +48,8 @@ constexpr double kSimpler = 4;
 
 /// Fall of chi^2 that each part of a set must bring: 99.8 % of one direction of noise. Events need
 /// more evidence than physics, as flicker noise looks like steps.
-constexpr double kMinPartGain = 10;
-constexpr double kMinStepGain = 60;
+constexpr double kMinPartChi2Drop = 10;
+constexpr double kMinStepChi2Drop = 60;
 
 /// Fall of chi^2 by which a shape is not the best any more: three standard deviations.
 constexpr double kPossible = 9;
@@ -72,7 +72,7 @@ constexpr std::array<double, 3> kMaxUnexplained{0.1, 0.06, 0.05};
 /// can be made: of 156 gyros with an effect outside the catalogue, visible as 0.7 of the noise, six
 /// were explained so within 0.05; of 166 with three catalogued effects three leave more than this.
 /// Not where an effect leads whose shape is fixed: that is not bent into an imitation.
-constexpr double kMaxUnexplainedByThreePliable = 0.025;
+constexpr double kMaxUnexplainedByThreeFreeShape = 0.025;
 
 /// The same by an event, whose form is exact where a physical effect's is not: a maximum that is
 /// kept, or a load that is slow to settle, is like a step in all but a few hundredths.

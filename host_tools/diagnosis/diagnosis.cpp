@@ -40,8 +40,8 @@ std::vector<Diagnosis::Explanation> likeliest_sets(const EvidenceSpace& evidence
     }
     set.probability = hypothesis.probability;
     if (excess > 0) {
-      const double columns = fit::column_count(ranges_of(evidence.library, hypothesis));
-      set.explained_fraction = std::clamp((hypothesis.gain - columns) / excess, 0.0, 1.0);
+      const double columns = fit::column_count(ranges_of(evidence.regressors, hypothesis));
+      set.explained_fraction = std::clamp((hypothesis.chi2_drop - columns) / excess, 0.0, 1.0);
     }
     sets.push_back(std::move(set));
   }
@@ -87,13 +87,13 @@ void name_effects(const model::Model& model, Diagnosis& diagnosis) {
 void judge(const model::Model& model, const EvidenceSpace& evidence,
            const series::SignalSeries& series, const fit::NoiseWeightedFit& fit, std::uint64_t seed,
            Diagnosis& diagnosis) {
-  const NullTest test = test_against_noise(evidence.space, evidence.library, evidence.structure,
-                                           fit.noise.freedom, seed);
+  const NullTest test = test_against_noise(evidence.space, evidence.regressors, evidence.structure,
+                                           fit.noise.degrees_of_freedom, seed);
   const std::vector<Hypothesis> hypotheses =
-      find_hypotheses(evidence.space, evidence.candidates, evidence.library);
+      find_hypotheses(evidence.space, evidence.candidates, evidence.regressors);
   if (hypotheses.empty()) return;
   const Explanation explanation =
-      explain(evidence.space, evidence.library, evidence.structure, hypotheses);
+      explain(evidence.space, evidence.regressors, evidence.structure, hypotheses);
   diagnosis.unexplained_fraction = explanation.unexplained;
   const FastFinding fast = find_fast(evidence, *explanation.best, series, fit);
   diagnosis.fast = fast.spectrum;
@@ -193,11 +193,11 @@ Diagnosis diagnose(const model::Model& model, const DiagnosisData& data,
   diagnosis.variable = std::move(place.variable);
   diagnosis.variables = std::move(place.variables);
   diagnosis.segments = std::move(place.segments);
-  if (!evidence.library.empty()) judge(model, evidence, series, fit, settings.seed, diagnosis);
+  if (!evidence.regressors.empty()) judge(model, evidence, series, fit, settings.seed, diagnosis);
   if (model.network.present()) {
     diagnosis.network =
         ask_network(model.network, series, evidence.candidates,
-                    [&](const Eigen::MatrixXd& columns) { return evidence.remover(columns); });
+                    [&](const Eigen::MatrixXd& columns) { return evidence.residualizer(columns); });
   }
   diagnosis.notes = limits_of(diagnosis, settings.noise.has_value());
   diagnosis.blind_spot = blind_spot_of(diagnosis, rows, settings.noise.has_value());

@@ -87,7 +87,7 @@ struct DiagnosisSettings {
   std::optional<noise::NoiseModel>
       noise;               ///< from a static record; otherwise from the runs' quiet parts
   std::uint64_t seed = 1;  ///< of the draws that calibrate the test
-  /// Told how much is done, 0..1 (of a ladder: of the most that it may be); or empty.
+  /// Told how much is done, 0..1 (of a ladder: of its maximum length); or empty.
   std::function<void(double)> progress{};
 };
 

@@ -59,7 +59,7 @@ RowLength row_length(const std::vector<compare::RunInBlocks>& runs) {
 
 noise::NoiseModel noise_of_static(const model::Model& model, const recording::Recording& recording,
                                   const DiagnosisData& data) {
-  constexpr Eigen::Index kLeastStaticRows = 128;
+  constexpr Eigen::Index kMinStaticRows = 128;
   recording::require_moving_rate(recording);
   const std::string same = data.known().file_with(recording::rows_hash(recording));
   if (!same.empty()) {
@@ -79,11 +79,11 @@ noise::NoiseModel noise_of_static(const model::Model& model, const recording::Re
                                             "--average that suits both",
                                             rows.row_s, row_s));
   }
-  if (rows.size() < kLeastStaticRows) {
+  if (rows.size() < kMinStaticRows) {
     throw InputError(recording.file,
                      format("%s of %g s at rest: too few for --static; at least %td",
                             counted(static_cast<std::size_t>(rows.size()), "row").c_str(), row_s,
-                            kLeastStaticRows));
+                            kMinStaticRows));
   }
   return noise::fit_noise({{rows.drift_dph}}, row_s,
                           std::max(rows.longest_run_s(), data.series().rows().longest_run_s()));

@@ -7,33 +7,41 @@ namespace fogcomp::diagnosis {
 EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
                                   const std::function<void(double)>& progress) {
   const series::SignalSeries& series = data.series();
-  ModelRemover remover(series.rows(), fit);
-  const ToVisible to_visible = [&](const Eigen::MatrixXd& columns) { return remover(columns); };
-  CandidateList list =
-      find_candidates(series, fit.terms, data.offered(), data.inputs(), to_visible, progress);
-  sharpen(list.testable, series, fit.terms, to_visible, remover.residual());
-  VisibleStructure smooth = visible_structure(series.rows(), remover);
+  Residualizer residualizer(series.rows(), fit);
+  const ProjectOutModel project_out_model = [&](const Eigen::MatrixXd& columns) {
+    return residualizer(columns);
+  };
+  CandidateList list = find_candidates(series, fit.terms, data.offered(), data.inputs(),
+                                       project_out_model, progress);
+  refine_shape_parameters(list.testable, series, fit.terms, project_out_model,
+                          residualizer.residual());
+  VisibleStructure smooth = visible_structure(series.rows(), residualizer);
 
-  fit::ExplainedSpace space(remover.residual());
-  Library library;
+  fit::ExplainedSpace space(residualizer.residual());
+  RegressorBasis regressors;
   for (const Candidate& candidate : list.testable) {
-    library.emplace_back();
+    regressors.emplace_back();
     for (const Candidate::Shape& shape : candidate.shapes) {
-      library.back().push_back(space.add(shape.basis));
+      regressors.back().push_back(space.add(shape.basis));
     }
   }
   const series::ColumnRange structure = space.add(smooth.all);
   fit::WalkModes walk =
-      fit::add_walk(space, remover(noise::random_walk_modes(series.rows())).columns);
+      fit::add_walk(space, residualizer(noise::random_walk_modes(series.rows())).columns);
   space.finish();
-  return {std::move(remover), std::move(list.testable), std::move(list.untestable),
-          std::move(smooth),  std::move(space),         std::move(library),
-          structure,          std::move(walk)};
+  return {std::move(residualizer),
+          std::move(list.testable),
+          std::move(list.untestable),
+          std::move(smooth),
+          std::move(space),
+          std::move(regressors),
+          structure,
+          std::move(walk)};
 }
 
 Eigen::VectorXd without(const EvidenceSpace& evidence, const Hypothesis& hypothesis,
                         Eigen::Index rows) {
-  std::vector<series::ColumnRange> ranges = ranges_of(evidence.library, hypothesis);
+  std::vector<series::ColumnRange> ranges = ranges_of(evidence.regressors, hypothesis);
   ranges.push_back(evidence.structure);
   const Eigen::VectorXd coefficients = evidence.space.coefficients(ranges);
   Eigen::VectorXd left = evidence.residual();

@@ -16,18 +16,18 @@ namespace fogcomp::diagnosis {
 /// Second stage of a diagnosis: all that might explain what a model leaves, as columns that are
 /// whitened and free of what the model can do itself, and their inner products.
 struct EvidenceSpace {
-  ModelRemover remover;
+  Residualizer residualizer;
   std::vector<Candidate> candidates;
   std::vector<Untestable> untestable;
   VisibleStructure smooth;  ///< smooth functions of everything: no physics
   fit::ExplainedSpace space;
   // Where they lie in `space`:
-  Library library;  ///< the shapes of each candidate
+  RegressorBasis regressors;  ///< the shapes of each candidate
   series::ColumnRange structure;
   fit::WalkModes walk;  ///< of a random walk of the bias
 
   /// What the model leaves of the measurement, whitened.
-  const Eigen::VectorXd& residual() const { return remover.residual(); }
+  const Eigen::VectorXd& residual() const { return residualizer.residual(); }
 };
 
 /// `fit`: of the rows of `data`; both must outlive the result. `progress` is told how much is done,

@@ -82,13 +82,13 @@ class Trial {
       base.push_back(series_.regressors(imitator.terms[i]));
     }
     const double visible = left_by(base, signal);
-    double least = visible;
+    double min = visible;
     for (const model::EffectTerm& shape : imitator.shapes) {
       std::vector<Eigen::MatrixXd> parts = base;
       parts.push_back(series_.regressors(shape));
-      least = std::min(least, left_by(parts, signal));
+      min = std::min(min, left_by(parts, signal));
     }
-    return least / std::sqrt(1 + fit::rules::kModelFormTolerance * visible * visible);
+    return min / std::sqrt(1 + fit::rules::kModelFormTolerance * visible * visible);
   }
 
  private:

@@ -27,7 +27,8 @@ struct Rival {
 /// Simulates every programme of the menu (fast, reversed, minor loops, random steps, heater,
 /// restarts, axis flips...) for a typical gyro, and asks of each: if one rival is true as fitted,
 /// how much of it can the other not imitate there, in any shape that is still possible and with
-/// everything refitted? The programme whose least told pair of rivals is told best is proposed.
+/// everything refitted? Proposes the programme that maximises the smallest separation (in sigma)
+/// over all pairs of rivals.
 Experiment propose_experiment(const model::Model& model, const std::vector<Rival>& rivals,
                               const noise::NoiseModel& noise);
 

@@ -9,39 +9,40 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-double most_unexplained(const Hypothesis& hypothesis) {
+double max_unexplained(const Hypothesis& hypothesis) {
   const std::size_t size = hypothesis.parts.size();
-  double most = rules::kMaxUnexplained[size - 1];
-  if (hypothesis.led_by_event) most = std::min(most, rules::kMaxUnexplainedByEvent);
-  if (size == 3 && hypothesis.pliable) most = std::min(most, rules::kMaxUnexplainedByThreePliable);
-  return most;
+  double max = rules::kMaxUnexplained[size - 1];
+  if (hypothesis.led_by_event) max = std::min(max, rules::kMaxUnexplainedByEvent);
+  if (size == 3 && hypothesis.free_shape)
+    max = std::min(max, rules::kMaxUnexplainedByThreeFreeShape);
+  return max;
 }
 
 }  // namespace
 
-Explanation explain(const fit::ExplainedSpace& space, const Library& library,
+Explanation explain(const fit::ExplainedSpace& space, const RegressorBasis& regressors,
                     const series::ColumnRange& structure,
                     const std::vector<Hypothesis>& hypotheses) {
   Explanation result;
   std::array<const Hypothesis*, rules::kMaxUnexplained.size()> best{};
   for (const Hypothesis& hypothesis : hypotheses) {
     const Hypothesis*& place = best[hypothesis.parts.size() - 1];
-    if (place == nullptr || hypothesis.gain > place->gain) place = &hypothesis;
+    if (place == nullptr || hypothesis.chi2_drop > place->chi2_drop) place = &hypothesis;
   }
   const auto left_width = static_cast<double>(structure.count);
   for (std::size_t size = 0; size < best.size() && !result.enough; ++size) {
     if (best[size] == nullptr) continue;
-    std::vector<series::ColumnRange> ranges = ranges_of(library, *best[size]);
+    std::vector<series::ColumnRange> ranges = ranges_of(regressors, *best[size]);
     const double own_width = fit::column_count(ranges);
     ranges.push_back(structure);
-    const double all = space.gain(ranges);
-    const double left = all - best[size]->gain;
+    const double all = space.chi2_drop(ranges);
+    const double left = all - best[size]->chi2_drop;
     result.best = best[size];
-    result.excess = std::max(all - left_width, best[size]->gain) - own_width;
+    result.excess = std::max(all - left_width, best[size]->chi2_drop) - own_width;
     result.unexplained =
         result.excess > 0 ? std::clamp((left - left_width) / result.excess, 0.0, 1.0) : 0;
     result.enough =
-        result.unexplained < most_unexplained(*best[size]) ||
+        result.unexplained < max_unexplained(*best[size]) ||
         tail_log_p(standard_score(std::max(left, 0.0), left_width)) > rules::kLeftoverLogP;
   }
   return result;

@@ -17,7 +17,7 @@ struct Explanation {
 /// The smallest set of effects that explains enough; else the best one, which does not.
 /// `structure`: smooth functions of everything, which show what there is. `hypotheses`: of up to
 /// three parts, at least one; they must outlive the result.
-Explanation explain(const fit::ExplainedSpace& space, const Library& library,
+Explanation explain(const fit::ExplainedSpace& space, const RegressorBasis& regressors,
                     const series::ColumnRange& structure,
                     const std::vector<Hypothesis>& hypotheses);
 

@@ -33,15 +33,15 @@ Eigen::VectorXd without_input_rate(const EvidenceSpace& evidence, const series::
   constexpr double kAboveRounding = 1e-3;
   const Eigen::MatrixXd columns = noise::input_rate_columns(rows);
   if (columns.cols() == 0) return whitened;
-  VisiblePart part = evidence.remover(columns);
+  VisiblePart part = evidence.residualizer(columns);
   Eigen::Index kept = 0;
   for (Eigen::Index i = 0; i < part.columns.cols(); ++i) {
     if (part.visible[i] > kAboveRounding) part.columns.col(kept++) = part.columns.col(i);
   }
   // Behind the recordings' rows the remover has one for each prior of the model's terms.
   const Eigen::MatrixXd basis = orthonormal(part.columns.topLeftCorner(whitened.size(), kept));
-  const Eigen::VectorXd along = basis.transpose() * whitened;
-  whitened -= basis * along;
+  const Eigen::VectorXd projection = basis.transpose() * whitened;
+  whitened -= basis * projection;
   return whitened;
 }
 
@@ -55,7 +55,7 @@ double excess_of(const FastFinding& finding, Eigen::Index rows) {
     case FastKind::two_levels:
       break;
   }
-  return finding.jumps.gain;
+  return finding.jumps.chi2_drop;
 }
 
 }  // namespace

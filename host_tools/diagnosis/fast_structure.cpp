@@ -15,9 +15,9 @@ constexpr std::size_t kFirstLine = 3;  // periods in a run
 constexpr std::size_t kSlowLine = 8;   // below, a line must stand out of what is slow about it
 constexpr std::size_t kFirstBand = 20;
 constexpr std::size_t kNeighbours = 16;  // on either side, which say what is usual there
-constexpr std::size_t kMostOctaves = 24;
-constexpr std::size_t kLeastLines = 8;  // in an octave
-constexpr double kLeastExcess = 0.2;    // of an octave: less is a noise model that is a bit off
+constexpr std::size_t kMaxOctaves = 24;
+constexpr std::size_t kMinLines = 8;  // in an octave
+constexpr double kMinExcess = 0.2;    // of an octave: less is a noise model that is a bit off
 // A level from 32 neighbours is uncertain itself: chances count for less.
 constexpr double kLevelUncertainty = 0.75;
 
@@ -64,12 +64,12 @@ void find_line(const std::vector<double>& powers, double length_s, FastStructure
 void find_band(const std::vector<Octave>& octaves, double level, double lines,
                FastStructure& fast) {
   for (const Octave& octave : octaves) {
-    if (octave.count < kLeastLines) continue;
+    if (octave.count < kMinLines) continue;
     // Twice an exponential variable of mean 1 is chi^2 with two degrees.
     const double mean = octave.power / octave.count / level;
     const double score = standard_score(2 * octave.count * mean, 2 * octave.count);
     const double log_p = score < 1 ? 0 : tail_log_p(score) + std::log(12.0);
-    if (log_p >= fast.band_log_p || mean - 1 < kLeastExcess) continue;
+    if (log_p >= fast.band_log_p || mean - 1 < kMinExcess) continue;
     fast.band_log_p = log_p;
     fast.band_excess = mean - 1;
     fast.band_period_s = octave.period_s / octave.count;
@@ -81,7 +81,7 @@ void find_band(const std::vector<Octave>& octaves, double level, double lines,
 
 FastStructure find_fast_structure(const series::Rows& rows,
                                   const Eigen::VectorXd& whitened_residual) {
-  std::vector<Octave> octaves(kMostOctaves);
+  std::vector<Octave> octaves(kMaxOctaves);
   std::vector<double> all;
   FastStructure fast;
   for (const recording::RowRange& run : rows.runs()) {
@@ -93,7 +93,7 @@ FastStructure find_fast_structure(const series::Rows& rows,
     find_line(powers, length_s, fast);
     for (std::size_t k = kFirstBand; k < powers.size(); ++k) {
       const double octave = std::log2(static_cast<double>(size) / (2 * static_cast<double>(k)));
-      Octave& place = octaves[std::min(kMostOctaves - 1, static_cast<std::size_t>(octave))];
+      Octave& place = octaves[std::min(kMaxOctaves - 1, static_cast<std::size_t>(octave))];
       place.power += powers[k];
       place.count += 1;
       place.period_s += length_s / static_cast<double>(k);

@@ -74,13 +74,13 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
   }
   const bool walk = diagnosis.walk.may_be_all();
   if (diagnosis.verdict == Verdict::unknown && !walk && !diagnosis.candidates.empty()) {
-    const auto most =
+    const auto max =
         std::max_element(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                          [](const auto& a, const auto& b) { return a.evidence < b.evidence; });
-    const bool main = most->probability >= rules::kNamed &&
-                      most->explained_fraction >= rules::kMainPart &&
-                      lowers_the_error(diagnosis, *most);
-    if (main) return most->effect;
+    const bool main = max->probability >= rules::kNamed &&
+                      max->explained_fraction >= rules::kMainPart &&
+                      lowers_the_error(diagnosis, *max);
+    if (main) return max->effect;
   }
   return "";
 }

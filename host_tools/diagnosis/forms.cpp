@@ -35,11 +35,11 @@ struct VaryingSignal {
   model::SignalRange range;
   bool has_zero;  ///< 0 degC is no special temperature
 
-  double span() const { return range.most - range.least; }
+  double span() const { return range.max - range.min; }
   /// A value of it, searched for.
   std::string somewhere() const {
     const double margin = kKinkMargin * span();
-    return format("?c[%.6g,%.6g]", range.least + margin, range.most - margin);
+    return format("?c[%.6g,%.6g]", range.min + margin, range.max - margin);
   }
 };
 
@@ -50,12 +50,12 @@ std::vector<VaryingSignal> varying_signals(const series::SignalSeries& series,
   for (const fog::InputDescription& input : fog::kInputTable) {
     if (input.input == fog::Input::elapsed || !has(inputs, input.input)) continue;
     const model::SignalRange& range = ranges[static_cast<std::size_t>(input.input)];
-    if (range.most > range.least) signals.push_back({input.symbol, range, input.unit != kDegC});
+    if (range.max > range.min) signals.push_back({input.symbol, range, input.unit != kDegC});
   }
   return signals;
 }
 
-std::string lagged(const std::string& text) {
+std::string lag_of(const std::string& text) {
   return "lag(" + text + "," + kLagBounds + ")";
 }
 
@@ -68,15 +68,15 @@ void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
   if (x != "T") {
     formulas.add(x + "_squared", x + "^2");
     formulas.add(x + "_cubed", x + "^3");
-    formulas.add(x + "_squared_late", lagged(x + "^2"));
-    formulas.add(x + "_late_squared", lagged(x) + "^2");
-    if (range.least < 0 && range.most > 0) {
+    formulas.add(x + "_squared_late", lag_of(x + "^2"));
+    formulas.add(x + "_late_squared", lag_of(x) + "^2");
+    if (range.min < 0 && range.max > 0) {
       formulas.add(x + "_size", "abs(" + x + ")");
-      formulas.add(x + "_size_late", lagged("abs(" + x + ")"));
-      formulas.add(x + "_late_size", "abs(" + lagged(x) + ")");
+      formulas.add(x + "_size_late", lag_of("abs(" + x + ")"));
+      formulas.add(x + "_late_size", "abs(" + lag_of(x) + ")");
       formulas.add(x + "_signed_square", x + "*abs(" + x + ")");
     }
-    if (x != "dTdt") formulas.add(x + "_late", lagged(x));
+    if (x != "dTdt") formulas.add(x + "_late", lag_of(x));
     formulas.add(x + "_sine", format("sin(6.2832*%s/?p[%.4g,%.4g])", x.c_str(), kMinPeriod * span,
                                      kMaxPeriod * span));
   }
@@ -95,10 +95,10 @@ void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSigna
     formulas.add(x + "_offset_squared_" + y, about + "^2*" + y);
     formulas.add(x + "_offset_" + y + "_squared", about + "*" + y + "^2");
   }
-  if (b.range.least < 0 && b.range.most > 0) {
+  if (b.range.min < 0 && b.range.max > 0) {
     formulas.add(x + "_" + y + "_size", x + "*abs(" + y + ")");
   }
-  formulas.add(x + "_" + y + "_late", lagged(x + "*" + y));
+  formulas.add(x + "_" + y + "_late", lag_of(x + "*" + y));
 }
 
 }  // namespace

@@ -16,16 +16,16 @@ constexpr std::size_t kExtended = 8;  // pairs that are tried with a third effec
 class Search {
  public:
   Search(const fit::ExplainedSpace& space, const std::vector<Candidate>& candidates,
-         const Library& library)
-      : space_(space), candidates_(candidates), library_(library) {}
+         const RegressorBasis& regressors)
+      : space_(space), candidates_(candidates), regressors_(regressors) {}
 
   std::vector<Hypothesis> run() {
-    for (std::size_t i = 0; i < library_.size(); ++i) keep(settle({{{i, 0}}}));
+    for (std::size_t i = 0; i < regressors_.size(); ++i) keep(solve({{{i, 0}}}));
     std::vector<Hypothesis> pairs;
-    for (std::size_t i = 0; i < library_.size(); ++i) {
-      for (std::size_t j = i; j < library_.size(); ++j) {
+    for (std::size_t i = 0; i < regressors_.size(); ++i) {
+      for (std::size_t j = i; j < regressors_.size(); ++j) {
         if (i == j && !may_stand_twice(i)) continue;
-        pairs.push_back(settle({{{i, alone_[i]}, {j, alone_[j]}}}));
+        pairs.push_back(solve({{{i, alone_[i]}, {j, alone_[j]}}}));
       }
     }
     std::sort(pairs.begin(), pairs.end(), [](const Hypothesis& a, const Hypothesis& b) {
@@ -34,11 +34,11 @@ class Search {
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       keep(pairs[p]);
       if (p >= kExtended) continue;
-      for (std::size_t k = 0; k < library_.size(); ++k) {
+      for (std::size_t k = 0; k < regressors_.size(); ++k) {
         if (pairs[p].has(k)) continue;
         Hypothesis three = pairs[p];
         three.parts.push_back({k, alone_[k]});
-        keep(settle(three));
+        keep(solve(three));
       }
     }
     weigh();
@@ -56,22 +56,22 @@ class Search {
   }
 
   // Moves the shapes, one part at a time, to where they explain most together.
-  Hypothesis settle(Hypothesis h) {
+  Hypothesis solve(Hypothesis h) {
     const std::size_t passes = h.parts.size() == 1 ? 1 : 2;
     double width = 0;
     double unlikely = 0;  // what averaging over each part's shapes costs
     for (std::size_t pass = 0; pass < passes; ++pass) {
       unlikely = 0;
       for (std::size_t i = h.parts.size(); i-- > 0;) {
-        const BestShape best = best_shape(space_, library_[h.parts[i].candidate],
-                                          ranges_of(library_, h, i), space_.along());
+        const BestShape best = best_shape(space_, regressors_[h.parts[i].candidate],
+                                          ranges_of(regressors_, h, i), space_.projection());
         h.parts[i].shape = best.shape;
-        h.gain = best.gain;
-        width = fit::column_count(ranges_of(library_, h));
-        unlikely += fit::log_evidence(best.gain, width) - best.log_evidence;
+        h.chi2_drop = best.chi2_drop;
+        width = fit::column_count(ranges_of(regressors_, h));
+        unlikely += fit::log_evidence(best.chi2_drop, width) - best.log_evidence;
       }
     }
-    h.log_evidence = fit::log_evidence(h.gain, width) - unlikely;
+    h.log_evidence = fit::log_evidence(h.chi2_drop, width) - unlikely;
     if (h.parts.size() == 1) alone_.push_back(h.parts[0].shape);
     return h;
   }
@@ -79,18 +79,20 @@ class Search {
   // A set in which every part earns its place.
   void keep(Hypothesis h) {
     for (std::size_t i = 0; i < h.parts.size(); ++i) {
-      const std::vector<series::ColumnRange> rest = ranges_of(library_, h, i);
-      const double without = rest.empty() ? 0 : space_.gain(rest);
+      const std::vector<series::ColumnRange> rest = ranges_of(regressors_, h, i);
+      const double without = rest.empty() ? 0 : space_.chi2_drop(rest);
       const bool step = is_step(h.parts[i].candidate);
-      const double needed = step ? rules::kMinStepGain : rest.empty() ? 0 : rules::kMinPartGain;
-      if (h.gain - without < needed) return;
+      const double needed = step           ? rules::kMinStepChi2Drop
+                            : rest.empty() ? 0
+                                           : rules::kMinPartChi2Drop;
+      if (h.chi2_drop - without < needed) return;
     }
-    const std::size_t leading = leading_candidate(space_, library_, h);
+    const std::size_t leading = leading_candidate(space_, regressors_, h);
     h.led_by_event = is_step(leading);
-    h.pliable = candidates_[leading].has_free_shape() &&
-                std::none_of(h.parts.begin(), h.parts.end(), [&](const Hypothesis::Part& part) {
-                  return candidates_[part.candidate].has_own_input();
-                });
+    h.free_shape = candidates_[leading].has_free_shape() &&
+                   std::none_of(h.parts.begin(), h.parts.end(), [&](const Hypothesis::Part& part) {
+                     return candidates_[part.candidate].has_own_input();
+                   });
     const auto same = std::find_if(found_.begin(), found_.end(), [&](const Hypothesis& other) {
       return effects_of(other) == effects_of(h);
     });
@@ -112,14 +114,14 @@ class Search {
   // One more effect out of those that are left.
   double log_prior(const Hypothesis& h) const {
     double prior = 0;
-    auto left = static_cast<double>(library_.size()) - 1;
+    auto left = static_cast<double>(regressors_.size()) - 1;
     for (std::size_t i = 1; i < h.effects(); ++i) {
       prior += std::log(rules::kAnother * static_cast<double>(i + 1) / std::max(1.0, left));
       left -= 1;
     }
     for (const Hypothesis::Part& part : h.parts) {
       const double parameters =
-          static_cast<double>(library_[part.candidate][part.shape].count) +
+          static_cast<double>(regressors_[part.candidate][part.shape].count) +
           static_cast<double>(
               model::shape_parameters({candidates_[part.candidate].shapes[part.shape].term})
                   .size());
@@ -130,9 +132,9 @@ class Search {
 
   void weigh() {
     if (found_.empty()) return;
-    double most = 0;
-    for (const Hypothesis& h : found_) most = std::max(most, h.log_evidence);
-    const double temper = 1 + fit::rules::kModelFormTolerance * 2 * most;
+    double max = 0;
+    for (const Hypothesis& h : found_) max = std::max(max, h.log_evidence);
+    const double temper = 1 + fit::rules::kModelFormTolerance * 2 * max;
     double best = -HUGE_VAL;
     const auto score = [&](const Hypothesis& h) { return h.log_evidence / temper + h.log_prior; };
     for (Hypothesis& h : found_) {
@@ -149,36 +151,36 @@ class Search {
 
   const fit::ExplainedSpace& space_;
   const std::vector<Candidate>& candidates_;
-  const Library& library_;
+  const RegressorBasis& regressors_;
   std::vector<std::size_t> alone_;  // best shape of each candidate by itself
   std::vector<Hypothesis> found_;
 };
 
 }  // namespace
 
-std::vector<series::ColumnRange> ranges_of(const Library& library, const Hypothesis& hypothesis,
-                                           std::size_t left_out) {
+std::vector<series::ColumnRange> ranges_of(const RegressorBasis& regressors,
+                                           const Hypothesis& hypothesis, std::size_t left_out) {
   std::vector<series::ColumnRange> ranges;
   for (std::size_t i = 0; i < hypothesis.parts.size(); ++i) {
     const Hypothesis::Part& part = hypothesis.parts[i];
-    if (i != left_out) ranges.push_back(library[part.candidate][part.shape]);
+    if (i != left_out) ranges.push_back(regressors[part.candidate][part.shape]);
   }
   return ranges;
 }
 
-std::size_t leading_candidate(const fit::ExplainedSpace& space, const Library& library,
+std::size_t leading_candidate(const fit::ExplainedSpace& space, const RegressorBasis& regressors,
                               const Hypothesis& hypothesis) {
   std::size_t best = hypothesis.parts.front().candidate;
-  double least = HUGE_VAL;
+  double min = HUGE_VAL;
   for (const Hypothesis::Part& part : hypothesis.parts) {
     std::vector<series::ColumnRange> others;
     for (const Hypothesis::Part& other : hypothesis.parts) {
       if (other.candidate != part.candidate)
-        others.push_back(library[other.candidate][other.shape]);
+        others.push_back(regressors[other.candidate][other.shape]);
     }
-    const double gain = others.empty() ? 0 : space.gain(others);
-    if (gain >= least) continue;
-    least = gain;
+    const double chi2_drop = others.empty() ? 0 : space.chi2_drop(others);
+    if (chi2_drop >= min) continue;
+    min = chi2_drop;
     best = part.candidate;
   }
   return best;
@@ -202,39 +204,40 @@ std::size_t Hypothesis::effects() const {
 
 BestShape best_shape(const fit::ExplainedSpace& space,
                      const std::vector<series::ColumnRange>& shapes,
-                     const std::vector<series::ColumnRange>& others, const Eigen::VectorXd& along) {
+                     const std::vector<series::ColumnRange>& others,
+                     const Eigen::VectorXd& projection) {
   std::vector<series::ColumnRange> parts = others;
   parts.push_back({});
-  std::vector<double> gains;
+  std::vector<double> drops;
   std::vector<double> columns;
   for (const series::ColumnRange& shape : shapes) {
     parts.back() = shape;
-    gains.push_back(space.gain(parts, along));
+    drops.push_back(space.chi2_drop(parts, projection));
     columns.push_back(fit::column_count(parts));
   }
-  return best_of_gains(gains, columns);
+  return best_of_drops(drops, columns);
 }
 
-BestShape best_of_gains(const std::vector<double>& gains, const std::vector<double>& columns) {
+BestShape best_of_drops(const std::vector<double>& drops, const std::vector<double>& columns) {
   BestShape best;
-  std::vector<double> evidence(gains.size());
-  for (std::size_t shape = 0; shape < gains.size(); ++shape) {
-    evidence[shape] = fit::log_evidence(gains[shape], columns[shape]);
-    if (shape > 0 && gains[shape] <= best.gain) continue;
-    best.gain = gains[shape];
+  std::vector<double> evidence(drops.size());
+  for (std::size_t shape = 0; shape < drops.size(); ++shape) {
+    evidence[shape] = fit::log_evidence(drops[shape], columns[shape]);
+    if (shape > 0 && drops[shape] <= best.chi2_drop) continue;
+    best.chi2_drop = drops[shape];
     best.shape = shape;
   }
-  const double most = *std::max_element(evidence.begin(), evidence.end());
+  const double max = *std::max_element(evidence.begin(), evidence.end());
   double sum = 0;
-  for (const double one : evidence) sum += std::exp(one - most);
-  best.log_evidence = most + std::log(sum / static_cast<double>(gains.size()));
+  for (const double one : evidence) sum += std::exp(one - max);
+  best.log_evidence = max + std::log(sum / static_cast<double>(drops.size()));
   return best;
 }
 
 std::vector<Hypothesis> find_hypotheses(const fit::ExplainedSpace& space,
                                         const std::vector<Candidate>& candidates,
-                                        const Library& library) {
-  return Search(space, candidates, library).run();
+                                        const RegressorBasis& regressors) {
+  return Search(space, candidates, regressors).run();
 }
 
 }  // namespace fogcomp::diagnosis

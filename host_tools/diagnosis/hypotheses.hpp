@@ -9,7 +9,7 @@
 namespace fogcomp::diagnosis {
 
 /// Where each shape of each candidate lies in the space.
-using Library = std::vector<std::vector<series::ColumnRange>>;  // candidate, shape
+using RegressorBasis = std::vector<std::vector<series::ColumnRange>>;  // candidate, shape
 
 /// A set of effects, each at one shape, that might be what is missing. One effect may stand in it
 /// twice: two radii of hysteresis, two lags.
@@ -19,12 +19,12 @@ struct Hypothesis {
     std::size_t shape = 0;
   };
   std::vector<Part> parts;
-  double gain = 0;            ///< fall of chi^2
+  double chi2_drop = 0;       ///< fall of chi^2
   double log_evidence = 0;    ///< against "nothing is missing", averaged over shapes
   double log_prior = 0;       ///< of this set against a single effect of one coefficient
   double probability = 0;     ///< among all hypotheses
   bool led_by_event = false;  ///< an event explains most of it
-  bool pliable = false;  ///< of temperature and time alone, led by an effect whose shape is free
+  bool free_shape = false;  ///< of temperature and time alone, led by an effect whose shape is free
 
   bool has(std::size_t candidate) const;
   /// Number of different effects.
@@ -33,29 +33,31 @@ struct Hypothesis {
 
 /// Where the parts of a hypothesis lie, in their order; one may be left out.
 constexpr std::size_t kEveryPart = static_cast<std::size_t>(-1);
-std::vector<series::ColumnRange> ranges_of(const Library& library, const Hypothesis& hypothesis,
+std::vector<series::ColumnRange> ranges_of(const RegressorBasis& regressors,
+                                           const Hypothesis& hypothesis,
                                            std::size_t left_out = kEveryPart);
 
-/// The candidate without which a hypothesis would explain least.
-std::size_t leading_candidate(const fit::ExplainedSpace& space, const Library& library,
+/// The candidate whose removal lowers what a hypothesis explains by most.
+std::size_t leading_candidate(const fit::ExplainedSpace& space, const RegressorBasis& regressors,
                               const Hypothesis& hypothesis);
 
 /// Average over the shapes of a candidate, given `others`: its evidence, and its best shape.
 struct BestShape {
   std::size_t shape = 0;
-  double gain = 0;          ///< with the others, at the best shape
+  double chi2_drop = 0;     ///< with the others, at the best shape
   double log_evidence = 0;  ///< with the others, averaged over shapes
 };
 BestShape best_shape(const fit::ExplainedSpace& space,
                      const std::vector<series::ColumnRange>& shapes,
-                     const std::vector<series::ColumnRange>& others, const Eigen::VectorXd& along);
+                     const std::vector<series::ColumnRange>& others,
+                     const Eigen::VectorXd& projection);
 /// The same from what each shape gains, with so many columns in all.
-BestShape best_of_gains(const std::vector<double>& gains, const std::vector<double>& columns);
+BestShape best_of_drops(const std::vector<double>& drops, const std::vector<double>& columns);
 
 /// One, two or three of the candidates at a time, most probable first. Sets that contain a
-/// event need it to bring a chi^2 of rules::kMinStepGain.
+/// event need it to bring a chi^2 of rules::kMinStepChi2Drop.
 std::vector<Hypothesis> find_hypotheses(const fit::ExplainedSpace& space,
                                         const std::vector<Candidate>& candidates,
-                                        const Library& library);
+                                        const RegressorBasis& regressors);
 
 }  // namespace fogcomp::diagnosis

@@ -49,8 +49,9 @@ std::vector<std::string> Ladder::names(bool described) const {
   return all;
 }
 
-Ladder walk_ladder(const model::Model& model, const DiagnosisData& data, const JudgingRuns& runs,
-                   int max_steps, const DiagnosisSettings& settings) {
+Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
+                          const JudgingRuns& runs, int max_steps,
+                          const DiagnosisSettings& settings) {
   int done = 0;
   DiagnosisSettings each = settings;
   each.progress = [&](double part) {

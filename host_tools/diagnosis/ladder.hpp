@@ -39,7 +39,8 @@ struct Ladder {
 
 /// Adds what find_next_step() proposes, up to `max_steps` times, each step made and judged as `add`
 /// does it on `runs`. Ends where it proposes nothing more. Throws InputError as add() does.
-Ladder walk_ladder(const model::Model& model, const DiagnosisData& data, const JudgingRuns& runs,
-                   int max_steps, const DiagnosisSettings& settings = {});
+Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
+                          const JudgingRuns& runs, int max_steps,
+                          const DiagnosisSettings& settings = {});
 
 }  // namespace fogcomp::diagnosis

@@ -8,7 +8,8 @@
 namespace fogcomp::diagnosis {
 
 NetworkLearnt ask_network(const model::RealNetwork& network, const series::SignalSeries& series,
-                          const std::vector<Candidate>& candidates, const ToVisible& to_visible) {
+                          const std::vector<Candidate>& candidates,
+                          const ProjectOutModel& project_out_model) {
   const series::Rows& rows = series.rows();
   const Eigen::MatrixXd inputs = series.network_inputs(network.inputs);
   Eigen::VectorXd output(rows.size());
@@ -17,7 +18,7 @@ NetworkLearnt ask_network(const model::RealNetwork& network, const series::Signa
   }
   NetworkLearnt learnt;
   learnt.rms_dph = std::sqrt(output.cwiseAbs2().dot(rows.weights) / rows.weights.sum());
-  const VisiblePart part = to_visible(output);
+  const VisiblePart part = project_out_model(output);
   learnt.beyond_effects = part.visible[0] * part.visible[0];
   const Eigen::VectorXd beyond = part.columns.col(0).normalized();
   for (const Candidate& candidate : candidates) {

@@ -26,8 +26,9 @@ struct NetworkLearnt {
 };
 
 /// Evaluates `network` over the rows of `series`, whose recordings have what its inputs need, and
-/// takes out what `to_visible` takes out of any regressor. An event is no answer.
+/// takes out what `project_out_model` takes out of any regressor. An event is no answer.
 NetworkLearnt ask_network(const model::RealNetwork& network, const series::SignalSeries& series,
-                          const std::vector<Candidate>& candidates, const ToVisible& to_visible);
+                          const std::vector<Candidate>& candidates,
+                          const ProjectOutModel& project_out_model);
 
 }  // namespace fogcomp::diagnosis

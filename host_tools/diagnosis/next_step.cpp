@@ -230,12 +230,12 @@ void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
 // does: each more would double the formulas, and two inputs that hardly move are all alike.
 fog::InputMask signals_of_formulas(const Diagnosis& diagnosis) {
   const fog::InputDescription* best = nullptr;
-  double most = rules::kMinShareOfInput;
+  double max = rules::kMinShareOfInput;
   for (const NamedShare& variable : diagnosis.variables) {
     for (const fog::InputDescription& input : fog::kInputTable) {
       const bool beside = fog::beside_temperature(bit_of(input.input)) != 0;
-      if (!beside || variable.name != input.column || variable.share < most) continue;
-      most = variable.share;
+      if (!beside || variable.name != input.column || variable.share < max) continue;
+      max = variable.share;
       best = &input;
     }
   }

@@ -14,28 +14,28 @@ constexpr double kTailShare = 0.15;  // of the draws that an exponential tail is
 constexpr double kCovarianceRidge = 1e-7;
 
 // Each candidate's gains by itself, for one series of numbers after another.
-class GainsAlone {
+class SingleCandidateDrops {
  public:
-  GainsAlone(const fit::ExplainedSpace& space, const Library& library) {
-    for (const std::vector<series::ColumnRange>& shapes : library) {
+  SingleCandidateDrops(const fit::ExplainedSpace& space, const RegressorBasis& regressors) {
+    for (const std::vector<series::ColumnRange>& shapes : regressors) {
       Candidate candidate;
       for (const series::ColumnRange& shape : shapes) {
-        candidate.shapes.push_back({shape, space.to_gain(shape)});
+        candidate.shapes.push_back({shape, space.to_chi2_drop(shape)});
         candidate.columns.push_back(static_cast<double>(shape.count));
       }
-      candidate.gains.resize(shapes.size());
+      candidate.drops.resize(shapes.size());
       candidates_.push_back(std::move(candidate));
     }
   }
 
   // Of the candidate with most evidence; and which shape, where that is asked for.
-  double most_evidence(const Eigen::VectorXd& along, series::ColumnRange* where) {
+  double max_evidence(const Eigen::VectorXd& projection, series::ColumnRange* where) {
     double evidence = 0;
     for (Candidate& candidate : candidates_) {
       for (std::size_t i = 0; i < candidate.shapes.size(); ++i) {
-        candidate.gains[i] = gain(candidate.shapes[i], along);
+        candidate.drops[i] = chi2_drop(candidate.shapes[i], projection);
       }
-      const BestShape best = best_of_gains(candidate.gains, candidate.columns);
+      const BestShape best = best_of_drops(candidate.drops, candidate.columns);
       if (best.log_evidence <= evidence) continue;
       evidence = best.log_evidence;
       if (where != nullptr) *where = candidate.shapes[best.shape].columns;
@@ -46,24 +46,24 @@ class GainsAlone {
  private:
   struct Shape {
     series::ColumnRange columns;
-    Eigen::MatrixXd to_gain;
+    Eigen::MatrixXd to_chi2_drop;
   };
   struct Candidate {
     std::vector<Shape> shapes;
     std::vector<double> columns;
-    std::vector<double> gains;
+    std::vector<double> drops;
   };
 
-  static double gain(const Shape& shape, const Eigen::VectorXd& along) {
-    double gain = 0;
+  static double chi2_drop(const Shape& shape, const Eigen::VectorXd& projection) {
+    double chi2_drop = 0;
     for (Eigen::Index i = 0; i < shape.columns.count; ++i) {
       double part = 0;
       for (Eigen::Index j = 0; j <= i; ++j) {
-        part += shape.to_gain(i, j) * along[shape.columns.first + j];
+        part += shape.to_chi2_drop(i, j) * projection[shape.columns.first + j];
       }
-      gain += part * part;
+      chi2_drop += part * part;
     }
-    return gain;
+    return chi2_drop;
   }
 
   std::vector<Candidate> candidates_;
@@ -71,14 +71,16 @@ class GainsAlone {
 
 // The best effect's evidence, measured in the noise that smooth functions still find beside that
 // effect: where slow noise is stronger than the quiet parts said, it is so in every direction.
-double best_evidence(const fit::ExplainedSpace& space, GainsAlone& gains,
-                     const series::ColumnRange& structure, double freedom,
-                     const Eigen::VectorXd& along) {
+double best_evidence(const fit::ExplainedSpace& space, SingleCandidateDrops& drops,
+                     const series::ColumnRange& structure, double degrees_of_freedom,
+                     const Eigen::VectorXd& projection) {
   series::ColumnRange best;
-  if (gains.most_evidence(along, &best) == 0) return 0;
-  const double left = space.gain({best, structure}, along) - space.gain({best}, along);
-  const double variance = (freedom + left) / (freedom + static_cast<double>(structure.count));
-  return gains.most_evidence(along / std::sqrt(std::max(1.0, variance)), nullptr);
+  if (drops.max_evidence(projection, &best) == 0) return 0;
+  const double left =
+      space.chi2_drop({best, structure}, projection) - space.chi2_drop({best}, projection);
+  const double variance =
+      (degrees_of_freedom + left) / (degrees_of_freedom + static_cast<double>(structure.count));
+  return drops.max_evidence(projection / std::sqrt(std::max(1.0, variance)), nullptr);
 }
 
 // Logarithm of the share of draws beyond `value`; beyond the upper draws, by their exponential
@@ -98,15 +100,15 @@ double beyond_log_p(std::vector<double> draws, double value) {
 
 }  // namespace
 
-NullTest test_against_noise(const fit::ExplainedSpace& space, const Library& library,
-                            const series::ColumnRange& structure, double freedom,
+NullTest test_against_noise(const fit::ExplainedSpace& space, const RegressorBasis& regressors,
+                            const series::ColumnRange& structure, double degrees_of_freedom,
                             std::uint64_t seed) {
   Eigen::MatrixXd covariance = space.gram();
   covariance.diagonal().array() += kCovarianceRidge * covariance.diagonal().maxCoeff();
   const Eigen::MatrixXd root = cholesky_factor(covariance);
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
-  std::gamma_distribution<double> variance(freedom / 2, 2 / freedom);
+  std::gamma_distribution<double> variance(degrees_of_freedom / 2, 2 / degrees_of_freedom);
   std::vector<double> evidence;
   std::vector<double> smooth;
   Eigen::MatrixXd white(covariance.rows(), kDraws);
@@ -115,17 +117,17 @@ NullTest test_against_noise(const fit::ExplainedSpace& space, const Library& lib
     draw /= std::sqrt(variance(random));
   }
   const Eigen::MatrixXd draws = root.triangularView<Eigen::Lower>() * white;
-  GainsAlone gains(space, library);
+  SingleCandidateDrops drops(space, regressors);
   for (Eigen::Index draw = 0; draw < kDraws; ++draw) {
-    const Eigen::VectorXd along = draws.col(draw);
-    evidence.push_back(best_evidence(space, gains, structure, freedom, along));
-    smooth.push_back(along.segment(structure.first, structure.count).squaredNorm());
+    const Eigen::VectorXd projection = draws.col(draw);
+    evidence.push_back(best_evidence(space, drops, structure, degrees_of_freedom, projection));
+    smooth.push_back(projection.segment(structure.first, structure.count).squaredNorm());
   }
   NullTest test;
-  test.library_log_p =
-      beyond_log_p(evidence, best_evidence(space, gains, structure, freedom, space.along()));
-  test.structure_log_p =
-      beyond_log_p(smooth, space.along().segment(structure.first, structure.count).squaredNorm());
+  test.library_log_p = beyond_log_p(
+      evidence, best_evidence(space, drops, structure, degrees_of_freedom, space.projection()));
+  test.structure_log_p = beyond_log_p(
+      smooth, space.projection().segment(structure.first, structure.count).squaredNorm());
   return test;
 }
 

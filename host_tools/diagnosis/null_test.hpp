@@ -20,8 +20,8 @@ struct NullTest {
 
 /// The best over all effects and shapes of many draws of white noise, put through the same space.
 /// `freedom`: how well the noise itself is known, as the degrees of freedom of a variance.
-NullTest test_against_noise(const fit::ExplainedSpace& space, const Library& library,
-                            const series::ColumnRange& structure, double freedom,
+NullTest test_against_noise(const fit::ExplainedSpace& space, const RegressorBasis& regressors,
+                            const series::ColumnRange& structure, double degrees_of_freedom,
                             std::uint64_t seed);
 
 }  // namespace fogcomp::diagnosis

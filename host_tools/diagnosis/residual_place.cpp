@@ -7,17 +7,17 @@ namespace fogcomp::diagnosis {
 ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd& residual,
                        const std::vector<recording::Segment>& segments) {
   ResidualPlace place;
-  double most = 0;
+  double max = 0;
   for (std::size_t i = 0; i < structure.groups.size(); ++i) {
-    const Eigen::VectorXd along = structure.groups[i].transpose() * residual;
+    const Eigen::VectorXd projection = structure.groups[i].transpose() * residual;
     const double evidence =
-        fit::log_evidence(along.squaredNorm(), static_cast<double>(along.size()));
+        fit::log_evidence(projection.squaredNorm(), static_cast<double>(projection.size()));
     place.variables.push_back({structure.variables[i], evidence});
-    if (evidence <= most) continue;
-    most = evidence;
+    if (evidence <= max) continue;
+    max = evidence;
     place.variable = structure.variables[i];
   }
-  for (NamedShare& variable : place.variables) variable.share /= most > 0 ? most : 1;
+  for (NamedShare& variable : place.variables) variable.share /= max > 0 ? max : 1;
   const Eigen::VectorXd smooth = structure.all * (structure.all.transpose() * residual);
   double sum = 0;
   for (const recording::Segment& segment : segments) {

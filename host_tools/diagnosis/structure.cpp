@@ -18,7 +18,7 @@ constexpr int kTemperatureKnots = 8;
 constexpr int kRateKnots = 6;
 constexpr int kProductKnots = 4;
 constexpr int kTimeKnots = 8;  // per run
-constexpr int kMostTimeKnots = 32;
+constexpr int kMaxTimeKnots = 32;
 constexpr std::array<double, 4> kHistoryLags_s{240, 960, 3840, 15360};
 constexpr std::array<double, 4> kRadii_degc{2, 5, 10, 20};
 
@@ -34,12 +34,12 @@ Eigen::VectorXd column_of(
 
 // Cubic B-splines over the range of x, evenly spaced: smooth, local, and they sum to 1.
 Eigen::MatrixXd smooths(const Eigen::VectorXd& x, int knots) {
-  const double least = x.minCoeff();
-  const double step = (x.maxCoeff() - least) / (knots - 1);
+  const double min = x.minCoeff();
+  const double step = (x.maxCoeff() - min) / (knots - 1);
   Eigen::MatrixXd columns(x.size(), step > 0 ? knots : 0);
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
     columns.col(k) = x.unaryExpr([&](double value) {
-      const double u = std::abs((value - least) / step - static_cast<double>(k));
+      const double u = std::abs((value - min) / step - static_cast<double>(k));
       if (u >= 2) return 0.0;
       return u < 1 ? 2.0 / 3 - u * u + u * u * u / 2 : std::pow(2 - u, 3) / 6;
     });
@@ -47,7 +47,7 @@ Eigen::MatrixXd smooths(const Eigen::VectorXd& x, int knots) {
   return columns;
 }
 
-Eigen::VectorXd played(const series::Rows& rows, const Eigen::VectorXd& x, double radius) {
+Eigen::VectorXd play(const series::Rows& rows, const Eigen::VectorXd& x, double radius) {
   fog::Play<model::RealNumbers> play(radius);
   Eigen::VectorXd behind(x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -59,7 +59,7 @@ Eigen::VectorXd played(const series::Rows& rows, const Eigen::VectorXd& x, doubl
 
 Eigen::MatrixXd of_time(const series::Rows& rows) {
   const auto runs = static_cast<int>(rows.run_starts.size());
-  const int knots = std::clamp(kMostTimeKnots / runs, 3, kTimeKnots);
+  const int knots = std::clamp(kMaxTimeKnots / runs, 3, kTimeKnots);
   std::vector<Eigen::MatrixXd> parts;
   for (const recording::RowRange& run : rows.runs()) {
     const auto first = static_cast<Eigen::Index>(run.first);
@@ -89,9 +89,9 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
                                  rows.size())});
   std::vector<Eigen::MatrixXd> history;
   for (const double tau_s : kHistoryLags_s) {
-    history.push_back(temperature - series::lagged(rows, temperature, tau_s));
+    history.push_back(temperature - series::lag_of(rows, temperature, tau_s));
   }
-  for (const double radius : kRadii_degc) history.push_back(played(rows, temperature, radius));
+  for (const double radius : kRadii_degc) history.push_back(play(rows, temperature, radius));
   groups.push_back({"temperature history", side_by_side(history, rows.size())});
   groups.push_back({"time_s", of_time(rows)});
 
@@ -111,10 +111,10 @@ namespace {
 
 // Orthonormal directions of columns, without those that are all but invisible.
 Eigen::MatrixXd principal(const Eigen::MatrixXd& columns) {
-  constexpr double kLeast = 1e-3;  // of a unit column: what is less is all but invisible
+  constexpr double kMin = 1e-3;  // of a unit column: what is less is all but invisible
   const SymmetricEigen eigen = symmetric_eigen(gram(columns));
   Eigen::Index kept = 0;
-  while (kept < columns.cols() && eigen.values[columns.cols() - 1 - kept] > kLeast) ++kept;
+  while (kept < columns.cols() && eigen.values[columns.cols() - 1 - kept] > kMin) ++kept;
   const Eigen::MatrixXd directions = eigen.vectors.rightCols(kept);
   const Eigen::VectorXd scale = eigen.values.tail(kept).cwiseSqrt().cwiseInverse();
   return columns * directions * scale.asDiagonal();
@@ -122,11 +122,11 @@ Eigen::MatrixXd principal(const Eigen::MatrixXd& columns) {
 
 }  // namespace
 
-VisibleStructure visible_structure(const series::Rows& rows, const ModelRemover& remover) {
+VisibleStructure visible_structure(const series::Rows& rows, const Residualizer& residualizer) {
   VisibleStructure structure;
   std::vector<Eigen::MatrixXd> parts;
   for (const StructureGroup& group : structure_groups(rows)) {
-    const VisiblePart part = remover(group.columns);
+    const VisiblePart part = residualizer(group.columns);
     Eigen::MatrixXd kept(part.columns.rows(), part.columns.cols());
     Eigen::Index count = 0;
     for (Eigen::Index i = 0; i < part.columns.cols(); ++i) {
@@ -138,7 +138,7 @@ VisibleStructure visible_structure(const series::Rows& rows, const ModelRemover&
     structure.groups.push_back(principal(kept.leftCols(count)));
     parts.push_back(kept.leftCols(count));
   }
-  structure.all = principal(side_by_side(parts, remover.residual().size()));
+  structure.all = principal(side_by_side(parts, residualizer.residual().size()));
   return structure;
 }
 

@@ -26,6 +26,6 @@ struct VisibleStructure {
   std::vector<Eigen::MatrixXd> groups;
   Eigen::MatrixXd all;
 };
-VisibleStructure visible_structure(const series::Rows& rows, const ModelRemover& remover);
+VisibleStructure visible_structure(const series::Rows& rows, const Residualizer& residualizer);
 
 }  // namespace fogcomp::diagnosis

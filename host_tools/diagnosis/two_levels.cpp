@@ -9,15 +9,15 @@ namespace fogcomp::diagnosis {
 namespace {
 
 // In units of the white noise of a row.
-constexpr double kLeastHeight = 0.5;
-constexpr double kMostHeight = 8;
+constexpr double kMinHeight = 0.5;
+constexpr double kMaxHeight = 8;
 constexpr double kHeightStep = 1.3;
-constexpr double kLeastDwell_rows = 8;
+constexpr double kMinDwell_rows = 8;
 constexpr double kDwellStep = 1.8;
 constexpr double kLongestDwell = 0.5;  // of the longest stretch
 // "To and fro": a bias that steps once, or whose record ends elsewhere, does neither.
-constexpr std::size_t kLeastVisits = 2;
-constexpr std::size_t kLeastVisit_rows = 4;
+constexpr std::size_t kMinVisits = 2;
+constexpr std::size_t kMinVisit_rows = 4;
 constexpr int kCentres = 11;  // from half a height below the mean to as much above
 
 // Both processes have mean `centre` and autocovariance (height / 2)^2 decay^rows.
@@ -141,7 +141,7 @@ Changes changes_of(const Eigen::VectorXd& values, const std::vector<bool>& upper
     if (!std::isnan(values[static_cast<Eigen::Index>(i)])) ++rows.back();
   }
   for (std::size_t visit = 1; visit + 1 < begins.size(); ++visit) {
-    if (rows[visit] >= kLeastVisit_rows) ++changes.whole_visits;
+    if (rows[visit] >= kMinVisit_rows) ++changes.whole_visits;
   }
   for (std::size_t visit = 1; visit < begins.size(); ++visit) {
     if (8 * std::min(rows[visit - 1], rows[visit]) < upper.size()) continue;
@@ -160,7 +160,7 @@ bool goes_to_and_fro(const std::vector<Eigen::VectorXd>& stretches, const Shape&
     changes.up += here.up;
     changes.down += here.down;
   }
-  return changes.whole_visits >= kLeastVisits || (changes.up > 0 && changes.down > 0);
+  return changes.whole_visits >= kMinVisits || (changes.up > 0 && changes.down > 0);
 }
 
 }  // namespace
@@ -179,8 +179,8 @@ TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double 
   double two_levels = -HUGE_VAL;
   double wander = -HUGE_VAL;
   const double longest_dwell = kLongestDwell * static_cast<double>(longest);
-  for (double dwell = kLeastDwell_rows; dwell <= longest_dwell; dwell *= kDwellStep) {
-    for (double height = kLeastHeight; height <= kMostHeight; height *= kHeightStep) {
+  for (double dwell = kMinDwell_rows; dwell <= longest_dwell; dwell *= kDwellStep) {
+    for (double height = kMinHeight; height <= kMaxHeight; height *= kHeightStep) {
       const Shape shape{height, std::exp(-2 / dwell)};
       wander = std::max(wander, over_all(scaled, shape, log_wander));
       const double here = over_all(scaled, shape, log_two_levels);
@@ -193,9 +193,9 @@ TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double 
   }
   if (two_levels == -HUGE_VAL) return found;
   for (const Eigen::VectorXd& values : scaled) {
-    for (const double value : values) found.gain += std::isnan(value) ? 0 : value * value;
+    for (const double value : values) found.chi2_drop += std::isnan(value) ? 0 : value * value;
   }
-  found.gain += 2 * two_levels;
+  found.chi2_drop += 2 * two_levels;
   if (goes_to_and_fro(scaled, best)) found.log_odds = two_levels - wander;
   return found;
 }

@@ -14,7 +14,7 @@ struct TwoLevels {
   /// within a stretch and last four rows, or one change up and one down have an eighth of their
   /// stretch on either side.
   double log_odds = 0;
-  double gain = 0;  ///< fall of the stretches' chi^2 from white noise alone
+  double chi2_drop = 0;  ///< fall of the stretches' chi^2 from white noise alone
 };
 
 /// Looks at quiet stretches of a residual, deg/h, a row each, where no drift moves (NaN: a row that

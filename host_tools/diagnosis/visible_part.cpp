@@ -116,14 +116,14 @@ Eigen::MatrixXd inexact_terms(const series::Rows& rows, const fit::NoiseWeighted
     const Lagging& part = kLagging[i];
     const Eigen::VectorXd& whole = part.rate_terms_only ? of_rate : drift;
     timings.col(static_cast<Eigen::Index>(i) + 2) =
-        part.share * (whole - series::lagged(rows, whole, part.lag_s));
+        part.share * (whole - series::lag_of(rows, whole, part.lag_s));
   }
   return side_by_side({timings, bent_terms(rows, fit)}, rows.size());
 }
 
 }  // namespace
 
-ModelRemover::ModelRemover(const series::Rows& rows, const fit::NoiseWeightedFit& fit)
+Residualizer::Residualizer(const series::Rows& rows, const fit::NoiseWeightedFit& fit)
     : whitening_(fit.noise, rows, fit.row_weights) {
   const Eigen::MatrixXd inexact = inexact_terms(rows, fit);
   priors_ = inexact.cols();
@@ -141,14 +141,14 @@ ModelRemover::ModelRemover(const series::Rows& rows, const fit::NoiseWeightedFit
   residual_ = without_model(with_priors(fit.whitened_measured));
 }
 
-Eigen::MatrixXd ModelRemover::with_priors(const Eigen::MatrixXd& columns) const {
+Eigen::MatrixXd Residualizer::with_priors(const Eigen::MatrixXd& columns) const {
   Eigen::MatrixXd longer = Eigen::MatrixXd::Zero(columns.rows() + priors_, columns.cols());
   longer.topRows(columns.rows()) = columns;
   return longer;
 }
 
 // Once more where rounding is much of what is left.
-Eigen::MatrixXd ModelRemover::without_model(const Eigen::MatrixXd& columns) const {
+Eigen::MatrixXd Residualizer::without_model(const Eigen::MatrixXd& columns) const {
   constexpr double kLittle = 1e-2;
   Eigen::MatrixXd left = projected_out(basis_, columns);
   for (Eigen::Index i = 0; i < left.cols(); ++i) {
@@ -158,7 +158,7 @@ Eigen::MatrixXd ModelRemover::without_model(const Eigen::MatrixXd& columns) cons
   return left;
 }
 
-VisiblePart ModelRemover::operator()(const Eigen::MatrixXd& regressors) const {
+VisiblePart Residualizer::operator()(const Eigen::MatrixXd& regressors) const {
   const Eigen::MatrixXd white = with_priors(whitening_.apply(regressors));
   VisiblePart part{without_model(white), {}};
   part.visible = part.columns.colwise().norm().transpose();

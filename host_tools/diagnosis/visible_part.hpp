@@ -12,9 +12,9 @@ namespace fogcomp::diagnosis {
 /// changes of its shape parameters, and that its terms are not exactly what the coil does: a sensor
 /// a little early or late, layers that follow with other lags, a formula that bends a little more
 /// with temperature.
-class ModelRemover {
+class Residualizer {
  public:
-  ModelRemover(const series::Rows& rows, const fit::NoiseWeightedFit& fit);
+  Residualizer(const series::Rows& rows, const fit::NoiseWeightedFit& fit);
 
   /// Whitened, without the model; a few rows more than given (what is known beforehand is
   /// like a few more measurements).

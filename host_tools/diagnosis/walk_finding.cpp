@@ -11,8 +11,8 @@ namespace {
 
 // One effect of the library is as likely to be missing as none.
 std::vector<fit::Explanatory> explanatory(const std::vector<Hypothesis>& hypotheses,
-                                          const Library& library) {
-  const double each = -std::log(static_cast<double>(library.size()));
+                                          const RegressorBasis& regressors) {
+  const double each = -std::log(static_cast<double>(regressors.size()));
   std::vector<fit::Explanatory> all;
   for (const Hypothesis& h : hypotheses) all.push_back({h.log_evidence, h.log_prior + each});
   return all;
@@ -25,17 +25,17 @@ WalkFinding weigh_walk(const EvidenceSpace& evidence, const std::vector<Hypothes
   if (!noise.from_quiet_parts) return {};
   const fit::WalkRival rival = fit::find_walk(evidence.space, evidence.walk, noise.walks);
   if (rival.coefficient == 0) return {};
-  const NullTest test =
-      test_against_noise(rival.space, evidence.library, evidence.structure, noise.freedom, seed);
+  const NullTest test = test_against_noise(rival.space, evidence.regressors, evidence.structure,
+                                           noise.degrees_of_freedom, seed);
   if (test.finds_something()) return {};
-  std::vector<fit::Explanatory> alone = explanatory(hypotheses, evidence.library);
-  alone.push_back({fit::log_evidence(evidence.space.gain({evidence.structure}),
+  std::vector<fit::Explanatory> alone = explanatory(hypotheses, evidence.regressors);
+  alone.push_back({fit::log_evidence(evidence.space.chi2_drop({evidence.structure}),
                                      static_cast<double>(evidence.structure.count)),
                    0});
   const std::vector<Hypothesis> beside =
-      find_hypotheses(rival.space, evidence.candidates, evidence.library);
+      find_hypotheses(rival.space, evidence.candidates, evidence.regressors);
   return {rival.coefficient,
-          fit::chance_of_walk(rival, alone, explanatory(beside, evidence.library)),
+          fit::chance_of_walk(rival, alone, explanatory(beside, evidence.regressors)),
           std::exp(std::min(test.library_log_p, test.structure_log_p))};
 }
 

@@ -20,7 +20,7 @@ Json judged_json(const std::optional<fit::OutOfSample>& judged) {
   return Json::object()
       .set("rms_before_dph", judged->rms_before_dph)
       .set("rms_after_dph", judged->rms_after_dph)
-      .set("gain", judged->gain);
+      .set("gain", judged->chi2_drop);
 }
 
 Json parameters_json(const model::EffectTerm& term) {
@@ -85,7 +85,7 @@ Json add_json(const fit::Addition& addition, const std::string& written) {
       .set("reason", addition.reason)
       .set("out_of_sample_rms_before_dph", judged ? Json(judged->rms_before_dph) : Json())
       .set("out_of_sample_rms_after_dph", judged ? Json(judged->rms_after_dph) : Json())
-      .set("out_of_sample_gain", judged ? Json(judged->gain) : Json())
+      .set("out_of_sample_gain", judged ? Json(judged->chi2_drop) : Json())
       .set("chance_of_walk", addition.chance_of_walk)
       .set("runs", runs_json(addition.runs))
       .set("halves", halves_json(addition.halves))

@@ -33,7 +33,7 @@ std::vector<Term> terms_of(const noise::NoiseCoefficients& noise) {
 }
 
 // A slope is drawn where it is seen: not far below the curve.
-constexpr double kLeastOfSum = 0.02;
+constexpr double kMinShareOfSum = 0.02;
 
 Text seen(const std::vector<Curve>& slopes) {
   const Text bars = " Bars: one standard deviation.";
@@ -92,7 +92,8 @@ Plot allan_plot(const std::vector<AllanCurve>& curves, const noise::NoiseCoeffic
   for (double& square : sum) square = std::sqrt(square);
   for (Curve& slope : slopes) {
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      if (slope.y[i] < kLeastOfSum * sum[i]) slope.y[i] = std::numeric_limits<double>::quiet_NaN();
+      if (slope.y[i] < kMinShareOfSum * sum[i])
+        slope.y[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
   if (slopes.size() > 1) {

@@ -38,7 +38,7 @@ Text limits_of(const std::string& figure, const std::vector<Limit>& limits) {
   std::string text;
   for (const Limit& limit : limits) {
     if (limit.figure == figure)
-      text += format("%s%s %g", text.empty() ? "" : ", ", limit.is_most ? "≤" : "≥", limit.value);
+      text += format("%s%s %g", text.empty() ? "" : ", ", limit.is_max ? "≤" : "≥", limit.value);
   }
   return text.empty() ? Text("-") : verbatim(text);
 }
@@ -226,12 +226,12 @@ Plot histogram(const std::vector<Place>& places, const Text& label) {
 }
 
 std::string names_of(const std::vector<Place>& places) {
-  constexpr std::size_t kMostNamed = 8;
+  constexpr std::size_t kMaxNamed = 8;
   std::vector<std::string> names;
   for (const Place& place : places) {
     if (place.named) names.push_back(place.gyro + " " + significant(place.value).plain());
   }
-  const std::size_t more = names.size() > kMostNamed ? names.size() - kMostNamed : 0;
+  const std::size_t more = names.size() > kMaxNamed ? names.size() - kMaxNamed : 0;
   names.resize(names.size() - more);
   return join(names, ", ") + (more > 0 ? format(" and %zu more", more) : "");
 }
@@ -248,14 +248,14 @@ bool is_near(double limit, const std::vector<Place>& places) {
 // the edge, and behind the limit.
 double end_of_band(const Limit& limit, const std::vector<Place>& places, Plot::Kind kind) {
   constexpr double kMore = 0.05;  // of the axis
-  const double least = std::min(limit.value, places.front().value);
-  const double most = std::max(limit.value, places.back().value);
-  if (kind == Plot::Kind::log_x && least > 0) {
-    const double factor = std::pow(most / least, kMore);
-    return limit.is_most ? most * factor : least / factor;
+  const double min = std::min(limit.value, places.front().value);
+  const double max = std::max(limit.value, places.back().value);
+  if (kind == Plot::Kind::log_x && min > 0) {
+    const double factor = std::pow(max / min, kMore);
+    return limit.is_max ? max * factor : min / factor;
   }
-  const double more = kMore * (most - least);
-  return limit.is_most ? most + more : least - more;
+  const double more = kMore * (max - min);
+  return limit.is_max ? max + more : min - more;
 }
 
 // A place without a dot.
@@ -280,7 +280,7 @@ void add_histogram(Document& document, const Summary& summary, const std::string
     if (is_near(limit.value, places)) show_on_axis(end, plot);
     plot.bands.push_back(
         {"beyond the limit", std::min(limit.value, end), std::max(limit.value, end), "mark"});
-    plot.caption += words(format(" Limit: %s %g.", limit.is_most ? "≤" : "≥", limit.value));
+    plot.caption += words(format(" Limit: %s %g.", limit.is_max ? "≤" : "≥", limit.value));
   }
   document.plot(std::move(plot));
 }

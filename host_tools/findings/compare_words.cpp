@@ -95,18 +95,18 @@ std::vector<std::string> range_warnings(const compare::Comparison& comparison,
   };
   warn(outside.temperature,
        format("lie outside the trained %.1f to %.1f degC, where the board holds the drift",
-              model.least_degc, model.most_degc));
+              model.min_degc, model.max_degc));
   const model::Range rate = model.rate_range_degc_per_min.value_or(model::Range{});
   warn(outside.temperature_rate,
-       format("have ramps beyond the trained %.2f to %.2f degC/min", rate.least, rate.most));
+       format("have ramps beyond the trained %.2f to %.2f degC/min", rate.min, rate.max));
   const model::Range time = model.time_range_s.value_or(model::Range{});
   warn(outside.sooner, format("come sooner after power-on than the trained %.0f s: warm-up that "
                               "the model never saw",
-                              time.least));
+                              time.min));
   warn(outside.later,
        format("come later after power-on than the trained %.0f s, and the model has an effect of "
               "that time",
-              time.most));
+              time.max));
   return warnings;
 }
 

@@ -117,7 +117,7 @@ void set_residual(Json& result, const diagnosis::Diagnosis& diagnosis) {
   result.set("noise", Json::object()
                           .set("white_dph", diagnosis.noise.white_dph())
                           .set("slow_dph", diagnosis.noise.wander_dph())
-                          .set("freedom", diagnosis.noise.freedom)
+                          .set("freedom", diagnosis.noise.degrees_of_freedom)
                           .set("from_quiet_parts", diagnosis.noise.from_quiet_parts));
 }
 

@@ -41,7 +41,7 @@ void add_rows(Document& document, const FitOutcome& fit) {
   document.sentence(
       text + " deg/h (" +
       (noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak") +
-      words(format("); misfit %.2f", identified.misfit)));
+      words(format("); misfit %.2f", identified.birge_ratio)));
   document.sentence(
       words(format("of the error, the board's delay (block means, derivative filter) makes %.2g "
                    "deg/h rms",

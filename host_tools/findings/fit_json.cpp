@@ -43,7 +43,7 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
   result.set("refused_rows", fit.refused_rows());
   result.set("raw_std_dph", fit.result.raw_std_dph)
       .set("residual_rms_dph", fit.model.residual_rms_dph);
-  result.set("misfit", identified.misfit).set("outliers", identified.outliers);
+  result.set("misfit", identified.birge_ratio).set("outliers", identified.outliers);
   result.set("noise_white_dph", identified.noise.white_dph());
   result.set("noise_slow_dph", identified.noise.wander_dph());
   result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
@@ -62,7 +62,7 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
   const std::optional<double> determined = fit.determined_weights();
   result.set("network_effective_parameters", determined ? Json(*determined) : Json());
   const std::optional<fit::OutOfSample>& judged = fit.result.network_judged;
-  result.set("network_gain", judged ? Json(judged->gain) : Json());
+  result.set("network_gain", judged ? Json(judged->chi2_drop) : Json());
   return result;
 }
 

@@ -21,10 +21,10 @@ void append_extremes(Curves& curves, const std::vector<double>& x, const Columns
   if (!single) curves.x.push_back(x[rows.end - 1]);
   for (std::size_t i = 0; i < y.size(); ++i) {
     const auto begin = y[i]->begin();
-    const auto [least, most] = std::minmax_element(begin + static_cast<std::ptrdiff_t>(rows.first),
-                                                   begin + static_cast<std::ptrdiff_t>(rows.end));
-    curves.y[i].push_back(least < most ? *least : *most);
-    if (!single) curves.y[i].push_back(least < most ? *most : *least);
+    const auto [min, max] = std::minmax_element(begin + static_cast<std::ptrdiff_t>(rows.first),
+                                                begin + static_cast<std::ptrdiff_t>(rows.end));
+    curves.y[i].push_back(min < max ? *min : *max);
+    if (!single) curves.y[i].push_back(min < max ? *max : *min);
   }
 }
 

@@ -60,14 +60,14 @@ FOGCOMP_ANY_PROCESSOR void logistic_of_each(double* x, Index size) {
 
 template <class Array>
 void activate_all(fog::Activation activation, Array& x) {
-  constexpr double kMost = 700;  // beyond, the result is 0 or 1 to the last bit anyway
+  constexpr double kMax = 700;  // beyond, the result is 0 or 1 to the last bit anyway
   switch (activation) {
     case fog::Activation::logsig:
-      x = x.max(-kMost).min(kMost);
+      x = x.max(-kMax).min(kMax);
       logistic_of_each(x.data(), x.size());
       break;
     case fog::Activation::tansig:
-      x = (2 * x).max(-kMost).min(kMost);
+      x = (2 * x).max(-kMax).min(kMax);
       logistic_of_each(x.data(), x.size());
       x = 2 * x - 1;
       break;
@@ -147,7 +147,7 @@ class Walk {
   const ArrayXXd& inputs_;
   Index first_ = 0;
   Index count_ = 0;
-  Eigen::Array<double, Dynamic, Dynamic, Eigen::ColMajor, kChunk, kMostTrainedHidden> hidden_;
+  Eigen::Array<double, Dynamic, Dynamic, Eigen::ColMajor, kChunk, kMaxTrainedHidden> hidden_;
   Values output_;
 };
 

@@ -20,8 +20,8 @@ class BestWeights {
                               ? mean_square
                               : problem_.held_out->mean_square(problem_.shape, weights);
     ++since_best_;
-    if (!(judged < least_)) return;
-    least_ = judged;
+    if (!(judged < min_)) return;
+    min_ = judged;
     weights_ = weights;
     mean_square_ = mean_square;
     since_best_ = 0;
@@ -37,7 +37,7 @@ class BestWeights {
   const TrainingProblem& problem_;
   int patience_;
   int since_best_ = 0;
-  double least_ = std::numeric_limits<double>::infinity();
+  double min_ = std::numeric_limits<double>::infinity();
   double mean_square_ = 0;
   Eigen::VectorXd weights_;
 };

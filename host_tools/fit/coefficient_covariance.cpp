@@ -67,10 +67,10 @@ Amounts powers_of_mode(Eigen::Index k, double first_angle, double relative,
 
 SlowModes slow_modes(const series::Rows& rows, const noise::NoiseModel& noise) {
   const std::vector<recording::RowRange> runs = rows.runs();
-  const Eigen::Index most =
+  const Eigen::Index max =
       std::clamp(kMaxAllModes / static_cast<Eigen::Index>(runs.size()), kMinModes, kMaxModes);
   const auto modes_of = [&](const recording::RowRange& run) {
-    return std::min(most, std::max<Eigen::Index>(1, static_cast<Eigen::Index>(run.size()) / 4));
+    return std::min(max, std::max<Eigen::Index>(1, static_cast<Eigen::Index>(run.size()) / 4));
   };
   std::size_t longest = 0;
   Eigen::Index count = 0;
@@ -115,9 +115,9 @@ Shown shown_by(const series::Rows& rows, const NoiseWeightedFit& fit, const Slow
       (modes.cosines.transpose() * fit.columns) * of_modes.topRows(fit.columns.cols());
   const Eigen::MatrixXd share = left.cwiseAbs2();
   Shown shown;
-  const Eigen::VectorXd along = modes.cosines.transpose() * residual;
-  const Eigen::ArrayXd beside = (residual - modes.cosines * along).array();
-  shown.squares = along.array().square();
+  const Eigen::VectorXd projection = modes.cosines.transpose() * residual;
+  const Eigen::ArrayXd beside = (residual - modes.cosines * projection).array();
+  shown.squares = projection.array().square();
   shown.fast_rows = counted.sum() - static_cast<double>(modes.cosines.cols());
   shown.fast_square = (beside.square() * counted).sum() / mean_variance;
   shown.white = mean_variance * share.rowwise().sum().array() + 1e-3 * mean_variance;
@@ -256,10 +256,10 @@ Eigen::MatrixXd coefficient_covariance(const series::Rows& rows, const NoiseWeig
   Eigen::VectorXd slow = Eigen::VectorXd::Zero(modes.powers.rows());
   for (Eigen::Index i = 0; i < probabilities.size(); ++i) {
     const Level& level = likely_levels.levels[static_cast<std::size_t>(i)];
-    const Eigen::VectorXd along = level.white * mean_variance * (modes.powers * level.amounts);
-    variances.col(i) = level.white * by_rows.diagonal().array() + (squares * along).array();
+    const Eigen::VectorXd projection = level.white * mean_variance * (modes.powers * level.amounts);
+    variances.col(i) = level.white * by_rows.diagonal().array() + (squares * projection).array();
     white += probabilities[i] * level.white;
-    slow += probabilities[i] * along;
+    slow += probabilities[i] * projection;
   }
   const Eigen::MatrixXd covariance =
       white * by_rows + of_modes * slow.asDiagonal() * of_modes.transpose();

@@ -50,7 +50,7 @@ constexpr double kSlowSeconds = 3600;
 /// deviations. Six effects that a simulated gyro does not have, each tried on 100 of its recordings
 /// (white and slow noise, cross-validated), reached it 6 times in 600. add_effect_test,
 /// tests/statistics/add_effect_test.
-constexpr double kMinGain = 10;
+constexpr double kMinChi2Drop = 10;
 /// Standard deviations that a row is counted with at most. add_effect_test.
 constexpr double kMaxCounted = 4;
 /// Share of the noise variance from which a component is remembered. add_effect_test.

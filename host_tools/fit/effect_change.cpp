@@ -44,7 +44,7 @@ model::EffectTerm with_settings(const model::EffectTerm& old, const std::string&
   model::EffectTerm term = parse_one(old.name + given);
   for (const model::ShapeParameter& shape : model::shape_parameters({term})) {
     const double value = old.parameters[shape.index];
-    if (shape.least <= value && value <= shape.most) term.parameters[shape.index] = value;
+    if (shape.min <= value && value <= shape.max) term.parameters[shape.index] = value;
   }
   return term;
 }
@@ -60,9 +60,9 @@ std::optional<int> hidden_of(const std::string& effect) {
   const bool is_setting = given.rfind(setting, 0) == 0;
   const std::optional<double> hidden =
       is_setting ? parse_number(given.substr(setting.size())) : std::nullopt;
-  if (!hidden || *hidden < 1 || *hidden > kMostTrainedHidden || *hidden != std::floor(*hidden)) {
+  if (!hidden || *hidden < 1 || *hidden > kMaxTrainedHidden || *hidden != std::floor(*hidden)) {
     throw InputError("'" + effect + "'",
-                     format("is no network; write network:hidden=N, 1 to %d", kMostTrainedHidden));
+                     format("is no network; write network:hidden=N, 1 to %d", kMaxTrainedHidden));
   }
   return static_cast<int>(*hidden);
 }

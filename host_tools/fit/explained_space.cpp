@@ -25,7 +25,7 @@ void ExplainedSpace::finish() {
   const Eigen::MatrixXd all = side_by_side(pending_, residual_.size());
   pending_.clear();
   gram_ = fogcomp::gram(all);
-  along_ = all.transpose() * residual_;
+  projection_ = all.transpose() * residual_;
 }
 
 // Woodbury: with noise of covariance I + R V R', a'b becomes a'b - a'R (R'R + 1/V)^-1 R'b.
@@ -36,17 +36,17 @@ ExplainedSpace::WithNoise ExplainedSpace::with_noise(const series::ColumnRange& 
   const Eigen::MatrixXd root = cholesky_factor(inner);
   const auto half = root.triangularView<Eigen::Lower>();
   const Eigen::MatrixXd columns = half.solve(gram_.middleRows(random.first, random.count));
-  const Eigen::VectorXd residual = half.solve(along_.segment(random.first, random.count));
+  const Eigen::VectorXd residual = half.solve(projection_.segment(random.first, random.count));
   WithNoise with{*this, 0};
   with.space.gram_ -= columns.transpose() * columns;
-  with.space.along_ -= columns.transpose() * residual;
+  with.space.projection_ -= columns.transpose() * residual;
   const double log_determinant = (root.diagonal().array().square() * variances.array()).log().sum();
   with.log_likelihood = (residual.squaredNorm() - log_determinant) / 2;
   return with;
 }
 
 ExplainedSpace::System ExplainedSpace::system(const std::vector<series::ColumnRange>& parts,
-                                              const Eigen::VectorXd& along) const {
+                                              const Eigen::VectorXd& projection) const {
   Eigen::Index size = 0;
   for (const series::ColumnRange& part : parts) size += part.count;
   System system{Eigen::MatrixXd(size, size), Eigen::VectorXd(size)};
@@ -58,31 +58,31 @@ ExplainedSpace::System ExplainedSpace::system(const std::vector<series::ColumnRa
           gram_.block(a.first, b.first, a.count, b.count);
       column += b.count;
     }
-    system.right.segment(row, a.count) = along.segment(a.first, a.count);
+    system.right.segment(row, a.count) = projection.segment(a.first, a.count);
     row += a.count;
   }
   system.matrix.diagonal().array() += kSystemRidge;
   return system;
 }
 
-double ExplainedSpace::gain(const std::vector<series::ColumnRange>& parts,
-                            const Eigen::VectorXd& along) const {
+double ExplainedSpace::chi2_drop(const std::vector<series::ColumnRange>& parts,
+                                 const Eigen::VectorXd& projection) const {
   if (parts.size() == 1 && parts[0].count == 1) {
     const Eigen::Index column = parts[0].first;
-    return std::pow(along[column], 2) / std::max(gram_(column, column), kSystemRidge);
+    return std::pow(projection[column], 2) / std::max(gram_(column, column), kSystemRidge);
   }
-  const System all = system(parts, along);
+  const System all = system(parts, projection);
   return all.right.dot(solve_definite(all.matrix, all.right));
 }
 
-Eigen::MatrixXd ExplainedSpace::to_gain(const series::ColumnRange& part) const {
-  const Eigen::MatrixXd root = cholesky_factor(system({part}, along_).matrix);
+Eigen::MatrixXd ExplainedSpace::to_chi2_drop(const series::ColumnRange& part) const {
+  const Eigen::MatrixXd root = cholesky_factor(system({part}, projection_).matrix);
   return root.triangularView<Eigen::Lower>().solve(
       Eigen::MatrixXd::Identity(part.count, part.count));
 }
 
 Eigen::VectorXd ExplainedSpace::coefficients(const std::vector<series::ColumnRange>& parts) const {
-  const System all = system(parts, along_);
+  const System all = system(parts, projection_);
   return solve_definite(all.matrix, all.right);
 }
 
@@ -92,9 +92,9 @@ double column_count(const std::vector<series::ColumnRange>& ranges) {
   return columns;
 }
 
-double log_evidence(double gain, double columns) {
-  if (gain <= columns) return 0;
-  return (gain - columns) / 2 - columns / 2 * std::log(gain / columns);
+double log_evidence(double chi2_drop, double columns) {
+  if (chi2_drop <= columns) return 0;
+  return (chi2_drop - columns) / 2 - columns / 2 * std::log(chi2_drop / columns);
 }
 
 }  // namespace fogcomp::fit

@@ -15,15 +15,15 @@ constexpr double kHour = 3600;  // in s: a whole number of blocks
 model::SignalRange widened(fog::Input input, const model::SignalRange& seen) {
   switch (input) {
     case fog::Input::temperature_rate:
-      return {-fog::kMostRateDegcPerMin, fog::kMostRateDegcPerMin};
+      return {-fog::kMaxRateDegcPerMin, fog::kMaxRateDegcPerMin};
     case fog::Input::elapsed:
-      return {0, kHour * std::ceil(rules::kTimeWidening * seen.most / kHour)};
+      return {0, kHour * std::ceil(rules::kTimeWidening * seen.max / kHour)};
     default:
       break;
   }
-  const double size = std::max(std::abs(seen.least), std::abs(seen.most));
-  const double more = rules::kSignalWidening * std::max(seen.most - seen.least, size);
-  return {seen.least - more, seen.most + more};
+  const double size = std::max(std::abs(seen.min), std::abs(seen.max));
+  const double more = rules::kSignalWidening * std::max(seen.max - seen.min, size);
+  return {seen.min - more, seen.max + more};
 }
 
 void check(const model::EffectTerm& term, const Eigen::VectorXd& column) {

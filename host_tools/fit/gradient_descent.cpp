@@ -5,11 +5,11 @@
 namespace fogcomp::fit {
 namespace {
 
-constexpr double kRateUp = 1.05;         // lr_inc
-constexpr double kRateDown = 0.7;        // lr_dec
-constexpr double kMostIncrease = 1.04;   // max_perf_inc
-constexpr double kMomentum = 0.9;        // mc
-constexpr double kLeastGradient = 1e-5;  // min_grad
+constexpr double kRateUp = 1.05;       // lr_inc
+constexpr double kRateDown = 0.7;      // lr_dec
+constexpr double kMaxIncrease = 1.04;  // max_perf_inc
+constexpr double kMomentum = 0.9;      // mc
+constexpr double kMinGradient = 1e-5;  // min_grad
 // MATLAB's max_fail is 6 epochs; noise of the held-out rows moves that little, so wait longer.
 constexpr int kEpochsWithoutGain = 200;
 constexpr int kEpochsPerReport = 50;
@@ -28,7 +28,7 @@ TrainerResult descend(const TrainingProblem& problem, const TrainerSettings& set
   double rate = settings.learning_rate;
   TrainerResult result;
   for (; result.epochs < settings.epochs; ++result.epochs) {
-    if (cost <= settings.goal || gradient.norm() < kLeastGradient) break;
+    if (cost <= settings.goal || gradient.norm() < kMinGradient) break;
     result.stopped_early = best.exhausted();
     result.interrupted = result.epochs % kEpochsPerReport == 0 && settings.go_on &&
                          !settings.go_on(static_cast<double>(result.epochs) / settings.epochs);
@@ -36,7 +36,7 @@ TrainerResult descend(const TrainingProblem& problem, const TrainerSettings& set
     step = kMomentum * step - (1 - kMomentum) * rate * gradient;
     const Eigen::VectorXd tried = weights + step;
     const double tried_cost = problem.rows->mean_square(problem.shape, tried, tried_gradient);
-    if (!(tried_cost <= kMostIncrease * cost)) {
+    if (!(tried_cost <= kMaxIncrease * cost)) {
       rate *= kRateDown;
       step = -rate * gradient;
       continue;

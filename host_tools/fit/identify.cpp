@@ -58,8 +58,8 @@ template <class Value>
 model::Range range_of(std::size_t count, Value value_at) {
   model::Range range{value_at(0), value_at(0)};
   for (std::size_t i = 1; i < count; ++i) {
-    range.least = std::min(range.least, value_at(i));
-    range.most = std::max(range.most, value_at(i));
+    range.min = std::min(range.min, value_at(i));
+    range.max = std::max(range.max, value_at(i));
   }
   return range;
 }
@@ -68,8 +68,8 @@ void set_ranges(model::Model& model, const series::Rows& rows) {
   const std::size_t count = rows.signals.size();
   const model::Range degc =
       range_of(count, [&](std::size_t i) { return rows.signals[i].temperature; });
-  model.least_degc = degc.least - rules::kRangeMarginDegc;
-  model.most_degc = degc.most + rules::kRangeMarginDegc;
+  model.min_degc = degc.min - rules::kRangeMarginDegc;
+  model.max_degc = degc.max + rules::kRangeMarginDegc;
   model.rate_range_degc_per_min =
       range_of(count, [&](std::size_t i) { return rows.signals[i].temperature_rate; });
   model.time_range_s = range_of(count, [&](std::size_t i) { return rows.time_s[i]; });
@@ -115,7 +115,7 @@ Identification noise_and_residual(const FitWithSteps& found) {
   Identification result;
   result.residual_dph = found.fit.residual_dph;
   result.noise = found.fit.noise;
-  result.misfit = found.fit.misfit();
+  result.birge_ratio = found.fit.birge_ratio();
   result.masked = found.masked;
   result.row_weights = found.fit.row_weights;
   result.outliers = found.fit.outliers;
@@ -198,7 +198,7 @@ void judge_model(model::Model& model, const NoiseWeightedFit& fit,
     for (const model::ShapeDoubt& doubt : model::shape_doubts(term))
       result.warnings.push_back(doubt.sentence);
   }
-  const Eigen::MatrixXd of_noise = std::pow(std::max(1.0, result.misfit), 2) * fit.covariance;
+  const Eigen::MatrixXd of_noise = std::pow(std::max(1.0, result.birge_ratio), 2) * fit.covariance;
   judge_uncertainty(model, fit, of_noise, rows, result.warnings);
   for (model::EffectTerm& term : model.terms) set_expression_scale(term, series);
   const Eigen::VectorXd counted = noise::counted_weights(rows, fit.row_weights);

@@ -24,7 +24,7 @@ struct FoundStep {
 struct Identification {
   Eigen::VectorXd residual_dph;  ///< per row, measured - input - effects
   noise::NoiseModel noise;       ///< what the rows were weighted with
-  double misfit = 0;             ///< rms of the whitened residual: 1 where only that noise is left
+  double birge_ratio = 0;        ///< rms of the whitened residual: 1 where only that noise is left
   std::size_t outliers = 0;      ///< rows left out (outlier_rows.hpp)
   Eigen::VectorXd row_weights;   ///< Rows::weights, 0 for outliers and masked rows
   std::size_t masked = 0;        ///< rows left out because a bias step lies in them

@@ -16,8 +16,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kLeastDamping = 1e-12;
-constexpr double kMostDamping = 1e12;
+constexpr double kMinDamping = 1e-12;
+constexpr double kMaxDamping = 1e12;
 constexpr double kSmallFall = 1e-7;  // relative fall of the cost in a step
 // Steps without a better held-out error. Long, because the prices of error and of weights settle in
 // the middle of a training, and the error on other runs falls again when they do.
@@ -32,15 +32,15 @@ constexpr double kVarianceGuessed = 1e-3;  // of a normalised error, where nothi
 // The prices of error and of weights, and how many weights the data determine. One common factor of
 // the prices is free; it keeps that of errors at 1.
 struct Evidence {
-  double rows;            // that count
-  double least_variance;  // of an error
-  double variance;        // of an error
+  double rows;          // that count
+  double min_variance;  // of an error
+  double variance;      // of an error
   double alpha;
   double gamma = 0;
 
   Evidence(const VectorXd& errors, bool whitened)
       : rows(static_cast<double>((errors.array() != 0).count())),
-        least_variance(whitened ? 1 : 0),
+        min_variance(whitened ? 1 : 0),
         variance(whitened ? 1 : kVarianceGuessed),
         alpha(kFirstPrice * variance) {}
 
@@ -54,8 +54,7 @@ struct Evidence {
     const MatrixXd inverse = inverse_of_definite(hessian);
     gamma = std::clamp(size - alpha * inverse.trace(), 0.0, size);
     // Errors beyond the noise are what this network cannot learn: noise to it.
-    variance =
-        std::max({errors.squaredNorm() / std::max(rows - gamma, 1.0), least_variance, 1e-12});
+    variance = std::max({errors.squaredNorm() / std::max(rows - gamma, 1.0), min_variance, 1e-12});
     alpha = variance * gamma / std::max(w.squaredNorm(), 1e-12);
   }
   // How probable a network that came to `w` makes the rows: MacKay's logarithm of the evidence, but
@@ -94,7 +93,7 @@ struct State {
 double step(const TrainingProblem& problem, const Evidence& evidence, State& state) {
   const double cost = evidence.cost(state.errors, state.w);
   const VectorXd gradient = state.jacobian.transpose() * state.errors + evidence.alpha * state.w;
-  for (; state.damping <= kMostDamping; state.damping *= 10) {
+  for (; state.damping <= kMaxDamping; state.damping *= 10) {
     MatrixXd system = state.normal;
     system.diagonal().array() += evidence.alpha + state.damping;
     const VectorXd tried = state.w - solve_definite(system, gradient);
@@ -103,7 +102,7 @@ double step(const TrainingProblem& problem, const Evidence& evidence, State& sta
     const double fall = cost - evidence.cost(tried_errors, tried);
     if (fall <= 0) continue;
     state.w = tried;
-    state.damping = std::max(state.damping / 10, kLeastDamping);
+    state.damping = std::max(state.damping / 10, kMinDamping);
     return fall;
   }
   return 0;
@@ -120,12 +119,12 @@ Start train_from(const TrainingProblem& problem, const TrainerSettings& settings
   const auto offer = [&] { best.offer(state.w, rows.mean_square(shape, state.w)); };
   if (problem.held_out != nullptr) offer();
   TrainerResult result;
-  const int most_steps = std::min(settings.epochs, kMaxIterations);
-  for (; result.epochs < most_steps; ++result.epochs) {
+  const int max_steps = std::min(settings.epochs, kMaxIterations);
+  for (; result.epochs < max_steps; ++result.epochs) {
     result.stopped_early = best.exhausted();
     result.interrupted =
         settings.go_on &&
-        !settings.go_on((start + static_cast<double>(result.epochs) / most_steps) / kStarts);
+        !settings.go_on((start + static_cast<double>(result.epochs) / max_steps) / kStarts);
     if (result.stopped_early || result.interrupted) break;
     const double cost = evidence.cost(state.errors, state.w);
     const double fall = step(problem, evidence, state);

@@ -9,8 +9,8 @@ namespace fogcomp::fit {
 namespace {
 
 constexpr const char* kWhere = "--inputs";
-constexpr double kLeastTau_s = 1;
-constexpr double kMostTau_s = 1e5;
+constexpr double kMinTau_s = 1;
+constexpr double kMaxTau_s = 1e5;
 
 fog::NetworkInput input_named(const std::string& name) {
   const std::vector<std::string> names = model::network_input_names();
@@ -32,10 +32,10 @@ model::RealInput parse_input(const std::string& text) {
     throw InputError(kWhere, "'" + text + "': only lagged_temperature has a setting, tau");
   }
   const auto tau_s = setting.rfind("tau=", 0) == 0 ? parse_number(setting.substr(4)) : std::nullopt;
-  if (!tau_s || *tau_s < kLeastTau_s || *tau_s > kMostTau_s) {
+  if (!tau_s || *tau_s < kMinTau_s || *tau_s > kMaxTau_s) {
     throw InputError(kWhere, format("lagged_temperature needs its time constant: "
                                     "lagged_temperature:tau=300, from %g to %g s",
-                                    kLeastTau_s, kMostTau_s));
+                                    kMinTau_s, kMaxTau_s));
   }
   input.tau_s = *tau_s;
   return input;
@@ -54,9 +54,9 @@ std::vector<model::RealInput> parse_network_inputs(const std::string& list) {
     if (twice) throw InputError(kWhere, "'" + text + "' is listed twice");
     inputs.push_back(input);
   }
-  if (inputs.empty() || inputs.size() > fog::kMostNetworkInputs) {
+  if (inputs.empty() || inputs.size() > fog::kMaxNetworkInputs) {
     throw InputError(
-        kWhere, format("takes 1 to %zu inputs, not %zu", fog::kMostNetworkInputs, inputs.size()));
+        kWhere, format("takes 1 to %zu inputs, not %zu", fog::kMaxNetworkInputs, inputs.size()));
   }
   return inputs;
 }

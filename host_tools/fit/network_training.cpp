@@ -14,16 +14,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kHeadRoom = 1.25;        // the largest target lies at 1/1.25 of tansig's reach
-constexpr double kLeastHalfRange = 1e-3;  // of an input that stands still
-constexpr double kLeastAmplitude = 1e-9;  // deg/h
+constexpr double kHeadRoom = 1.25;      // the largest target lies at 1/1.25 of tansig's reach
+constexpr double kMinHalfRange = 1e-3;  // of an input that stands still
+constexpr double kMinAmplitude = 1e-9;  // deg/h
 
 std::vector<TrainedNetwork::Input> min_max(const MatrixXd& inputs) {
   std::vector<TrainedNetwork::Input> scales;
   for (Index i = 0; i < inputs.cols(); ++i) {
-    const double least = inputs.col(i).minCoeff();
-    const double most = inputs.col(i).maxCoeff();
-    scales.push_back({(least + most) / 2, std::max((most - least) / 2, kLeastHalfRange)});
+    const double min = inputs.col(i).minCoeff();
+    const double max = inputs.col(i).maxCoeff();
+    scales.push_back({(min + max) / 2, std::max((max - min) / 2, kMinHalfRange)});
   }
   return scales;
 }
@@ -39,13 +39,13 @@ MatrixXd normalised(const MatrixXd& rows, const std::vector<TrainedNetwork::Inpu
 
 void set_target_scale(TrainedNetwork& network, const VectorXd& target, TargetScaling scaling) {
   if (scaling == TargetScaling::about_zero) {
-    network.amplitude_dph = kHeadRoom * std::max(target.cwiseAbs().maxCoeff(), kLeastAmplitude);
+    network.amplitude_dph = kHeadRoom * std::max(target.cwiseAbs().maxCoeff(), kMinAmplitude);
     return;
   }
-  const double least = target.minCoeff();
-  const double most = target.maxCoeff();
-  network.centre_dph = (least + most) / 2;
-  network.amplitude_dph = std::max((most - least) / 2, kLeastAmplitude);
+  const double min = target.minCoeff();
+  const double max = target.maxCoeff();
+  network.centre_dph = (min + max) / 2;
+  network.amplitude_dph = std::max((max - min) / 2, kMinAmplitude);
 }
 
 }  // namespace

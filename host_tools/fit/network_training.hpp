@@ -21,11 +21,11 @@ struct NetworkTask {
 /// How the target is brought to the output's +-1.
 enum class TargetScaling : std::uint8_t {
   about_zero,  ///< with head room; a network that learns nothing gives 0: for what effects leave
-  min_max,     ///< least and most become -1 and +1, as MATLAB's mapminmax: for a whole drift
+  min_max,     ///< min and max become -1 and +1, as MATLAB's mapminmax: for a whole drift
 };
 
 struct NetworkSettings {
-  int hidden = 10;  ///< 1 to kMostTrainedHidden
+  int hidden = 10;  ///< 1 to kMaxTrainedHidden
   fog::Activation hidden_activation = fog::Activation::logsig;
   fog::Activation output_activation = fog::Activation::tansig;
   TargetScaling scaling = TargetScaling::about_zero;
@@ -52,7 +52,7 @@ struct TrainedNetwork {
 };
 
 /// Normalises, trains, and puts the scales into the result. With several runs, the last one is held
-/// out where its rows count: training stops where the error on it is least (never on rows of the
+/// out where its rows count: training stops where the error on it is smallest (never on rows of the
 /// same run, whose noise and history they share). Throws InputError where no row counts.
 TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& settings);
 

@@ -66,9 +66,10 @@ std::vector<bool> to_search_again(const std::vector<model::EffectTerm>& terms,
 
 }  // namespace
 
-double NoiseWeightedFit::misfit() const {
-  const auto freedom = static_cast<double>((row_weights.array() > 0).count() - whitened.cols());
-  return std::sqrt(whitened_residual.squaredNorm() / std::max(1.0, freedom));
+double NoiseWeightedFit::birge_ratio() const {
+  const auto degrees_of_freedom =
+      static_cast<double>((row_weights.array() > 0).count() - whitened.cols());
+  return std::sqrt(whitened_residual.squaredNorm() / std::max(1.0, degrees_of_freedom));
 }
 
 NoiseWeightedFit fit_rows(const series::SignalSeries& series,

@@ -14,7 +14,7 @@ namespace fogcomp::fit {
 
 /// Effects solved for together, rows weighted with their noise.
 struct NoiseWeightedFit {
-  std::vector<model::EffectTerm> terms;  ///< as given, shape parameters where the cost is least
+  std::vector<model::EffectTerm> terms;  ///< as given, shape parameters where the cost is smallest
   std::vector<model::ShapeParameter> shapes;  ///< those that were moved
   noise::NoiseModel noise;      ///< what the rows were weighted with; at least what rounding makes
   Eigen::VectorXd robust;       ///< 1; 0 for outliers and rows that are left out
@@ -33,7 +33,7 @@ struct NoiseWeightedFit {
 
   Eigen::Index linear() const { return columns.cols(); }
   /// rms of the whitened residual: 1 where only that noise is left.
-  double misfit() const;
+  double birge_ratio() const;
 };
 
 struct RowSettings {

@@ -37,14 +37,15 @@ OutOfSample judge(const series::Rows& rows, const Eigen::VectorXd& before,
   Eigen::VectorXd white_before = whitening.apply(before);
   Eigen::VectorXd white_after = whitening.apply(after);
   const double typical = sigma_by_median({white_before.begin(), white_before.end()});
-  const double most = rules::kMaxCounted * std::max(1.0, typical);
-  white_before = white_before.cwiseMax(-most).cwiseMin(most);
-  white_after = white_after.cwiseMax(-most).cwiseMin(most);
+  const double max = rules::kMaxCounted * std::max(1.0, typical);
+  white_before = white_before.cwiseMax(-max).cwiseMin(max);
+  white_after = white_after.cwiseMax(-max).cwiseMin(max);
   const double variance =
       std::max(1.0, white_after.squaredNorm() / static_cast<double>(rows.size()));
   const double together =
       noise::correlated_values({white_after.begin(), white_after.end()}, rows.runs());
-  result.gain = (white_before.squaredNorm() - white_after.squaredNorm()) / (variance * together);
+  result.chi2_drop =
+      (white_before.squaredNorm() - white_after.squaredNorm()) / (variance * together);
   return result;
 }
 
@@ -229,14 +230,15 @@ std::vector<double> fitted_residual(const series::SignalSeries& series,
 }  // namespace
 
 std::string out_of_sample_words(const OutOfSample& judged) {
-  const bool rises = judged.gain >= rules::kMinGain && !judged.helps();
+  const bool rises = judged.chi2_drop >= rules::kMinChi2Drop && !judged.helps();
   return format("%s -> %s deg/h %s (gain %.1f, needed %g%s)",
                 rounded(judged.rms_before_dph).c_str(), rounded(judged.rms_after_dph).c_str(),
-                judged.how.c_str(), judged.gain, rules::kMinGain, rises ? " without a rise" : "");
+                judged.how.c_str(), judged.chi2_drop, rules::kMinChi2Drop,
+                rises ? " without a rise" : "");
 }
 
 bool OutOfSample::helps() const {
-  return gain >= rules::kMinGain && rms_after_dph <= rms_before_dph;
+  return chi2_drop >= rules::kMinChi2Drop && rms_after_dph <= rms_before_dph;
 }
 
 OutOfSample cross_validate(const series::SignalSeries& series,

@@ -20,11 +20,11 @@ struct OutOfSample {
   /// Fall of the sum of whitened squares, in units of what is left after: their variance times the
   /// number of neighbouring rows that go together. A set with one useless coefficient more scores
   /// about -1 +- 2; an effect that stands out by z standard deviations about z^2.
-  double gain = 0;
+  double chi2_drop = 0;
   bool within_runs = false;  ///< on stretches between those that were fitted, not on other runs
   std::string how;           ///< e.g. "on stretches of 0.5 h, a fifth of them left out in turn"
 
-  /// gain >= rules::kMinGain, and the plain error does not rise: the gain counts a row that is
+  /// gain >= rules::kMinChi2Drop, and the plain error does not rise: the gain counts a row that is
   /// missed widely like one that is missed by four standard deviations.
   bool helps() const;
 };

@@ -16,7 +16,7 @@ constexpr double kOwn = 2;              // c1
 constexpr double kSocial = 2;           // c2
 constexpr double kFirstInertia = 0.9;   // falls in a straight line ...
 constexpr double kLastInertia = 0.4;    // ... to this
-constexpr double kMostVelocity = 0.3;   // per weight and iteration
+constexpr double kMaxVelocity = 0.3;    // per weight and iteration
 constexpr double kFirstVelocity = 0.1;  // per weight, at most
 
 struct Particle {
@@ -46,7 +46,7 @@ void move(Particle& particle, const VectorXd& leader, double inertia, Uniform& u
     const double own = kOwn * uniform.unit() * (particle.best_place[d] - particle.place[d]);
     const double social = kSocial * uniform.unit() * (leader[d] - particle.place[d]);
     particle.velocity[d] =
-        std::clamp(inertia * particle.velocity[d] + own + social, -kMostVelocity, kMostVelocity);
+        std::clamp(inertia * particle.velocity[d] + own + social, -kMaxVelocity, kMaxVelocity);
   }
   particle.place += particle.velocity;
 }

@@ -7,13 +7,13 @@
 
 namespace fogcomp::fit {
 
-constexpr int kMostTrainedHidden = 32;
+constexpr int kMaxTrainedHidden = 32;
 
 /// inputs -> hidden neurons -> one output, and where each weight lies in the one vector that the
 /// trainers move: hidden weights neuron by neuron, hidden biases, output weights, output bias.
 struct Perceptron {
   Eigen::Index inputs = 2;   ///< at least 1
-  Eigen::Index hidden = 10;  ///< 1 to kMostTrainedHidden
+  Eigen::Index hidden = 10;  ///< 1 to kMaxTrainedHidden
   fog::Activation hidden_activation = fog::Activation::logsig;
   fog::Activation output_activation = fog::Activation::tansig;
 

@@ -42,7 +42,7 @@ std::vector<PhysicalLag> physical_lags(const model::Model& model,
   const NoiseWeightedFit fit =
       fit_rows(series, terms, run_offset_columns(series.rows(), run_offsets));
   if (!is_determined(fit)) return lags;
-  const double widening = std::max(1.0, fit.misfit());
+  const double widening = std::max(1.0, fit.birge_ratio());
   for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
     const model::ShapeParameter& shape = fit.shapes[i];
     const model::EffectTerm& term = fit.terms[shape.term];

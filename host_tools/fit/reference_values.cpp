@@ -26,7 +26,7 @@ double mean_temperature_degc(const series::Rows& rows) {
 
 double largest_input_rate_dps(const series::SignalSeries& series) {
   const auto range = series.signal_ranges()[static_cast<std::size_t>(fog::Input::input_rate)];
-  return std::max(std::abs(range.least), std::abs(range.most)) / kDphPerDegreePerSecond;
+  return std::max(std::abs(range.min), std::abs(range.max)) / kDphPerDegreePerSecond;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void set_references(std::vector<model::EffectTerm>& terms, const series::SignalS
       const double seen =
           degc ? mean_temperature_degc(series.rows()) : largest_input_rate_dps(series);
       const model::ShapeBounds bounds = model::catalogue_bounds(entry, i);
-      term.parameters[i] = std::clamp(seen, bounds.least, bounds.most);
+      term.parameters[i] = std::clamp(seen, bounds.min, bounds.max);
       term.identified[i] = false;
     }
   }

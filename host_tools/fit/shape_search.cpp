@@ -12,7 +12,7 @@ constexpr int kGridPoints = 24;
 // From 2 to 60 degC: half a turn over 100 degC from each point to the next, as a cosine that is
 // half a turn off at the end of the data explains nothing of them.
 constexpr int kPeriodGridPoints = 96;
-constexpr std::size_t kMostStarts = 3;  // of one parameter
+constexpr std::size_t kMaxStarts = 3;  // of one parameter
 constexpr int kGaussNewtonSteps = 12;
 // Relative fall of the cost that is worth another step: to compare starts, and at the end.
 constexpr double kRoughly = 1e-5;
@@ -42,7 +42,7 @@ std::vector<double> starts_of(const WhitenedProblem& problem,
         (i == 0 || costs[i] < costs[i - 1]) && (i + 1 == costs.size() || costs[i] <= costs[i + 1]);
     if (lower && std::abs(static_cast<double>(i) - here) > 1) dips.push_back(i);
   }
-  const std::size_t count = std::min(kMostStarts, dips.size());
+  const std::size_t count = std::min(kMaxStarts, dips.size());
   std::partial_sort(dips.begin(), dips.begin() + static_cast<std::ptrdiff_t>(count), dips.end(),
                     [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
   std::vector<double> starts;
@@ -90,18 +90,18 @@ bool search_range(WhitenedProblem& problem, const std::vector<model::ShapeParame
                   std::size_t which) {
   const WhitenedProblem before = problem;
   const double cost_here = descend(problem, parameters, kRoughly);
-  double least_cost = cost_here;
+  double min_cost = cost_here;
   WhitenedProblem best = problem;
   for (const double start : starts_of(before, parameters, which)) {
     problem = before;
     problem.set({parameters[which]}, {start});
     const double cost = descend(problem, parameters, kRoughly);
-    if (cost >= least_cost) continue;
-    least_cost = cost;
+    if (cost >= min_cost) continue;
+    min_cost = cost;
     best = problem;
   }
   problem = best;
-  return least_cost < cost_here * (1 - kRoughly);
+  return min_cost < cost_here * (1 - kRoughly);
 }
 
 // The two parts of an effect that may have a second one (radii, periods) are the same in either
@@ -116,7 +116,7 @@ void order_parts(WhitenedProblem& problem, const std::vector<model::ShapeParamet
     const model::ShapeParameter& first = parameters[i - 1];
     const model::ShapeParameter& second = parameters[i];
     if (first.term != second.term || !is_second_part(problem.terms()[second.term], second.index) ||
-        first.least != second.least || first.most != second.most) {
+        first.min != second.min || first.max != second.max) {
       continue;
     }
     const double smaller = std::min(problem.value(first), problem.value(second));

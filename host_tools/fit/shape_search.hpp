@@ -8,7 +8,7 @@
 
 namespace fogcomp::fit {
 
-/// Moves the parameters to where the projected cost is least (Golub & Pereyra 1973): those of
+/// Moves the parameters to where the projected cost is smallest (Golub & Pereyra 1973): those of
 /// `ranges` (one for each parameter) in turn over a bounded grid, the others following to first
 /// order; then Gauss-Newton on all with the coefficients, from where they are and from the deepest
 /// dips of that grid. `progress` is told how much is done, 0..1. Returns which parameters a dip

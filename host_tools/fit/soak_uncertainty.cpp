@@ -70,7 +70,7 @@ SoakUncertainty soak_uncertainty(const model::Model& model, const NoiseWeightedF
   SoakUncertainty worst;
   for (int i = 0; i < kTemperatures; ++i) {
     const double share = static_cast<double>(i) / (kTemperatures - 1);
-    signals.temperature = model.least_degc + share * (model.most_degc - model.least_degc);
+    signals.temperature = model.min_degc + share * (model.max_degc - model.min_degc);
     signals.block.temperature = signals.temperature;
     const Eigen::VectorXd slope = gradient(fit.terms, fit, signals, rows.row_s);
     const double sigma_dph = std::sqrt(std::max(0.0, slope.dot(covariance * slope)));

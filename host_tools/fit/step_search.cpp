@@ -36,14 +36,14 @@ bool earns(const noise::ChangePoint& step, double chi_square) {
   return step.chi_square > chi_square * std::max(1.0, step.chi_square_left);
 }
 
-// Of the last columns of a fit, the least that one brings beside all others.
-double least_chi_square(const NoiseWeightedFit& fit, std::size_t steps) {
-  double least = std::numeric_limits<double>::infinity();
+// Of the last columns of a fit, the smallest chi-square drop that one brings beside all others.
+double min_chi_square(const NoiseWeightedFit& fit, std::size_t steps) {
+  double min = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = fit.linear() - static_cast<Eigen::Index>(steps); i < fit.linear(); ++i) {
     const double size = fit.coefficients[i];
-    least = std::min(least, size * size / fit.covariance(i, i));
+    min = std::min(min, size * size / fit.covariance(i, i));
   }
-  return least / std::pow(std::max(1.0, fit.misfit()), 2);
+  return min / std::pow(std::max(1.0, fit.birge_ratio()), 2);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ FitWithSteps fit_with_steps(const series::SignalSeries& series,
     fewer.segment(found->first, found->last - found->first + 1).setZero();
     NoiseWeightedFit fit = fit_rows(series, terms, more, {fewer, std::nullopt, {}});
     if (!is_determined(fit)) break;
-    if (least_chi_square(fit, result.steps.size() + 1) < rules::kMinStepChiSquare) break;
+    if (min_chi_square(fit, result.steps.size() + 1) < rules::kMinStepChiSquare) break;
     result.steps.push_back(*found);
     result.fit = std::move(fit);
     columns = more;

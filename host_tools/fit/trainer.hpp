@@ -14,7 +14,7 @@ namespace fogcomp::fit {
 struct TrainingProblem {
   Perceptron shape;
   const Batch* rows = nullptr;
-  const Batch* held_out = nullptr;  ///< of other runs: where its error is least, training stops
+  const Batch* held_out = nullptr;  ///< of other runs: where its error is smallest, training stops
 };
 
 struct TrainerSettings {

@@ -52,13 +52,13 @@ std::string enumeration(const std::vector<std::string>& names) {
 
 template <class Value>
 double span_of(const series::Rows& rows, const Value& value) {
-  double least = value(rows.signals[0]);
-  double most = least;
+  double min = value(rows.signals[0]);
+  double max = min;
   for (const auto& signals : rows.signals) {
-    least = std::min(least, value(signals));
-    most = std::max(most, value(signals));
+    min = std::min(min, value(signals));
+    max = std::max(max, value(signals));
   }
-  return most - least;
+  return max - min;
 }
 
 // What the rows lack that a term feeds on; "" where nothing stands out.

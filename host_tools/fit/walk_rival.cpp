@@ -13,12 +13,12 @@ namespace fogcomp::fit {
 WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
   constexpr double kVisibleMode = 1e-9;
   const Eigen::VectorXd square = modes.colwise().squaredNorm();
-  const double most = square.size() > 0 ? square.maxCoeff() : 0;
+  const double max = square.size() > 0 ? square.maxCoeff() : 0;
   Eigen::MatrixXd kept(modes.rows(), modes.cols());
   WalkModes walk{{}, Eigen::VectorXd(modes.cols())};
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < modes.cols(); ++i) {
-    if (square[i] <= kVisibleMode * most) continue;
+    if (square[i] <= kVisibleMode * max) continue;
     kept.col(count) = modes.col(i) / std::sqrt(square[i]);
     walk.square[count++] = square[i];
   }
@@ -81,8 +81,8 @@ double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
   space.finish();
   const WalkRival rival = find_walk(space, modes, noise.walks);
   const auto columns = static_cast<double>(effect.count);
-  return chance_of_walk(rival, {{log_evidence(space.gain({effect}), columns), 0}},
-                        {{log_evidence(rival.space.gain({effect}), columns), 0}});
+  return chance_of_walk(rival, {{log_evidence(space.chi2_drop({effect}), columns), 0}},
+                        {{log_evidence(rival.space.chi2_drop({effect}), columns), 0}});
 }
 
 }  // namespace fogcomp::fit

@@ -72,19 +72,19 @@ std::vector<CatalogueEntry> entries(fog::EffectList<Effects...> /*list*/) {
 
 // Where a search begins: in the middle, by ratio where no bound is 0. Of bounds on both sides of 0,
 // in the middle of the wider side: at 0 the term may vanish, and nothing tells which way to go.
-double start_within(double least, double most) {
-  if (least > 0) return std::sqrt(least * most);
-  if (least < 0 && most > 0) return most >= -least ? most / 2 : least / 2;
-  return (least + most) / 2;
+double start_within(double min, double max) {
+  if (min > 0) return std::sqrt(min * max);
+  if (min < 0 && max > 0) return max >= -min ? max / 2 : min / 2;
+  return (min + max) / 2;
 }
 
 // Nothing but the formula and the bounds says how to search for a parameter of an expression.
 fog::Scale scale_of(const Expression& expression, std::size_t parameter) {
   constexpr double kFar = 20;
-  const auto [name, least, most] = expression.parameters[parameter];
-  if (least <= 0) return fog::Scale::linear;
+  const auto [name, min, max] = expression.parameters[parameter];
+  if (min <= 0) return fog::Scale::linear;
   if (expression.is_period(parameter)) return fog::Scale::frequency;
-  return most / least >= kFar ? fog::Scale::logarithmic : fog::Scale::linear;
+  return max / min >= kFar ? fog::Scale::logarithmic : fog::Scale::linear;
 }
 
 TermInfo info_of(const ExpressionTerm& term) {
@@ -95,7 +95,7 @@ TermInfo info_of(const ExpressionTerm& term) {
   for (std::size_t i = 0; i < expression.parameters.size(); ++i) {
     const ExpressionParameter& parameter = expression.parameters[i];
     info.parameters.push_back(
-        {parameter.name, "", {parameter.least, parameter.most}, scale_of(expression, i)});
+        {parameter.name, "", {parameter.min, parameter.max}, scale_of(expression, i)});
   }
   info.coefficients = {{"k", "deg/h per unit of the expression", term.scale_log2}};
   info.needs = expression.needs();
@@ -164,7 +164,7 @@ EffectTerm expression_term(const std::string& definition) {
                      "has the name of an effect of the catalogue; choose another");
   }
   for (const ExpressionParameter& parameter : expression.parameters) {
-    term.parameters.push_back(start_within(parameter.least, parameter.most));
+    term.parameters.push_back(start_within(parameter.min, parameter.max));
     term.identified.push_back(true);
     term.parameter_sigma.push_back(0);
   }
@@ -185,7 +185,7 @@ fog::InputMask needs_of(const Model& model) {
 ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index) {
   const bool second = is_optional_part(entry.parameters[index]);
   const fog::ParameterDescription& parameter = entry.parameters[second ? index - 1 : index];
-  return {parameter.least_milli / 1000.0, parameter.most_milli / 1000.0};
+  return {parameter.min_milli / 1000.0, parameter.max_milli / 1000.0};
 }
 
 bool is_event(const EffectTerm& term) {

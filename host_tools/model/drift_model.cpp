@@ -7,7 +7,7 @@ namespace fogcomp::model {
 namespace {
 
 // Where the board's format ends, so that what is fitted there is what the board does there.
-const double kMostRegressor = std::ldexp(1, 31 - fog::Regressor::fractional_bits);
+const double kMaxRegressor = std::ldexp(1, 31 - fog::Regressor::fractional_bits);
 
 // The limit that the board clamps to: half an LSB beside it, a scale factor of 300 ppm/degC at 280
 // deg/s is 0.002 deg/h off.
@@ -31,8 +31,7 @@ RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block) {
 
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
   const double decay = RealNumbers::decay(block_s / model.derivative_tau_s);
-  return {
-      {decay, decay * 60 / block_s}, as_on_board(model.least_degc), as_on_board(model.most_degc)};
+  return {{decay, decay * 60 / block_s}, as_on_board(model.min_degc), as_on_board(model.max_degc)};
 }
 
 bool follows_input_rate(const EffectTerm& term) {
@@ -64,7 +63,7 @@ const std::vector<double>& RegressorBank::run(const fog::Signals<RealNumbers>& s
       // The board has no regressors of what follows the rate.
       if (!part.follows_rate || part.host_only) {
         for (std::size_t i = 0; i < count; ++i) {
-          values[i] = std::clamp(values[i], -kMostRegressor, kMostRegressor);
+          values[i] = std::clamp(values[i], -kMaxRegressor, kMaxRegressor);
         }
       }
     }

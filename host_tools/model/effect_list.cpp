@@ -25,7 +25,7 @@ std::size_t parameter_index(const std::string& where, const CatalogueEntry& entr
                               "; it has " + (names.empty() ? "none" : join(names, ", ")));
 }
 
-// `?` or `?[least,most]`: to be identified, within the catalogue's bounds or narrower ones.
+// `?` or `?[min,max]`: to be identified, within the catalogue's bounds or narrower ones.
 void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size_t index,
                         const std::string& range) {
   const std::string where = "effect '" + term.name + "'";
@@ -51,23 +51,22 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
     const std::size_t comma = range.find(',');
     const bool bracketed = range.front() == '[' && range.back() == ']' && range.size() > 2 &&
                            comma != std::string::npos;
-    const auto least = bracketed ? parse_number(trimmed(range.substr(1, comma - 1))) : std::nullopt;
-    const auto most = bracketed
-                          ? parse_number(trimmed(range.substr(comma + 1, range.size() - comma - 2)))
-                          : std::nullopt;
-    if (!least || !most || !(bounds.least <= *least && *least < *most && *most <= bounds.most)) {
-      throw InputError(
-          where, format("bounds of %s must be ?[least,most] within %g to %g%s", description.name,
-                        bounds.least, bounds.most, unit_behind_number(description).c_str()));
+    const auto min = bracketed ? parse_number(trimmed(range.substr(1, comma - 1))) : std::nullopt;
+    const auto max = bracketed
+                         ? parse_number(trimmed(range.substr(comma + 1, range.size() - comma - 2)))
+                         : std::nullopt;
+    if (!min || !max || !(bounds.min <= *min && *min < *max && *max <= bounds.max)) {
+      throw InputError(where,
+                       format("bounds of %s must be ?[min,max] within %g to %g%s", description.name,
+                              bounds.min, bounds.max, unit_behind_number(description).c_str()));
     }
-    bounds = {*least, *most};
+    bounds = {*min, *max};
   }
   term.bounds.resize(entry.parameters.size());
   term.bounds[index] = bounds;
   double& start = term.parameters[index];
-  if (bounds.least <= start && start <= bounds.most) return;
-  start =
-      bounds.least > 0 ? std::sqrt(bounds.least * bounds.most) : (bounds.least + bounds.most) / 2;
+  if (bounds.min <= start && start <= bounds.max) return;
+  start = bounds.min > 0 ? std::sqrt(bounds.min * bounds.max) : (bounds.min + bounds.max) / 2;
 }
 
 void set_parameter(EffectTerm& term, const CatalogueEntry& entry, const std::string& setting) {
@@ -82,14 +81,14 @@ void set_parameter(EffectTerm& term, const CatalogueEntry& entry, const std::str
   }
   const fog::ParameterDescription& description = entry.parameters[index];
   const auto value = parse_number(given);
-  const double least = description.least_milli / 1000.0;
-  const double most = description.most_milli / 1000.0;
+  const double min = description.min_milli / 1000.0;
+  const double max = description.max_milli / 1000.0;
   const bool whole = description.scale == fog::Scale::whole;
-  if (!value || *value < least || *value > most || (whole && *value != std::round(*value))) {
+  if (!value || *value < min || *value > max || (whole && *value != std::round(*value))) {
     throw InputError(
-        where, format("%s must be a %snumber from %g to %g%s%s", name.c_str(),
-                      whole ? "whole " : "", least, most, unit_behind_number(description).c_str(),
-                      whole ? "" : ", or ? to identify it"));
+        where,
+        format("%s must be a %snumber from %g to %g%s%s", name.c_str(), whole ? "whole " : "", min,
+               max, unit_behind_number(description).c_str(), whole ? "" : ", or ? to identify it"));
   }
   term.parameters[index] = *value;
   term.identified[index] = false;
@@ -141,12 +140,12 @@ std::vector<EffectTerm> grown_terms(const EffectTerm& own) {
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
     const fog::ParameterDescription& parameter = entry.parameters[i];
     EffectTerm term = own;
-    if (parameter.scale == fog::Scale::whole && own.parameters[i] < parameter.most_milli / 1000.0) {
+    if (parameter.scale == fog::Scale::whole && own.parameters[i] < parameter.max_milli / 1000.0) {
       term.parameters[i] += 1;
       more.push_back(term);
     } else if (is_optional_part(parameter) && own.parameters[i] == 0) {
       term.identified[i] = true;
-      term.parameters[i] = catalogue_bounds(entry, i).least;
+      term.parameters[i] = catalogue_bounds(entry, i).min;
       more.push_back(term);
     }
   }

@@ -13,7 +13,7 @@ inline constexpr const char* kFirstEffects = "bias,bias_temperature:order=2,temp
 /// `bias,bias_temperature:order=3,thermal_hysteresis:radius2=?[5,20]` -> terms without
 /// coefficients. A shape parameter that is given stays as given. Another starts at its default and
 /// is identified, unless it is a whole number or its description keeps it or leaves its part of the
-/// effect out; `=?` identifies it all the same, `=?[least,most]` within these bounds. An event
+/// effect out; `=?` identifies it all the same, `=?[min,max]` within these bounds. An event
 /// without a time is to be searched for. Throws InputError for unknown effects, unknown parameters
 /// and values out of bounds.
 std::vector<EffectTerm> parse_effects(const std::string& list);

@@ -26,8 +26,8 @@ constexpr std::array<FunctionName, 9> kFunctions{{{"sin", NodeKind::sine, 1},
                                                   {"lag", NodeKind::lag, 2},
                                                   {"play", NodeKind::play, 2}}};
 
-constexpr std::size_t kMostNodes = 100;
-constexpr int kMostDepth = 50;  // of parentheses and signs
+constexpr std::size_t kMaxNodes = 100;
+constexpr int kMaxDepth = 50;  // of parentheses and signs
 
 bool begins_name(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
@@ -108,7 +108,7 @@ class Parser {
   }
 
   std::size_t add(ExpressionNode node, std::size_t place) {
-    if (result_.nodes.size() == kMostNodes) fail_at(place, "the expression is too long");
+    if (result_.nodes.size() == kMaxNodes) fail_at(place, "the expression is too long");
     result_.nodes.push_back(node);
     return result_.nodes.size() - 1;
   }
@@ -127,7 +127,7 @@ class Parser {
     const ExpressionNode& second = result_.nodes[right];
     const bool positive = second.kind == NodeKind::number ? second.value > 0
                           : second.kind == NodeKind::parameter
-                              ? result_.parameters[second.parameter].least > 0
+                              ? result_.parameters[second.parameter].min > 0
                               : true;
     if (!positive && (kind == NodeKind::lag || kind == NodeKind::play)) {
       fail_at(place, "a time constant or radius must be above 0");
@@ -167,7 +167,7 @@ class Parser {
   std::size_t sign() {
     const std::size_t place = at_;
     if (!take('-')) return power();
-    if (++depth_ > kMostDepth) fail("too many signs and parentheses");
+    if (++depth_ > kMaxDepth) fail("too many signs and parentheses");
     const std::size_t operand = sign();
     --depth_;
     return add(NodeKind::negate, operand, operand, place);
@@ -184,7 +184,7 @@ class Parser {
     const std::size_t place = at_;
     const char c = text_[at_];
     if (take('(')) {
-      if (++depth_ > kMostDepth) fail("too many signs and parentheses");
+      if (++depth_ > kMaxDepth) fail("too many signs and parentheses");
       const std::size_t inner = sum();
       --depth_;
       expect(')');
@@ -218,17 +218,17 @@ class Parser {
     }
     if (!take('['))
       fail("give the bounds of '" + parameter.name + "', such as ?" + parameter.name + "[60,900]");
-    parameter.least = take('-') ? -number() : number();
+    parameter.min = take('-') ? -number() : number();
     expect(',');
-    parameter.most = take('-') ? -number() : number();
+    parameter.max = take('-') ? -number() : number();
     expect(']');
-    if (!(parameter.least < parameter.most)) {
+    if (!(parameter.min < parameter.max)) {
       fail_at(place, "the bounds of '" + parameter.name + "' must rise");
     }
     // Squares and ratios of bounds stay finite, and no signal in its unit has such numbers.
     constexpr double kSmallest = 1e-30;
     constexpr double kLargest = 1e30;
-    for (const double bound : {std::abs(parameter.least), std::abs(parameter.most)}) {
+    for (const double bound : {std::abs(parameter.min), std::abs(parameter.max)}) {
       if (bound == 0 || (kSmallest <= bound && bound <= kLargest)) continue;
       fail_at(place, format("bounds of '%s' must be 0 or from %g to %g in size",
                             parameter.name.c_str(), kSmallest, kLargest));
@@ -261,7 +261,7 @@ class Parser {
                          "'; there are sin, cos, exp, tanh, abs, min, max, lag, play");
     }
     expect('(');
-    if (++depth_ > kMostDepth) fail("too many signs and parentheses");
+    if (++depth_ > kMaxDepth) fail("too many signs and parentheses");
     const std::size_t first = sum();
     std::size_t second = first;
     if (found->arguments == 2) {

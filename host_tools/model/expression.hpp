@@ -48,8 +48,8 @@ double apply(NodeKind kind, double left, double right);
 /// A parameter of an expression, to be identified.
 struct ExpressionParameter {
   std::string name;
-  double least = 0;
-  double most = 0;
+  double min = 0;
+  double max = 0;
 };
 
 /// A term of the drift written by hand: `NAME = T*T*dTdt`.

@@ -24,7 +24,7 @@ double ExpressionEffect::evaluate(const fog::Signals<RealNumbers>& signals, bool
     double& state = states_[i];
     if (node.kind == NodeKind::signal) {
       const SignalRange& range = term_.ranges[static_cast<std::size_t>(node.signal)];
-      values_[i] = std::clamp(value_of(node.signal, signals, block_s_), range.least, range.most);
+      values_[i] = std::clamp(value_of(node.signal, signals, block_s_), range.min, range.max);
     } else if (node.kind == NodeKind::lag) {
       state = restart ? left : state + (left - state) * RealNumbers::decay(block_s_ / right);
       values_[i] = state;

@@ -14,8 +14,8 @@
 namespace fogcomp::model {
 
 struct SignalRange {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
 };
 using SignalRanges = std::array<SignalRange, fog::kInputs>;
 

@@ -16,8 +16,8 @@ namespace fogcomp::model {
 
 /// Where a fit looks for a shape parameter.
 struct ShapeBounds {
-  double least = 0;
-  double most = 0;  ///< not above `least`: the catalogue's bounds
+  double min = 0;
+  double max = 0;  ///< not above `min`: the catalogue's bounds
 };
 
 /// One effect of a model, or an expression: its shape and what was identified.
@@ -69,9 +69,9 @@ struct HistoryEntry {
 };
 
 struct Range {
-  double least = 0;
-  double most = 0;
-  bool holds(double value) const { return value >= least && value <= most; }
+  double min = 0;
+  double max = 0;
+  bool holds(double value) const { return value >= min && value <= max; }
 };
 
 /// What training covered of an input of extension records, in its unit.
@@ -95,8 +95,8 @@ struct Model {
   /// it; else empty.
   std::string columns{};
   double derivative_tau_s = 0;  ///< of each of the two lags behind dT/dt
-  double least_degc = 0;        ///< trained range; the board clamps to it
-  double most_degc = 0;
+  double min_degc = 0;          ///< trained range; the board clamps to it
+  double max_degc = 0;
   /// What else the training data covered, for warnings; files from before these were kept have
   /// none.
   std::optional<Range> rate_range_degc_per_min{};  ///< cooling (negative) to heating

@@ -25,12 +25,12 @@ constexpr double kMaxDegc = 2000;
 // Within the catalogue's bounds, but for the rounding of a search that ends at one of them.
 double read_parameter(ModelReader& in, const fog::ParameterDescription& parameter) {
   constexpr double kRounding = 1e-9;
-  const double least = parameter.least_milli / 1000.0;
-  const double most = parameter.most_milli / 1000.0;
+  const double min = parameter.min_milli / 1000.0;
+  const double max = parameter.max_milli / 1000.0;
   const double value = in.number();
   const bool within =
-      value >= least - kRounding * std::fabs(least) && value <= most + kRounding * std::fabs(most);
-  if (!within) in.fail(format("%s is %g, outside %g to %g", parameter.name, value, least, most));
+      value >= min - kRounding * std::fabs(min) && value <= max + kRounding * std::fabs(max);
+  if (!within) in.fail(format("%s is %g, outside %g to %g", parameter.name, value, min, max));
   if (parameter.scale == fog::Scale::whole && value != std::round(value)) {
     in.fail(format("%s is %g, not a whole number", parameter.name, value));
   }
@@ -95,7 +95,7 @@ EffectTerm read_expression(ModelReader& in) {
   if (term.parameters.size() != parameters.size()) in.fail("wrong number of parameters");
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const ExpressionParameter& bounds = term.expression->expression.parameters[i];
-    if (parameters[i] < bounds.least || parameters[i] > bounds.most) {
+    if (parameters[i] < bounds.min || parameters[i] > bounds.max) {
       in.fail("parameter '" + bounds.name + "' is outside its bounds");
     }
   }
@@ -119,7 +119,7 @@ RealLayer read_layer(ModelReader& in, Eigen::Index columns) {
       fog::Activation::logsig, fog::Activation::tansig, fog::Activation::linear};
   RealLayer layer;
   layer.activation = in.named(kActivations);
-  const auto rows = static_cast<Eigen::Index>(in.count(fog::kMostHidden));
+  const auto rows = static_cast<Eigen::Index>(in.count(fog::kMaxHidden));
   layer.weights.resize(rows, columns);
   layer.biases.resize(rows);
   for (Eigen::Index row = 0; row < rows; ++row) {
@@ -160,13 +160,13 @@ fog::ThresholdRule read_rule(ModelReader& in) {
 }
 
 Range read_range(ModelReader& in) {
-  const double least = in.number();
-  const double most = in.number();
-  if (least > most) in.fail("a range must not end below its begin");
-  return {least, most};
+  const double min = in.number();
+  const double max = in.number();
+  if (min > max) in.fail("a range must not end below its begin");
+  return {min, max};
 }
 
-// `NAME least most step`.
+// `NAME min max step`.
 void read_input_range(ModelReader& in, Model& model) {
   const std::string name = in.word();
   for (const fog::InputDescription& input : fog::kInputTable) {
@@ -205,20 +205,20 @@ void read_history(ModelReader& in, const std::string& key, std::vector<HistoryEn
 
 void read_temperature_range(ModelReader& in, Model& model) {
   const Range range = read_range(in);
-  if (range.least < -kMaxDegc || range.most > kMaxDegc) in.fail("no gyro is so cold or hot");
-  model.least_degc = range.least;
-  model.most_degc = range.most;
+  if (range.min < -kMaxDegc || range.max > kMaxDegc) in.fail("no gyro is so cold or hot");
+  model.min_degc = range.min;
+  model.max_degc = range.max;
 }
 
 void read_denoiser(ModelReader& in, Model& model) {
   model.denoise.wavelet = in.word();
-  model.denoise.levels = static_cast<int>(in.count(fog::kMostLevels));
+  model.denoise.levels = static_cast<int>(in.count(fog::kMaxLevels));
   model.denoise.rule = read_rule(in);
   model.denoise.hard = in.word() == "hard";
 }
 
 void read_network_input(ModelReader& in, Model& model) {
-  if (model.network.inputs.size() == fog::kMostNetworkInputs) in.fail("too many inputs");
+  if (model.network.inputs.size() == fog::kMaxNetworkInputs) in.fail("too many inputs");
   model.network.inputs.push_back(read_input(in));
 }
 

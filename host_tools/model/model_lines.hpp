@@ -70,11 +70,11 @@ class ModelReader {
     if (!value) fail("'" + text + "' is not a number");
     return *value;
   }
-  /// From `least` to `most`.
-  double number(double least, double most) {
+  /// From `min` to `max`.
+  double number(double min, double max) {
     const double value = number();
-    if (value < least || value > most) {
-      fail(format("%g is outside %g to %g", value, least, most));
+    if (value < min || value > max) {
+      fail(format("%g is outside %g to %g", value, min, max));
     }
     return value;
   }
@@ -84,21 +84,21 @@ class ModelReader {
     if (value <= 0) fail("a value must be above 0");
     return value;
   }
-  /// 0 to `most`.
-  std::size_t count(std::size_t most) {
-    return static_cast<std::size_t>(integer(0, static_cast<double>(most)));
+  /// 0 to `max`.
+  std::size_t count(std::size_t max) {
+    return static_cast<std::size_t>(integer(0, static_cast<double>(max)));
   }
-  std::int64_t integer(double least, double most) {
+  std::int64_t integer(double min, double max) {
     const double value = number();
-    if (value < least || value > most || value != std::trunc(value)) {
+    if (value < min || value > max || value != std::trunc(value)) {
       fail("a whole number is out of range");
     }
     return static_cast<std::int64_t>(value);
   }
   std::vector<double> numbers(std::size_t size) { return numbers(size, -kAny, kAny); }
-  std::vector<double> numbers(std::size_t size, double least, double most) {
+  std::vector<double> numbers(std::size_t size, double min, double max) {
     std::vector<double> values(size);
-    for (double& value : values) value = number(least, most);
+    for (double& value : values) value = number(min, max);
     return values;
   }
   /// One of `choices`, by its name_of().

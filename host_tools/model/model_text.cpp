@@ -28,8 +28,8 @@ void write_expression(ModelWriter& out, const EffectTerm& term) {
   std::vector<double> ranges;
   for (std::size_t i = 0; i < fog::kInputs; ++i) {
     if (!written.expression.uses(static_cast<fog::Input>(i))) continue;
-    ranges.push_back(written.ranges[i].least);
-    ranges.push_back(written.ranges[i].most);
+    ranges.push_back(written.ranges[i].min);
+    ranges.push_back(written.ranges[i].max);
   }
   out.number(static_cast<double>(ranges.size())).numbers(ranges);
   out.word(written.expression.text).end_line();
@@ -76,18 +76,18 @@ std::string model_text(const Model& model) {
   out.word("max_acceleration_dps2").number(model.limits.max_acceleration_dps2).end_line();
   if (!model.columns.empty()) out.word("columns").word(model.columns).end_line();
   out.word("derivative_tau_s").number(model.derivative_tau_s).end_line();
-  out.word("range_degc").number(model.least_degc).number(model.most_degc).end_line();
+  out.word("range_degc").number(model.min_degc).number(model.max_degc).end_line();
   if (const auto& rate = model.rate_range_degc_per_min) {
-    out.word("range_degc_per_min").number(rate->least).number(rate->most).end_line();
+    out.word("range_degc_per_min").number(rate->min).number(rate->max).end_line();
   }
   if (const auto& time = model.time_range_s) {
-    out.word("range_s").number(time->least).number(time->most).end_line();
+    out.word("range_s").number(time->min).number(time->max).end_line();
   }
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     const auto& input = model.input_ranges[i];
     if (!input) continue;
     out.word("input_range").word(description_of(fog::extension_input(i)).name);
-    out.number(input->range.least).number(input->range.most).number(input->step).end_line();
+    out.number(input->range.min).number(input->range.max).number(input->step).end_line();
   }
   out.word("noise_dph_rthz").number(model.noise_dph_rthz).end_line();
   out.word("residual_rms_dph").number(model.residual_rms_dph).end_line();

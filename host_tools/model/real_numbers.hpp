@@ -51,8 +51,8 @@ struct RealNumbers {
   }
 
   // For board_constants, on the host only. A share of 1 has the largest Number<31> in its place.
-  static constexpr double kMostShare = 1 - 1.0 / 2147483648.0;
-  static double share(double value) { return std::min(value, kMostShare); }
+  static constexpr double kMaxShare = 1 - 1.0 / 2147483648.0;
+  static double share(double value) { return std::min(value, kMaxShare); }
   /// Decay per block of a lag whose time constant is 1 / blocks_per_tau blocks.
   static double decay(double blocks_per_tau) { return share(-std::expm1(-blocks_per_tau)); }
 };

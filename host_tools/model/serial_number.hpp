@@ -5,11 +5,11 @@
 namespace fogcomp::model {
 
 /// Most characters of a gyro's serial number that a board holds.
-constexpr std::size_t kMostSerial = 15;
+constexpr std::size_t kMaxSerial = 15;
 
-/// Whether a board holds it: 1 to kMostSerial characters of ASCII, none of them a space.
+/// Whether a board holds it: 1 to kMaxSerial characters of ASCII, none of them a space.
 inline bool is_serial_number(const std::string& text) {
-  if (text.empty() || text.size() > kMostSerial) return false;
+  if (text.empty() || text.size() > kMaxSerial) return false;
   for (const char character : text) {
     if (character <= ' ' || character > '~') return false;
   }

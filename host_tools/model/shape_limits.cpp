@@ -39,8 +39,8 @@ std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term) {
       words = bound_words(parameter, unit > 0.5, value);
     } else if (sigma >= std::abs(shape.slope(value))) {
       words = format("%s is not determined: %.5g +- %.2g", parameter.name.c_str(), value, sigma) +
-              with_unit(", anywhere from %.5g", shape.least, "") +
-              with_unit(" to %.5g", shape.most, parameter.unit);
+              with_unit(", anywhere from %.5g", shape.min, "") +
+              with_unit(" to %.5g", shape.max, parameter.unit);
     }
     if (!words.empty()) doubts.push_back({shape.index, "`" + term.name + "`: " + words});
   }

@@ -10,41 +10,41 @@ namespace fogcomp::model {
 double ShapeParameter::to_unit(double value) const {
   switch (scale) {
     case fog::Scale::logarithmic:
-      return std::log(value / least) / std::log(most / least);
+      return std::log(value / min) / std::log(max / min);
     case fog::Scale::frequency:
-      return (1 / least - 1 / value) / (1 / least - 1 / most);
+      return (1 / min - 1 / value) / (1 / min - 1 / max);
     case fog::Scale::linear:
     case fog::Scale::whole:
       break;
   }
-  return (value - least) / (most - least);
+  return (value - min) / (max - min);
 }
 
 double ShapeParameter::from_unit(double unit) const {
   const double u = std::clamp(unit, 0.0, 1.0);
   switch (scale) {
     case fog::Scale::logarithmic:
-      return least * std::pow(most / least, u);
+      return min * std::pow(max / min, u);
     case fog::Scale::frequency:
-      return 1 / (1 / least - u * (1 / least - 1 / most));
+      return 1 / (1 / min - u * (1 / min - 1 / max));
     case fog::Scale::linear:
     case fog::Scale::whole:
       break;
   }
-  return least + u * (most - least);
+  return min + u * (max - min);
 }
 
 double ShapeParameter::slope(double value) const {
   switch (scale) {
     case fog::Scale::logarithmic:
-      return value * std::log(most / least);
+      return value * std::log(max / min);
     case fog::Scale::frequency:
-      return value * value * (1 / least - 1 / most);
+      return value * value * (1 / min - 1 / max);
     case fog::Scale::linear:
     case fog::Scale::whole:
       break;
   }
-  return most - least;
+  return max - min;
 }
 
 std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& terms) {
@@ -55,9 +55,9 @@ std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& term
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
       if (!terms[term].identified[i] || entry.parameters[i].is_reference) continue;
       const auto& own = terms[term].bounds;
-      const bool bounded = i < own.size() && own[i].most > own[i].least;
+      const bool bounded = i < own.size() && own[i].max > own[i].min;
       const ShapeBounds bounds = bounded ? own[i] : entry.parameters[i].bounds;
-      parameters.push_back({term, i, bounds.least, bounds.most, entry.parameters[i].scale});
+      parameters.push_back({term, i, bounds.min, bounds.max, entry.parameters[i].scale});
     }
   }
   return parameters;

@@ -11,8 +11,8 @@ namespace fogcomp::model {
 struct ShapeParameter {
   std::size_t term = 0;
   std::size_t index = 0;
-  double least = 0;
-  double most = 0;
+  double min = 0;
+  double max = 0;
   fog::Scale scale = fog::Scale::linear;
 
   /// Place in the range, 0..1, on that scale; and back, clipped to the range.

@@ -30,11 +30,11 @@ double time_before(const series::Rows& rows, Eigen::Index row) {
 
 // What a step from each row on would be, beside the model.
 struct Steps {
-  Eigen::VectorXd residual;    // of the model
-  Eigen::VectorXd projection;  // of the residual on the step
-  Eigen::VectorXd square;      // of what the model leaves of the step
-  Eigen::VectorXd chi_square;  // what the step explains; 0 where it cannot be told
-  double freedom = 1;          // of what is left beside the step
+  Eigen::VectorXd residual;       // of the model
+  Eigen::VectorXd projection;     // of the residual on the step
+  Eigen::VectorXd square;         // of what the model leaves of the step
+  Eigen::VectorXd chi_square;     // what the step explains; 0 where it cannot be told
+  double degrees_of_freedom = 1;  // of what is left beside the step
 };
 
 Steps steps_of(const Whitening& whitening, const series::Rows& rows,
@@ -55,7 +55,7 @@ Steps steps_of(const Whitening& whitening, const series::Rows& rows,
       steps.chi_square[row] = steps.projection[row] * steps.projection[row] / steps.square[row];
     }
   }
-  steps.freedom = std::max(1.0, static_cast<double>(rows.size() - model.cols() - 2));
+  steps.degrees_of_freedom = std::max(1.0, static_cast<double>(rows.size() - model.cols() - 2));
   return steps;
 }
 
@@ -96,7 +96,8 @@ std::optional<ChangePoint> find_change_point(const Whitening& whitening, const s
   if (!(found.chi_square > 0)) return std::nullopt;
   found.size_dph = steps.projection[found.row] / steps.square[found.row];
   found.size_sigma_dph = 1 / std::sqrt(steps.square[found.row]);
-  found.chi_square_left = (steps.residual.squaredNorm() - found.chi_square) / steps.freedom;
+  found.chi_square_left =
+      (steps.residual.squaredNorm() - found.chi_square) / steps.degrees_of_freedom;
   set_place(rows, steps.chi_square, found);
   return found;
 }

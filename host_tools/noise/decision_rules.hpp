@@ -62,7 +62,7 @@ constexpr double kMinNoisePeriods = 4;
 /// Degrees of freedom of the slow noise, at least and at most. Chosen; beyond a thousand nothing
 /// changes. tests/bench/hidden_effects, clean gyros.
 constexpr double kMinFreedom = 3;
-constexpr double kMaxFreedom = 1000;
+constexpr double kMaxDegreesOfFreedom = 1000;
 
 /// Of the white variance: a component below is dropped. It is a tenth of the variance that white
 /// noise leaves in the mean of a day's rows of 10 s. noise_model_test.

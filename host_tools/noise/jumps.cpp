@@ -18,9 +18,9 @@ Eigen::VectorXd without_spikes(const Eigen::VectorXd& values) {
   const double far = rules::kSpike * sigma_by_median(std::move(steps));
   Eigen::VectorXd smooth = values;
   for (Eigen::Index i = 1; i + 1 < values.size(); ++i) {
-    const auto [least, most] = std::minmax({values[i - 1], values[i + 1]});
-    if (values[i] < least - far) smooth[i] = least;
-    if (values[i] > most + far) smooth[i] = most;
+    const auto [min, max] = std::minmax({values[i - 1], values[i + 1]});
+    if (values[i] < min - far) smooth[i] = min;
+    if (values[i] > max + far) smooth[i] = max;
   }
   return smooth;
 }
@@ -78,16 +78,16 @@ class Jumps {
   std::optional<Eigen::Index> highest(const Levels& levels, Eigen::Index begin,
                                       Eigen::Index end) const {
     std::optional<Eigen::Index> found;
-    double most = rules::kMinJump;
+    double max = rules::kMinJump;
     for (std::size_t i = 0; i < rules::kJumpWidths.size(); ++i) {
       const Eigen::Index away = std::max(rules::kJumpWidths[i], rules::kMinPartRows);
       for (Eigen::Index row = begin + away; row + away <= end; ++row) {
         const double change = levels.change_at(row, rules::kJumpWidths[i]);
         const double height = std::abs(change) / sigma_[i];
-        if (height <= most) continue;
+        if (height <= max) continue;
         if (levels.change_at(row, rules::kJumpWidths[i] / 2) / change < rules::kMinJumpShare)
           continue;
-        most = height;
+        max = height;
         found = row;
       }
     }

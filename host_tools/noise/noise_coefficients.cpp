@@ -17,19 +17,19 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 struct Points {
-  VectorXd variance;  // sigma^2, (deg/h)^2
-  VectorXd freedom;   // degrees of freedom of each, the model's error included
+  VectorXd variance;            // sigma^2, (deg/h)^2
+  VectorXd degrees_of_freedom;  // degrees of freedom of each, the model's error included
 };
 
 Points points_of(const std::vector<AllanPoint>& allan) {
   Points points;
   const auto count = static_cast<Index>(allan.size());
   points.variance.resize(count);
-  points.freedom.resize(count);
+  points.degrees_of_freedom.resize(count);
   for (Index k = 0; k < count; ++k) {
     const AllanPoint& point = allan[static_cast<std::size_t>(k)];
     points.variance[k] = point.sigma * point.sigma;
-    points.freedom[k] =
+    points.degrees_of_freedom[k] =
         1 / (1 / point.pairs + rules::kAllanModelError * rules::kAllanModelError / 2);
   }
   return points;
@@ -57,7 +57,7 @@ std::optional<Solution> solve(const MatrixXd& design, const Points& points) {
   Solution s;
   s.modelled = points.variance;
   for (int round = 0; round < kRounds; ++round) {
-    s.weight = points.freedom.array() / (2 * s.modelled.array().square());
+    s.weight = points.degrees_of_freedom.array() / (2 * s.modelled.array().square());
     s.inverse = inverse_of_definite(gram(s.weight.cwiseSqrt().asDiagonal() * design));
     s.squares = s.inverse * (design.transpose() * s.weight.cwiseProduct(points.variance));
     if (!s.squares.allFinite()) return std::nullopt;
@@ -102,7 +102,7 @@ std::optional<Fit> fit_terms(const AllanModel& model, const Points& points,
   const double effective_terms = (inverse * variability).trace();
   fit.inflation = effective_terms / static_cast<double>(count);
   const VectorXd deviance = modelled.array().log() + points.variance.array() / modelled.array();
-  fit.score = points.freedom.dot(deviance) + 2 * effective_terms;
+  fit.score = points.degrees_of_freedom.dot(deviance) + 2 * effective_terms;
   return fit;
 }
 

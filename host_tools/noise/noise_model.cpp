@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kLadderStep = 4;  // between neighbouring time constants
 constexpr int kUpdates = 300;
-constexpr double kLeastVariance = 1e-30;  // rows without any noise can still be weighted
+constexpr double kMinVariance = 1e-30;  // rows without any noise can still be weighted
 constexpr double kLateStart =
     1e-3;  // of the mean power: single components grow where flicker fails
 
@@ -38,9 +38,9 @@ void remove_line(Eigen::VectorXd& values) {
 // Outliers are no part of the noise that the rows are weighted with; a row of 60 sigma would be all
 // of it.
 void clip_outliers(Eigen::VectorXd& values) {
-  const double most = rules::kMaxSpectrumSigmas * sigma_by_median({values.begin(), values.end()});
-  if (most == 0) return;  // most rows are rounded to one value: what is not is no outlier
-  values = values.cwiseMax(-most).cwiseMin(most);
+  const double max = rules::kMaxSpectrumSigmas * sigma_by_median({values.begin(), values.end()});
+  if (max == 0) return;  // most rows are rounded to one value: what is not is no outlier
+  values = values.cwiseMax(-max).cwiseMin(max);
 }
 
 void add_periodogram(const NoiseSample& sample, Spectrum& spectrum) {
@@ -82,15 +82,15 @@ Eigen::ArrayXXd basis_of(const std::vector<double>& angles, double row_s,
 // may be mostly one component and come from few periods; the less certain counts. With the levels
 // of both unknown it would be what the power really scatters by, some five times less; but then
 // effects that leave 1.6 times the noise went unseen.
-double freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
-                  const Eigen::ArrayXd& low) {
+double degrees_of_freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
+                             const Eigen::ArrayXd& low) {
   const Eigen::ArrayXd model = (basis.matrix() * variance.matrix()).array();
   const double power = (low * variance).sum();
   Eigen::ArrayXd flicker = Eigen::ArrayXd::Zero(variance.size());
   flicker[1] = 1;
   Eigen::ArrayXd found = variance;
   found[0] = 0;
-  double freedom = rules::kMaxFreedom;
+  double degrees_of_freedom = rules::kMaxDegreesOfFreedom;
   for (const Eigen::ArrayXd& slow : {flicker, found}) {
     Eigen::MatrixX2d scaled(basis.rows(), 2);
     scaled.col(0) = (basis.col(0) / model).matrix();
@@ -99,9 +99,9 @@ double freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
     const Eigen::Vector2d towards(low[0], (low * slow).sum());
     const double spread = towards.dot(information.inverse() * towards);
     const bool has_shape = spread > 0;  // all that was found may be nothing
-    if (has_shape) freedom = std::min(freedom, 2 * power * power / spread);
+    if (has_shape) degrees_of_freedom = std::min(degrees_of_freedom, 2 * power * power / spread);
   }
-  return std::max(freedom, rules::kMinFreedom);
+  return std::max(degrees_of_freedom, rules::kMinFreedom);
 }
 
 // Bands a sixteenth of an octave wide.
@@ -226,8 +226,8 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
   NoiseModel noise;
   noise.row_s = row_s;
   noise.from_quiet_parts = true;
-  noise.freedom = 1;
-  noise.white_variance = kLeastVariance;
+  noise.degrees_of_freedom = 1;
+  noise.white_variance = kMinVariance;
   if (!(power.mean() > 0)) return noise;  // the same value in every row
   const Eigen::ArrayXd variance = likeliest_variances(basis, power);
   noise.white_variance = variance[0];
@@ -239,7 +239,7 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
               noise.walks);
   const Eigen::ArrayXXd lowest = basis_of(
       {2 * kPi * rules::kMinNoisePeriods * row_s / taus.longest_s}, row_s, taus.all_s, taus.own);
-  noise.freedom = freedom_of(basis, variance, lowest.row(0));
+  noise.degrees_of_freedom = degrees_of_freedom_of(basis, variance, lowest.row(0));
   for (std::size_t j = 0; j < taus.all_s.size(); ++j) {
     const double alone = j < taus.own ? variance[2 + static_cast<Eigen::Index>(j)] : 0;
     const double all = variance[1] + alone;
@@ -252,14 +252,14 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
 NoiseModel white_noise_of(const Eigen::VectorXd& residual, double row_s, double run_s) {
   NoiseModel noise;
   noise.row_s = row_s;
-  noise.freedom = 1;
+  noise.degrees_of_freedom = 1;
   std::vector<double> bends;
   for (Eigen::Index i = 2; i < residual.size(); ++i) {
     bends.push_back(residual[i] - 2 * residual[i - 1] + residual[i - 2]);
   }
   const double variance =
       bends.empty() ? residual.squaredNorm() : std::pow(sigma_by_median(std::move(bends)), 2) / 6;
-  noise.white_variance = std::max(variance, kLeastVariance);
+  noise.white_variance = std::max(variance, kMinVariance);
   noise.walks = possible_walks(noise.white_dph(), run_s);
   return noise;
 }

@@ -28,7 +28,7 @@ struct NoiseModel {
   double white_variance = 0;  ///< of a full row, (deg/h)^2
   std::vector<Component> components;
   /// How well the level of slow noise is known: as many independent values as a variance from them.
-  double freedom = 1000;
+  double degrees_of_freedom = 1000;
   QuietSpectrum quiet_spectrum;   ///< empty without quiet parts
   bool from_quiet_parts = false;  ///< else from neighbouring rows alone: white, a lower bound
 

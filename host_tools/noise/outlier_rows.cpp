@@ -79,8 +79,8 @@ class OutlierSearch {
   explicit OutlierSearch(const ValuesInTime& rows) : rows_(rows), outlier_(rows.values.size()) {
     for (const std::vector<double>& input : rows.inputs) {
       if (input.empty()) continue;
-      const auto [least, most] = std::minmax_element(input.begin(), input.end());
-      if (*most > *least) inputs_.push_back({&input, rules::kSameInput * (*most - *least)});
+      const auto [min, max] = std::minmax_element(input.begin(), input.end());
+      if (*max > *min) inputs_.push_back({&input, rules::kSameInput * (*max - *min)});
     }
     std::vector<double> bends;
     for (const recording::RowRange& stretch : rows.stretches) {

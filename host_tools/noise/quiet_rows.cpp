@@ -24,13 +24,13 @@ class InputJumps {
  public:
   explicit InputJumps(const series::Rows& rows) : rows_(rows) {
     for (std::size_t i = 0; i < kValues; ++i) {
-      double least = HUGE_VAL;
-      double most = -HUGE_VAL;
+      double min = HUGE_VAL;
+      double max = -HUGE_VAL;
       for (const auto& signals : rows.signals) {
-        least = std::min(least, value(signals, i));
-        most = std::max(most, value(signals, i));
+        min = std::min(min, value(signals, i));
+        max = std::max(max, value(signals, i));
       }
-      jump_[i] = rules::kInputJump * (most - least);
+      jump_[i] = rules::kInputJump * (max - min);
     }
   }
   bool between(std::size_t before, std::size_t row) const {

@@ -11,11 +11,11 @@ Eigen::MatrixXd random_walk_modes(const series::Rows& rows) {
   // The 24th mode of a run has 1/47 of the first one's size: white noise has long covered it.
   constexpr Eigen::Index kStrongest = 24;
   constexpr Eigen::Index kOfAllRuns = 96;
-  constexpr Eigen::Index kAtLeast = 8;
+  constexpr Eigen::Index kMinCount = 8;
   const std::vector<recording::RowRange> runs = rows.runs();
   const auto count = static_cast<Eigen::Index>(runs.size());
   const Eigen::Index each =
-      std::clamp(kOfAllRuns / std::max<Eigen::Index>(1, count), kAtLeast, kStrongest);
+      std::clamp(kOfAllRuns / std::max<Eigen::Index>(1, count), kMinCount, kStrongest);
   Eigen::MatrixXd modes = Eigen::MatrixXd::Zero(rows.size(), each * count);
   Eigen::Index column = 0;
   for (const recording::RowRange& run : runs) {

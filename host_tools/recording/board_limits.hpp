@@ -47,11 +47,11 @@ inline fog::RateLimits board_limits(const GyroLimits& limits, double period_s) {
 constexpr double kColdestDegc = -70;
 constexpr double kWarmestDegc = 130;
 
-/// What to ask about temperatures of `least` to `most` that lie outside of that.
-inline const char* temperature_question(double least, double most) {
+/// What to ask about temperatures of `min` to `max` that lie outside of that.
+inline const char* temperature_question(double min, double max) {
   constexpr double kZeroDegcInKelvin = 273.15;
   const bool kelvin =
-      least - kZeroDegcInKelvin >= kColdestDegc && most - kZeroDegcInKelvin <= kWarmestDegc;
+      min - kZeroDegcInKelvin >= kColdestDegc && max - kZeroDegcInKelvin <= kWarmestDegc;
   return kelvin ? "is temperature_degc in kelvin? subtract 273.15"
                 : "is temperature_degc in degC? correct it";
 }

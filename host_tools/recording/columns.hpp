@@ -13,10 +13,10 @@ struct ColumnInfo {
   Column column;
   std::string_view name;
   int decimals;  ///< as InputDescription has them
-  double least;
-  double most;
+  double min;
+  double max;
 
-  constexpr bool can_be(double value) const { return value >= least && value <= most; }
+  constexpr bool can_be(double value) const { return value >= min && value <= max; }
 };
 
 /// The column of a recording that holds an input of the drift model.
@@ -34,8 +34,8 @@ inline constexpr auto kColumns = [] {
     if (input.column[0] == '\0') continue;
     const Column column = column_of(input.input);
     columns[static_cast<std::size_t>(column)] = {column, input.column, input.decimals,
-                                                 static_cast<double>(input.least_milli) / 1000,
-                                                 static_cast<double>(input.most_milli) / 1000};
+                                                 static_cast<double>(input.min_milli) / 1000,
+                                                 static_cast<double>(input.max_milli) / 1000};
   }
   columns[static_cast<std::size_t>(Column::rate_dph)] = {Column::rate_dph, "rate_dph", 6, -1e9,
                                                          1e9};

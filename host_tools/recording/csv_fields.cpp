@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kLongestNumber = 60;
 // Of a time, so that the difference of two does not overflow: nanoseconds since 1970 until 2096.
-constexpr std::int64_t kMostWhole = 4'000'000'000'000'000'000;
+constexpr std::int64_t kMaxWhole = 4'000'000'000'000'000'000;
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
@@ -59,8 +59,8 @@ class DateScanner {
   explicit DateScanner(std::string_view text) : rest_(text) {}
 
   bool at_end() const { return rest_.empty(); }
-  /// A number of exactly so many digits, at most `most`.
-  bool digits(std::size_t count, int most, int& value) {
+  /// A number of exactly so many digits, at most `max`.
+  bool digits(std::size_t count, int max, int& value) {
     if (rest_.size() < count) return false;
     value = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -68,7 +68,7 @@ class DateScanner {
       value = 10 * value + (rest_[i] - '0');
     }
     rest_.remove_prefix(count);
-    return value <= most;
+    return value <= max;
   }
   /// One of the characters.
   bool one_of(std::string_view characters) {
@@ -164,7 +164,7 @@ std::optional<TimeReading> read_long_number(std::string_view field, bool decimal
   const auto [end, error] =
       std::from_chars(field.data(), field.data() + field.size(), reading.whole);
   const std::string_view rest = field.substr(static_cast<std::size_t>(end - field.data()));
-  if (reading.whole > kMostWhole || reading.whole < -kMostWhole) return std::nullopt;
+  if (reading.whole > kMaxWhole || reading.whole < -kMaxWhole) return std::nullopt;
   const bool point = !rest.empty() && rest[0] == (decimal_comma ? ',' : '.');
   const bool digits = rest.find_first_not_of("0123456789", 1) == std::string_view::npos;
   if (error == std::errc() && rest.empty()) return reading;
@@ -177,7 +177,7 @@ std::optional<TimeReading> read_long_number(std::string_view field, bool decimal
   // "1.7e9", "+3"
   double value = 0;
   if (read_number(field, decimal_comma, value) != FieldKind::number) return std::nullopt;
-  if (std::fabs(value) > static_cast<double>(kMostWhole)) return std::nullopt;
+  if (std::fabs(value) > static_cast<double>(kMaxWhole)) return std::nullopt;
   reading.whole = static_cast<std::int64_t>(value);
   reading.fraction = value - static_cast<double>(reading.whole);
   return reading;

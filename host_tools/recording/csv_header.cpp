@@ -18,12 +18,12 @@ namespace {
 constexpr std::size_t kRequiredSlots[] = {kTimeSlot, kTemperatureSlot, kRateSlot};
 constexpr std::string_view kCountsName = "counts";
 constexpr std::string_view kSegmentName = "segment";
-constexpr std::size_t kMostNamesShown = 12;
+constexpr std::size_t kMaxNamesShown = 12;
 
 std::string joined(const std::vector<std::string>& names) {
   std::string list;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i == kMostNamesShown) return list + ", ...";
+    if (i == kMaxNamesShown) return list + ", ...";
     list += (i == 0 ? "" : ", ") + (names[i].empty() ? "(no name)" : printable(names[i]));
   }
   return list;
@@ -187,7 +187,7 @@ class HeaderReader {
   [[noreturn]] void fail_for_several(std::size_t slot, const Fields& fields) const {
     std::vector<std::string> places;
     for (const std::size_t field : fields) {
-      if (places.size() < kMostNamesShown) places.push_back(place(field));
+      if (places.size() < kMaxNamesShown) places.push_back(place(field));
     }
     std::string what = map_key(slot) + " could be " + join(places, " or ") +
                        "; say which: --columns '" + map_key(slot) + "=" +

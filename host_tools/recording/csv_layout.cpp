@@ -24,8 +24,8 @@ std::vector<std::string_view> lines_of(const FileHead& head) {
   if (rest.substr(0, kUtf8Mark.size()) == kUtf8Mark) {
     rest.remove_prefix(kUtf8Mark.size());
   }
-  constexpr std::size_t kMost = rules::kMaxLinesBeforeHeader + rules::kMaxRowsLookedAt;
-  while (!rest.empty() && lines.size() < kMost) {
+  constexpr std::size_t kMax = rules::kMaxLinesBeforeHeader + rules::kMaxRowsLookedAt;
+  while (!rest.empty() && lines.size() < kMax) {
     const std::size_t end = rest.find('\n');
     if (end == std::string_view::npos && !head.whole) break;  // the rest of it is not at hand
     std::string_view line = rest.substr(0, end);

@@ -21,7 +21,7 @@ namespace {
 std::string fault_of_range(std::size_t slot, const CsvRow& row) {
   const ColumnInfo& column = kColumns[slot];
   return format("%s is %.6g, outside %g to %g", std::string(column.name).c_str(), row.values[slot],
-                column.least, column.most);
+                column.min, column.max);
 }
 
 std::string fault_of_time(double previous_s, double time_s, bool of_calendar) {
@@ -36,12 +36,12 @@ std::string fault_of_time(double previous_s, double time_s, bool of_calendar) {
 class RowCollector {
  public:
   RowCollector(const CsvLayout& layout, const InputFile& file, const ReadOptions& options,
-               LineNumbers& lines, std::size_t least_rows)
+               LineNumbers& lines, std::size_t min_rows)
       : reader_(layout),
         file_(file),
         options_(options),
         lines_(lines),
-        long_recording_(options, least_rows) {
+        long_recording_(options, min_rows) {
     recording_.file = file.path();
     recording_.power_on_unknown = layout.time != TimeFormat::number;
     for (const std::size_t slot : layout.header.slots) {
@@ -160,7 +160,7 @@ class RowCollector {
 };
 
 // By the length of its first lines; later ones, with longer times, are not twice as long.
-std::size_t least_rows_of(const InputFile& file, std::string_view head) {
+std::size_t min_rows_of(const InputFile& file, std::string_view head) {
   const auto lines = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n'));
   if (head.empty() || file.is_utf16()) return 0;
   return static_cast<std::size_t>(static_cast<double>(file.size()) / 2 *
@@ -176,7 +176,7 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
   if (head.find('\n') == std::string_view::npos && !file.at_end()) file.next_line(line);
   const CsvLayout layout =
       find_csv_layout({head, file.at_end(), file.is_utf16(), file.path()}, options);
-  RowCollector collector(layout, file, options, lines, least_rows_of(file, head));
+  RowCollector collector(layout, file, options, lines, min_rows_of(file, head));
   for (std::size_t i = 0; i < layout.lines_before_rows; ++i) file.next_line(line);
   bool reserved = false;
   while (file.next_line(line)) {

@@ -76,7 +76,7 @@ constexpr std::size_t kMaxMeanRows = std::size_t{1} << 22U;
 // ---- Figures that nothing has: another unit? --------------------------------------------------
 /// deg/sqrt(h). Shot noise of 100 uW at 1550 nm, sqrt(2 h nu / P) = 5e-8 rad/sqrt(Hz), over the
 /// Sagnac phase of 5 km on a diameter of 0.2 m, 2 pi L D / (lambda c) = 13 s, is 1.3e-5: more light
-/// and fibre than gyros have. The most: 1 deg/s in a mean of 1 s, a hundred times a cheap MEMS
+/// and fibre than gyros have. The maximum: 1 deg/s in a mean of 1 s, a hundred times a cheap MEMS
 /// gyro's. plausibility_test.
 constexpr double kMinAngleRandomWalkDprh = 1e-5;
 constexpr double kMaxAngleRandomWalkDprh = 60;

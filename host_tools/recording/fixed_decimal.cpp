@@ -8,9 +8,9 @@ namespace fogcomp::recording {
 
 char* print_fixed(double value, int decimals, char* out) {
   constexpr double kMaxFixed = 1e18;  // that and nine decimals take 29 characters
-  char* const most = out + kLongestDecimal;
-  if (!(std::fabs(value) < kMaxFixed)) return std::to_chars(out, most, value).ptr;
-  char* end = std::to_chars(out, most, value, std::chars_format::fixed, decimals).ptr;
+  char* const max = out + kLongestDecimal;
+  if (!(std::fabs(value) < kMaxFixed)) return std::to_chars(out, max, value).ptr;
+  char* end = std::to_chars(out, max, value, std::chars_format::fixed, decimals).ptr;
   if (decimals > 0) {
     while (end[-1] == '0') --end;
     if (end[-1] == '.') --end;

@@ -15,7 +15,7 @@
 namespace fogcomp::recording {
 namespace {
 
-constexpr std::size_t kMostBufferBytes = 1U << 20U;
+constexpr std::size_t kMaxBufferBytes = 1U << 20U;
 constexpr std::size_t kFewestBufferBytes = 1U << 16U;
 constexpr std::size_t kPieceBytes = 1U << 14U;
 constexpr const char* kStandardInput = "/dev/stdin";
@@ -23,14 +23,14 @@ constexpr const char* kStandardInput = "/dev/stdin";
 }  // namespace
 
 InputFile::InputFile(std::string path, std::function<void(const std::string&, double)> progress)
-    : path_(std::move(path)), buffer_bytes_(kMostBufferBytes), progress_(std::move(progress)) {
+    : path_(std::move(path)), buffer_bytes_(kMaxBufferBytes), progress_(std::move(progress)) {
   descriptor_ = open_input(path_ == "-" ? kStandardInput : path_);
   struct stat status {};
   if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) {
     size_ = static_cast<std::size_t>(status.st_size);
   }
   // Of a file no larger than it needs; with room to see its end.
-  if (size_ > 0) buffer_bytes_ = std::clamp(size_ + 1, kFewestBufferBytes, kMostBufferBytes);
+  if (size_ > 0) buffer_bytes_ = std::clamp(size_ + 1, kFewestBufferBytes, kMaxBufferBytes);
   // One more for the line end that a last line may lack; not zeroed, as most is not needed.
   buffer_.reset(new char[buffer_bytes_ + 1]);
 }
@@ -60,7 +60,7 @@ void InputFile::append_decoded(std::string_view bytes) {
 // What has been read so far is UTF-16: from here on the buffer holds UTF-8.
 void InputFile::begin_decoding(ByteOrder order) {
   const std::string raw(buffer_.get(), end_);
-  buffer_bytes_ = 2 * kMostBufferBytes;
+  buffer_bytes_ = 2 * kMaxBufferBytes;
   buffer_.reset(new char[buffer_bytes_ + 1]);
   utf16_.emplace(order);
   end_ = 0;

@@ -57,9 +57,9 @@ Recording rows_of(const Recording& whole, const RowRange& rows) {
 
 }  // namespace
 
-LongRecording::LongRecording(const ReadOptions& options, std::size_t least_rows)
-    : options_(&options), part_rows_(kMostRows) {
-  if (options.every_row || least_rows <= kMostRows) return;
+LongRecording::LongRecording(const ReadOptions& options, std::size_t min_rows)
+    : options_(&options), part_rows_(kMaxRows) {
+  if (options.every_row || min_rows <= kMaxRows) return;
   rows_per_mean_ = 1;
   part_rows_ = rules::kPartRows;
 }
@@ -68,7 +68,7 @@ void LongRecording::take(Recording& part, LineNumbers& lines, const std::string&
   if (options_->every_row) {
     throw InputError(where, format("more than %zu million rows, each of which is needed here; cut "
                                    "the file",
-                                   kMostRows / 1'000'000));
+                                   kMaxRows / 1'000'000));
   }
   rows_per_mean_ = std::max<std::size_t>(rows_per_mean_, 1);
   part_rows_ = rules::kPartRows;

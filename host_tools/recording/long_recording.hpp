@@ -15,9 +15,9 @@ namespace fogcomp::recording {
 /// segment.
 class LongRecording {
  public:
-  /// `least_rows`: that the file has at least, by its size; where these are more than are kept,
+  /// `min_rows`: that the file has at least, by its size; where these are more than are kept,
   /// means are taken from the start. `options` must outlive this.
-  LongRecording(const ReadOptions& options, std::size_t least_rows);
+  LongRecording(const ReadOptions& options, std::size_t min_rows);
 
   /// Rows of a part: all of a recording that is read row by row.
   std::size_t part_rows() const { return part_rows_; }

@@ -81,7 +81,8 @@ CapturedSample measured(const fog::OutputSample& sample) {
   const std::int64_t raw = std::int64_t{sample.compensated.raw()} + sample.drift.raw();
   return {sample.sequence, std::ldexp(static_cast<double>(raw), -fog::Rate::fractional_bits),
           std::ldexp(sample.temperature.raw(), -fog::Temperature::fractional_bits),
-          !any(sample.status, kNotMeasured), !any(sample.status, fog::Status::temperature_invalid)};
+          !has_any(sample.status, kNotMeasured),
+          !has_any(sample.status, fog::Status::temperature_invalid)};
 }
 
 /// Finds the frames of one kind and hands their samples on.

@@ -13,7 +13,7 @@
 namespace fogcomp::recording {
 namespace {
 
-constexpr std::size_t kMostPoints = 4000;
+constexpr std::size_t kMaxPoints = 4000;
 
 /// Mean temperature of a few rows.
 struct Point {
@@ -23,7 +23,7 @@ struct Point {
 };
 
 std::vector<Point> thin_out(const Recording& recording, RowRange rows) {
-  const std::size_t step = (rows.size() + kMostPoints - 1) / kMostPoints;
+  const std::size_t step = (rows.size() + kMaxPoints - 1) / kMaxPoints;
   std::vector<Point> points;
   for (std::size_t first = rows.first; first < rows.end; first += step) {
     const std::size_t end = std::min(first + step, rows.end);
@@ -122,9 +122,9 @@ void join_equal_neighbours(std::vector<Piece>& pieces) {
 }
 
 // A small move is the chamber's control or an overshoot, not a ramp.
-void calm_small_ramps(std::vector<Piece>& pieces, double least_ramp_degc) {
+void calm_small_ramps(std::vector<Piece>& pieces, double min_ramp_degc) {
   for (Piece& piece : pieces) {
-    if (std::fabs(piece.change_degc()) < least_ramp_degc) piece.kind = SegmentKind::soak;
+    if (std::fabs(piece.change_degc()) < min_ramp_degc) piece.kind = SegmentKind::soak;
   }
   join_equal_neighbours(pieces);
 }

@@ -28,9 +28,9 @@ RateResolution rate_resolution(const Recording& recording) {
   RateResolution resolution;
   const std::vector<double>& rate = recording.rate_dph;
   if (rate.empty()) return resolution;
-  const auto [least, most] = std::minmax_element(rate.begin(), rate.end());
-  resolution.range_dph = *most - *least;
-  resolution.size_dph = std::max(std::abs(*least), std::abs(*most));
+  const auto [min, max] = std::minmax_element(rate.begin(), rate.end());
+  resolution.range_dph = *max - *min;
+  resolution.size_dph = std::max(std::abs(*min), std::abs(*max));
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t row = 1; row < rate.size(); ++row) {
     const double change = std::abs(rate[row] - rate[row - 1]);

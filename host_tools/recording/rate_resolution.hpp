@@ -6,7 +6,7 @@ namespace fogcomp::recording {
 
 /// How finely a recording's rate is written, and whether it moves at all.
 struct RateResolution {
-  double step_dph = 0;   ///< least step from one row to the next that is not 0; 0: none
+  double step_dph = 0;   ///< smallest step from one row to the next that is not 0; 0: none
   double range_dph = 0;  ///< max - min
   double size_dph = 0;   ///< largest magnitude
 

@@ -16,7 +16,7 @@ namespace fogcomp::recording {
 
 /// Longest recording of which every row is kept: 27 h at 200 Hz; 0.5 GB in memory with three
 /// columns. Of a longer one means of neighbours are (long_recording.hpp).
-constexpr std::size_t kMostRows = 20'000'000;
+constexpr std::size_t kMaxRows = 20'000'000;
 
 /// What a captured sensor stream held besides the rows.
 struct CaptureCounts {
@@ -104,7 +104,7 @@ struct ReadOptions {
   bool skip_bad_rows = false;
   /// Keeps the rows that the board would refuse: for its own code, which judges them itself.
   bool keep_refused_rows = false;
-  /// Refuses a recording of more than kMostRows rather than taking means: for what is written row
+  /// Refuses a recording of more than kMaxRows rather than taking means: for what is written row
   /// by row.
   bool every_row = false;
   /// Constant input rate (Earth rate by latitude and axis) for a file without that column, which it

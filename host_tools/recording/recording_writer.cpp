@@ -22,12 +22,12 @@ constexpr double kTemperatureLsbPerDegc = 65536;
 // Rounds to the raw integer of a frame. What does not fit is clamped and not valid, as from a
 // demodulator at the end of its range.
 std::int32_t to_raw(double value, bool& valid) {
-  constexpr double kLeast = std::numeric_limits<std::int32_t>::min();
-  constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+  constexpr double kMin = std::numeric_limits<std::int32_t>::min();
+  constexpr double kMax = std::numeric_limits<std::int32_t>::max();
   const double rounded = std::nearbyint(value);
-  valid = rounded >= kLeast && rounded <= kMost;
+  valid = rounded >= kMin && rounded <= kMax;
   if (std::isnan(rounded)) return 0;
-  return static_cast<std::int32_t>(std::clamp(rounded, kLeast, kMost));
+  return static_cast<std::int32_t>(std::clamp(rounded, kMin, kMax));
 }
 
 std::size_t index_of(const std::vector<Column>& columns, Column wanted) {

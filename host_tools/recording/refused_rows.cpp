@@ -58,16 +58,16 @@ class Words {
   }
 
   std::string others(const std::vector<std::size_t>& rows) const {
-    constexpr std::size_t kMostNamed = 4;
+    constexpr std::size_t kMaxNamed = 4;
     std::string list;
-    for (std::size_t i = 1; i < std::min(rows.size(), kMostNamed); ++i) {
+    for (std::size_t i = 1; i < std::min(rows.size(), kMaxNamed); ++i) {
       list += i == 1 ? "" : ", ";
       list += lines_.empty() ? format("%.6g", recording_.time_s[rows[i]])
                              : std::to_string(lines_.line_of(rows[i]));
     }
     if (list.empty()) return "";
     return format(" (then %s%s%s)", lines_.empty() ? "at s " : "", list.c_str(),
-                  rows.size() > kMostNamed ? ", ..." : "");
+                  rows.size() > kMaxNamed ? ", ..." : "");
   }
 
   bool is_refused(std::size_t row) const {
@@ -117,9 +117,9 @@ const char* likely_cause(const Recording& recording, Refusal why) {
   if (why == Refusal::rate_beyond_range || why == Refusal::rate_jump) {
     return "is rate_dph in deg/h?";
   }
-  const auto [least, most] =
+  const auto [min, max] =
       std::minmax_element(recording.temperature_degc.begin(), recording.temperature_degc.end());
-  return temperature_question(*least, *most);
+  return temperature_question(*min, *max);
 }
 
 void name_refused_rows(const Recording& recording, const Words& words,

@@ -66,11 +66,11 @@ class TemperatureWalk {
   bool believes(fog::Temperature reading, double time_s, double degc, double passed_s) {
     const fog::TemperatureMonitor before = monitor_;
     const Status at_once = monitor_.judge(reading, true, elapsed_us(passed_s));
-    if (!any(at_once, Status::temperature_jump)) return true;
+    if (!has_any(at_once, Status::temperature_jump)) return true;
     if (!may_have_come_straight(degc)) return false;
     fog::TemperatureMonitor straight = before;
     const Status seen = lead_straight(straight, time_s, degc, passed_s);
-    if (any(seen, Status::temperature_jump)) return false;
+    if (has_any(seen, Status::temperature_jump)) return false;
     monitor_ = straight;
     return true;
   }
@@ -173,7 +173,7 @@ class RowJudge {
   // it; but where the coil cannot have come back from it either, it was none.
   Status judge_temperature(std::size_t row) {
     const Status status = judge_in(walk_, row);
-    if (any(status, Status::temperature_jump)) {
+    if (has_any(status, Status::temperature_jump)) {
       if (jumping_) return status;
       if (came_back(row)) {
         refuse_excursion(row);
@@ -219,14 +219,14 @@ class RowJudge {
 
   void note(std::size_t row, Status status) {
     const auto refuse = [&](Refusal why) { refused_.push_back({row, why}); };
-    if (any(status, Status::temperature_jump)) {
+    if (has_any(status, Status::temperature_jump)) {
       refuse(is_power_on_reading(temperature_degc_[row]) ? Refusal::power_on_temperature
                                                          : Refusal::temperature_jump);
-    } else if (any(status, Status::temperature_invalid)) {
+    } else if (has_any(status, Status::temperature_invalid)) {
       refuse(Refusal::impossible_temperature);
-    } else if (any(status, Status::rate_out_of_range)) {
+    } else if (has_any(status, Status::rate_out_of_range)) {
       refuse(Refusal::rate_beyond_range);
-    } else if (any(status, Status::rate_jump)) {
+    } else if (has_any(status, Status::rate_jump)) {
       refuse(Refusal::rate_jump);
     }
   }
@@ -263,7 +263,7 @@ std::vector<RowRange> frozen_temperatures(const Recording& recording) {
     if (passed_s > kHoldSeconds) monitor = fog::TemperatureMonitor(kMonitorPeriodUs);
     const Status status = monitor.judge(board_temperature(recording.temperature_degc[row]), true,
                                         elapsed_us(passed_s));
-    if (!any(status, Status::temperature_frozen)) continue;
+    if (!has_any(status, Status::temperature_frozen)) continue;
     if (ranges.empty() || ranges.back().end != row) {
       if (!ranges.empty() && !lasts_too_long(ranges.back())) ranges.pop_back();
       ranges.push_back({row, row});

@@ -15,8 +15,8 @@ namespace {
 
 // Of at most 65537 spacings spread over the recording: a typical value needs no more.
 double median_spacing_s(const std::vector<double>& time_s) {
-  constexpr std::size_t kMostSpacings = 65536;
-  const std::size_t step = time_s.size() / kMostSpacings + 1;
+  constexpr std::size_t kMaxSpacings = 65536;
+  const std::size_t step = time_s.size() / kMaxSpacings + 1;
   std::vector<double> spacings;
   for (std::size_t i = 1; i < time_s.size(); i += step) {
     spacings.push_back(time_s[i] - time_s[i - 1]);

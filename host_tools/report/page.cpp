@@ -27,8 +27,8 @@ std::string element(const char* tag, const std::string& content) {
 }
 
 // "left:12.3%", of the whole width
-std::string share_style(const char* property, double value, double most) {
-  const double share = most > 0 ? std::clamp(value / most, 0.0, 1.0) : 0;
+std::string share_style(const char* property, double value, double max) {
+  const double share = max > 0 ? std::clamp(value / max, 0.0, 1.0) : 0;
   return format("%s:%.1f%%", property, 100 * share);
 }
 
@@ -236,8 +236,8 @@ class PageWriter {
 }  // namespace
 
 std::string page(const Document& document) {
-  const std::vector<EmbeddedFile>& library = plot_library_files();
-  const bool drawn = !library.empty();
+  const std::vector<EmbeddedFile>& basis = plot_library_files();
+  const bool drawn = !basis.empty();
   PageWriter writer(drawn);
   writer.write(document);
   std::string body = element("h1", escaped(document.found().sentence()));
@@ -250,9 +250,9 @@ std::string page(const Document& document) {
       file_of(page_files(), "frame"),
       {
           {"subject", escaped(document.subject())},
-          {"style", (drawn ? file_of(library, "style") : "") + file_of(page_files(), "style")},
-          {"licence", drawn ? file_of(library, "licence") : ""},
-          {"library", drawn ? file_of(library, "script") : ""},
+          {"style", (drawn ? file_of(basis, "style") : "") + file_of(page_files(), "style")},
+          {"licence", drawn ? file_of(basis, "licence") : ""},
+          {"library", drawn ? file_of(basis, "script") : ""},
           {"data", script_data(writer.plots())},
           {"script", drawn ? file_of(page_files(), "plots") : ""},
           {"body", body},

@@ -16,16 +16,16 @@ using findings::Plot;
 using findings::Text;
 
 std::vector<double> rounded(std::vector<double> values, bool logarithmic) {
-  double least = HUGE_VAL;
-  double most = -HUGE_VAL;
+  double min = HUGE_VAL;
+  double max = -HUGE_VAL;
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
-    least = std::min(least, value);
-    most = std::max(most, value);
+    min = std::min(min, value);
+    max = std::max(max, value);
   }
   for (double& value : values) {
     if (!std::isfinite(value) || value == 0) continue;
-    const double span = logarithmic || most == least ? std::fabs(value) : most - least;
+    const double span = logarithmic || max == min ? std::fabs(value) : max - min;
     const double unit = std::pow(10, 5 - std::floor(std::log10(span)));
     value = std::round(value * unit) / unit;
   }

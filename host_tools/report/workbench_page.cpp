@@ -53,20 +53,20 @@ std::string workbench_page(const WorkbenchSetup& setup) {
   for (const EmbeddedFile& part : workbench_files()) {
     if (part.name[1] == '_') script += part.text;  // in the order of their first letters
   }
-  const std::vector<EmbeddedFile>& library = plot_library_files();
+  const std::vector<EmbeddedFile>& basis = plot_library_files();
   const EmbeddedEngine engine = embedded_engine();
   return filled(file_of(workbench_files(), "frame"),
                 {
                     {"subject", escaped(subject_of(setup))},
-                    {"style", file_of(library, "style") + file_of(page_files(), "style") +
+                    {"style", file_of(basis, "style") + file_of(page_files(), "style") +
                                   file_of(workbench_files(), "style")},
                     {"setup", script_data(setup_json(setup))},
                     {"files", files},
                     {"engine", std::string(engine.module)},
                     {"engine_script", std::string(engine.script)},
                     {"worker", file_of(workbench_files(), "worker")},
-                    {"licence", file_of(library, "licence")},
-                    {"library", file_of(library, "script")},
+                    {"licence", file_of(basis, "licence")},
+                    {"library", file_of(basis, "script")},
                     {"script", script},
                 });
 }

@@ -17,7 +17,7 @@ constexpr int kEpochs = 60;
 constexpr double kFirstStep = 0.02;  // length of a step, inputs mapped to +-1
 constexpr double kStepUp = 1.1;      // after four falls of the error in a row
 constexpr double kStepDown = 0.9;    // after two rises that alternate with falls
-constexpr double kLeastWidth = 0.1;
+constexpr double kMinWidth = 0.1;
 constexpr double kRidge = 1e-9;  // rules that no row belongs to have no line of their own
 
 // Jang's two rules for the length of the steps.
@@ -167,7 +167,7 @@ void Anfis::move_memberships(const MatrixXd& x, const MatrixXd& share, const Vec
   const double length = std::sqrt(by_place.squaredNorm() + by_width.squaredNorm());
   if (!(length > 0)) return;
   places_ += step / length * by_place;
-  widths_ = (widths_ + step / length * by_width).cwiseMax(kLeastWidth);
+  widths_ = (widths_ + step / length * by_width).cwiseMax(kMinWidth);
 }
 
 std::unique_ptr<Comparator> make_anfis(const ComparatorSettings&) {

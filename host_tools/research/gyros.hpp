@@ -26,7 +26,7 @@ struct ModelMedians {
 };
 std::vector<ModelMedians> medians_of(const std::vector<Study>& studies);
 
-/// Medians over the gyros of the least error that noise allows (research/estimate_floor.hpp).
+/// Medians over the gyros of the smallest error that noise allows (research/estimate_floor.hpp).
 struct FloorMedians {
   double own_dph = 0;
   std::vector<double> held_out_dph;  ///< per held-out profile

@@ -72,14 +72,14 @@ MatrixXd Polynomial::terms(const MatrixXd& inputs) const {
 
 int Polynomial::best_order(const MatrixXd& inputs, const VectorXd& target) {
   int best = 1;
-  double least = HUGE_VAL;
-  for (int order = 1; order <= kMostOrder; ++order) {
+  double min = HUGE_VAL;
+  for (int order = 1; order <= kMaxOrder; ++order) {
     const double rms = cross_validated_rms(
         inputs, target, [order](const MatrixXd& train, const VectorXd& y, const MatrixXd& test) {
           return Polynomial(train, y, order).values(test);
         });
-    if (rms >= least) continue;
-    least = rms;
+    if (rms >= min) continue;
+    min = rms;
     best = order;
   }
   return best;

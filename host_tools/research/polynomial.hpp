@@ -11,14 +11,14 @@ namespace fogcomp::research {
 /// over the rows it is fitted to.
 class Polynomial {
  public:
-  static constexpr int kMostOrder = 9;
+  static constexpr int kMaxOrder = 9;
 
-  /// Rows x variables. `order` 1 to kMostOrder.
+  /// Rows x variables. `order` 1 to kMaxOrder.
   Polynomial(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& target, int order);
 
   Eigen::VectorXd values(const Eigen::MatrixXd& inputs) const;
 
-  /// The order from 1 to kMostOrder whose cross-validated error is least.
+  /// The order from 1 to kMaxOrder whose cross-validated error is smallest.
   static int best_order(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& target);
 
  private:

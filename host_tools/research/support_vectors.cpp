@@ -22,7 +22,7 @@ class SupportVectorComparator : public Comparator {
  public:
   void fit(const series::SignalSeries& series, const VectorXd& denoised_dph) override {
     const MatrixXd inputs = temperature_and_rate_of(series.rows());
-    double least = HUGE_VAL;
+    double min = HUGE_VAL;
     for (const double width : kWidths) {
       for (const double price : kRegularisations) {
         const double rms = cross_validated_rms(
@@ -30,8 +30,8 @@ class SupportVectorComparator : public Comparator {
             [&](const MatrixXd& train, const VectorXd& y, const MatrixXd& test) {
               return SupportVectors(train, y, width, price).values(test);
             });
-        if (rms >= least) continue;
-        least = rms;
+        if (rms >= min) continue;
+        min = rms;
         width_ = width;
         price_ = price;
       }
@@ -60,7 +60,7 @@ SupportVectors::SupportVectors(const MatrixXd& inputs, const VectorXd& target, d
       half_range_((inputs.colwise().maxCoeff() - inputs.colwise().minCoeff()) / 2) {
   half_range_ = (half_range_.array() > 0).select(half_range_, 1);
   const Index rows = inputs.rows();
-  const Index size = std::min(rows, kMostVectors);
+  const Index size = std::min(rows, kMaxVectors);
   const MatrixXd all = normalised(inputs);
   vectors_.resize(size, inputs.cols());
   for (Index i = 0; i < size; ++i) vectors_.row(i) = all.row(i * rows / size);

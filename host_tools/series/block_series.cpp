@@ -87,8 +87,8 @@ void widen(model::InputRanges& ranges, const model::InputRanges& by) {
     if (!by[i]) continue;
     if (!ranges[i]) ranges[i] = by[i];
     model::InputRange& range = *ranges[i];
-    range.range.least = std::min(range.range.least, by[i]->range.least);
-    range.range.most = std::max(range.range.most, by[i]->range.most);
+    range.range.min = std::min(range.range.min, by[i]->range.min);
+    range.range.max = std::max(range.range.max, by[i]->range.max);
     range.step = std::max(range.step, by[i]->step);
   }
 }

@@ -28,7 +28,7 @@ std::size_t samples_per_row(const recording::Recording& recording, double averag
   if (!(recording.period_s > 0)) return 1;
   const double samples = std::round(average_s / recording.period_s);
   return static_cast<std::size_t>(
-      std::clamp(samples, 1.0, static_cast<double>(recording::kMostRows)));
+      std::clamp(samples, 1.0, static_cast<double>(recording::kMaxRows)));
 }
 
 CompleteRows complete_rows(const recording::Recording& recording, double average_s) {

@@ -6,7 +6,7 @@ namespace fogcomp::series {
 
 /// A first-order lag of `values` (one per row), stepped by the time between rows. Every recording
 /// begins with it settled at its first value.
-Eigen::VectorXd lagged(const Rows& rows, const Eigen::VectorXd& values, double tau_s);
+Eigen::VectorXd lag_of(const Rows& rows, const Eigen::VectorXd& values, double tau_s);
 
 /// The same once forward and once backward: rounder corners, no delay.
 Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double tau_s);

@@ -73,8 +73,8 @@ class SignalSeries::Recorder {
  private:
   static fog::ThermalParameters<model::RealNumbers> unclamped(
       fog::ThermalParameters<model::RealNumbers> p) {
-    p.least = -std::numeric_limits<double>::infinity();
-    p.most = std::numeric_limits<double>::infinity();
+    p.min = -std::numeric_limits<double>::infinity();
+    p.max = std::numeric_limits<double>::infinity();
     return p;
   }
 
@@ -182,7 +182,7 @@ model::SignalRanges SignalSeries::signal_ranges() const {
       for (std::size_t block = 0; block < run.blocks.size(); ++block) {
         const double value = model::value_of(static_cast<fog::Input>(i),
                                              run.signals(block, Reading::of_sensor), run.block_s);
-        ranges[i] = {std::min(ranges[i].least, value), std::max(ranges[i].most, value)};
+        ranges[i] = {std::min(ranges[i].min, value), std::max(ranges[i].max, value)};
       }
     }
   }

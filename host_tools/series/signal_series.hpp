@@ -45,7 +45,7 @@ class SignalSeries {
   /// The row means of what the terms make together with their coefficients, deg/h.
   Eigen::VectorXd drift_dph(const std::vector<model::EffectTerm>& terms) const;
 
-  /// Least and most of each signal that an expression can have, over all blocks.
+  /// Min and max of each signal that an expression can have, over all blocks.
   model::SignalRanges signal_ranges() const;
 
   /// The row means of what a network would see, rows x inputs, in the inputs' units: what it is

@@ -65,11 +65,11 @@ std::vector<double> rates(const std::vector<double>& temperature_degc, double bl
                           double tau_s) {
   const std::size_t beyond = run_in(block_s, tau_s);
   const std::vector<double> smooth = smoothed(temperature_degc, beyond, block_s, tau_s);
-  constexpr double kMost = fog::kMostRateDegcPerMin;
+  constexpr double kMax = fog::kMaxRateDegcPerMin;
   std::vector<double> result;
   for (std::size_t i = beyond; i < beyond + temperature_degc.size(); ++i) {
     const double per_min = (smooth[i + 1] - smooth[i - 1]) / (2 * block_s) * 60;
-    result.push_back(std::clamp(per_min, -kMost, kMost));
+    result.push_back(std::clamp(per_min, -kMax, kMax));
   }
   return result;
 }
@@ -77,11 +77,11 @@ std::vector<double> rates(const std::vector<double>& temperature_degc, double bl
 // Calls visit(first, end) for the blocks of every stretch that the board does not start anew in.
 template <class Visit>
 void each_stretch(const BlockSeries& series, const Visit& visit) {
-  const auto most_held = static_cast<std::int64_t>(hold_blocks(series.block_s));
+  const auto max_held = static_cast<std::int64_t>(hold_blocks(series.block_s));
   std::size_t first = 0;
   for (std::size_t end = 1; end <= series.blocks.size(); ++end) {
     const bool goes_on = end < series.blocks.size() &&
-                         series.blocks[end].number - series.blocks[end - 1].number - 1 <= most_held;
+                         series.blocks[end].number - series.blocks[end - 1].number - 1 <= max_held;
     if (goes_on) continue;
     visit(first, end);
     first = end;

@@ -42,9 +42,9 @@ double choice_of(const ParameterSpec& spec, const std::string& value, const std:
 double number_of(const ParameterSpec& spec, const std::string& value, const std::string& where,
                  const std::string& name) {
   const auto number = parse_number(value);
-  if (!number || *number < spec.least || *number > spec.most) {
+  if (!number || *number < spec.min || *number > spec.max) {
     throw InputError(where, name + " '" + value + "' is not a number from " +
-                                format("%g to %g", spec.least, spec.most) +
+                                format("%g to %g", spec.min, spec.max) +
                                 (spec.unit.empty() ? "" : " " + spec.unit));
   }
   if (spec.whole && *number != std::floor(*number)) {

@@ -10,8 +10,8 @@ struct ParameterSpec {
   std::string name;
   std::string unit;  ///< "" for a plain number
   double default_value;
-  double least;
-  double most;
+  double min;
+  double max;
   std::string help;
   /// For a parameter that is a word: the words allowed; its value is the index.
   std::vector<std::string> choices = {};

@@ -17,8 +17,8 @@ struct Unit {
 struct Kind {
   std::string example;
   std::vector<Unit> units;
-  double least;  ///< in the simulator's unit
-  double most;
+  double min;  ///< in the simulator's unit
+  double max;
   std::string range;
 };
 
@@ -86,17 +86,17 @@ double ProfileLine::quantity(Dimension dimension) {
     fail("unit '" + unit_name + "' is not one of " + names);
   }
   const double value = *number * unit->factor;
-  if (value < kind.least || value > kind.most) {
+  if (value < kind.min || value > kind.max) {
     fail(first + " " + unit_name + " is outside " + kind.range);
   }
   return value;
 }
 
-int ProfileLine::whole_number(int least, int most) {
+int ProfileLine::whole_number(int min, int max) {
   const std::string found = word("a whole number");
   const auto number = parse_number(found);
-  if (!number || *number != std::floor(*number) || *number < least || *number > most) {
-    fail(format("'%s' is not a whole number from %d to %d", found.c_str(), least, most));
+  if (!number || *number != std::floor(*number) || *number < min || *number > max) {
+    fail(format("'%s' is not a whole number from %d to %d", found.c_str(), min, max));
   }
   return static_cast<int>(*number);
 }

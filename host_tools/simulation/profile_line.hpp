@@ -31,7 +31,7 @@ class ProfileLine {
   void expect_end();
   /// A number and its unit, as two words or one.
   double quantity(Dimension dimension);
-  int whole_number(int least, int most);
+  int whole_number(int min, int max);
   /// Which of the allowed words comes next.
   int choice(const std::vector<std::string>& allowed);
   [[noreturn]] void fail(const std::string& what) const;

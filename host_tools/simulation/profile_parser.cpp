@@ -16,7 +16,7 @@ namespace {
 constexpr double kLongestProgramme_s = 10000.0 * 3600.0;
 // Nested repeats multiply; this many statements and passes are more than any test and still quick
 // to read.
-constexpr int kMostStatements = 1000000;
+constexpr int kMaxStatements = 1000000;
 constexpr int kMaxNesting = 20;
 constexpr double kFastestSweep_s = 10;
 
@@ -41,7 +41,7 @@ class ProfileParser {
 
  private:
   void count(const ProfileLine& line) {
-    if (++statements_run_ <= kMostStatements) return;
+    if (++statements_run_ <= kMaxStatements) return;
     line.fail("the programme has more than a million statements; repeat less often");
   }
 

@@ -4,10 +4,10 @@
 
 namespace fogcomp {
 
-double standard_score(double chi_square, double freedom) {
-  if (freedom < 1) return 0;
-  const double spread = 2 / (9 * freedom);
-  return (std::cbrt(chi_square / freedom) - (1 - spread)) / std::sqrt(spread);
+double standard_score(double chi_square, double degrees_of_freedom) {
+  if (degrees_of_freedom < 1) return 0;
+  const double spread = 2 / (9 * degrees_of_freedom);
+  return (std::cbrt(chi_square / degrees_of_freedom) - (1 - spread)) / std::sqrt(spread);
 }
 
 double tail_log_p(double score) {

@@ -38,7 +38,7 @@ LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& val
   const Eigen::VectorXd scale = norms.cwiseInverse();
 
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  qr.setThreshold(kLeastPivot);
+  qr.setThreshold(kMinPivot);
   qr.compute(matrix * scale.asDiagonal());
 
   LinearFit fit;
@@ -57,7 +57,7 @@ LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& val
 
 LinearFit solve_with_instruments(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& instruments,
                                  const Eigen::VectorXd& values) {
-  const Eigen::MatrixXd basis = orthonormal(instruments, kLeastPivot);
+  const Eigen::MatrixXd basis = orthonormal(instruments, kMinPivot);
   if (basis.cols() < matrix.cols()) return solve_linear(matrix, values);
   LinearFit fit = solve_linear(basis.transpose() * matrix, basis.transpose() * values);
   fit.residual = values - matrix * fit.coefficients;
@@ -84,7 +84,7 @@ std::vector<DependentColumn> dependent_columns(const Eigen::MatrixXd& matrix) {
     Eigen::VectorXd left = unit;
     for (int pass = 0; pass < 2; ++pass) left -= before * (before.transpose() * left).eval();
     const double norm = left.norm();
-    if (norm <= kLeastPivot) {
+    if (norm <= kMinPivot) {
       dependent.push_back({i, parts_of(independent.leftCols(count), unit, numbers)});
       continue;
     }

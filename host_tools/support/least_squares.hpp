@@ -6,7 +6,7 @@
 namespace fogcomp {
 
 /// Of the largest: columns with smaller pivots are noise of the arithmetic.
-constexpr double kLeastPivot = 1e-9;
+constexpr double kMinPivot = 1e-9;
 
 /// Linear least squares by column-pivoting QR, for rows of noise variance 1.
 struct LinearFit {
@@ -37,7 +37,7 @@ std::vector<DependentColumn> dependent_columns(const Eigen::MatrixXd& matrix);
 
 /// An orthonormal basis of what the columns span, each of them first made one long; directions
 /// below `rank_threshold` of the largest pivot, and columns of zeros, add nothing.
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshold = kLeastPivot);
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshold = kMinPivot);
 
 /// Columns less what an orthonormal basis (rows x any) can do of them.
 Eigen::MatrixXd projected_out(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& columns);

@@ -26,9 +26,9 @@ constexpr const char* kOwnDescriptors = "/proc/self/fd/";
 
 // Temporary files in being, for the signal handler: an interrupted command leaves no half file.
 // A fixed array, because a signal handler may neither lock nor allocate.
-constexpr std::size_t kMostOpenFiles = 16;
+constexpr std::size_t kMaxOpenFiles = 16;
 constexpr std::size_t kLongestPath = 4096;
-std::array<char[kLongestPath], kMostOpenFiles> unfinished_paths;
+std::array<char[kLongestPath], kMaxOpenFiles> unfinished_paths;
 std::mutex unfinished_mutex;
 
 void remove_unfinished_files(int signal_number) {

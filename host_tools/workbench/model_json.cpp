@@ -21,7 +21,7 @@ Json parameters_json(const model::EffectTerm& term, const model::TermInfo& info)
     one.set("value", term.parameters[i]).set("sigma", term.parameter_sigma[i]);
     one.set("identified", static_cast<bool>(term.identified[i]));
     one.set("left_out", model::is_left_at_zero(term, i));
-    one.set("min", parameter.bounds.least).set("max", parameter.bounds.most);
+    one.set("min", parameter.bounds.min).set("max", parameter.bounds.max);
     one.set("whole", parameter.scale == fog::Scale::whole);
     one.set("logarithmic", parameter.scale == fog::Scale::logarithmic);
     parameters.push(std::move(one));

@@ -55,7 +55,7 @@ class RowsOut {
            double compensated_dph) {
     if (sink_.row) sink_.row(values, flags);
     ++outcome_.rows;
-    if (any(flags, fog::Status::temperature_clamped)) ++outcome_.clamped;
+    if (has_any(flags, fog::Status::temperature_clamped)) ++outcome_.clamped;
     if (!valid) {
       ++outcome_.without_rate;
       return;
@@ -126,7 +126,7 @@ class RealSeries {
 
   void rows_of(const series::BlockSeries::Block& block, const model::RealDriftModel& drift) {
     const bool clamped =
-        block.means.temperature < model_.least_degc || block.means.temperature > model_.most_degc;
+        block.means.temperature < model_.min_degc || block.means.temperature > model_.max_degc;
     const fog::Status flags = status_if(clamped, fog::Status::temperature_clamped);
     for (; row_ < recording_.rows() && block_of(row_) == block.number; ++row_) {
       std::vector<double> values = measured();

@@ -52,7 +52,7 @@ void add_fit_figures(Figures& figures, const FitOutcome& fit) {
     figures.emplace_back("fit_floor_dph", *floor);
     figures.emplace_back("fit_drift_dph", compare::floor_removed(model.residual_rms_dph, *floor));
   }
-  figures.emplace_back("fit_misfit", fit.result.identified.misfit);
+  figures.emplace_back("fit_misfit", fit.result.identified.birge_ratio);
   figures.emplace_back("fit_outliers", static_cast<double>(fit.result.identified.outliers));
   figures.emplace_back("network_hidden", static_cast<double>(model.network.hidden.biases.size()));
 }

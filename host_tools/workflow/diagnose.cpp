@@ -72,7 +72,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::Judgin
         *outcome.model, recording::read_recording(*request.at_rest, reading), outcome.data);
   }
   outcome.ladder =
-      diagnosis::walk_ladder(model, outcome.data, judging, request.max_steps, settings);
+      diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
   outcome.ladder.first.as_given = as_given;
   if (!request.average_s) note_rows(rows, model, outcome.ladder.first.notes);
   return outcome;

@@ -30,8 +30,8 @@ struct DiagnoseOutcome {
   diagnosis::Ladder ladder;       ///< without steps where max_steps is 0
 };
 
-/// Throws InputError as DiagnosisData::add(), noise_of_static(), read_holdouts() and walk_ladder()
-/// do. Additions are judged in the model's own rows, as `add` does.
+/// Throws InputError as DiagnosisData::add(), noise_of_static(), read_holdouts() and
+/// stepwise_selection() do. Additions are judged in the model's own rows, as `add` does.
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer = {});
 /// The same with the request's recordings read before, as judging_runs() does.
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::JudgingRuns& judging,

@@ -28,7 +28,7 @@ struct FitRequest {
   bool run_offsets = false;              ///< a bias for each recording; the model keeps the first
   model::DenoiseSettings board_denoiser;
 
-  std::optional<int> hidden;           ///< neurons, 0 to kMostTrainedHidden; nothing: the preset's
+  std::optional<int> hidden;           ///< neurons, 0 to kMaxTrainedHidden; nothing: the preset's
   std::optional<std::string> trainer;  ///< one of trainer_names(); nothing: the preset's, or lm
   fog::Activation activation = fog::Activation::logsig;
   fit::TrainerSettings training;  ///< go_on is the observer's

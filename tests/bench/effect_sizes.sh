@@ -12,8 +12,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 
-# measure INPUTS [EFFECT...]: "flash mean most" of the images with a network of so many inputs and these effects,
-# and "mean most" of the network itself if there is one.
+# measure INPUTS [EFFECT...]: "flash mean max" of the images with a network of so many inputs and these effects,
+# and "mean max" of the network itself if there is one.
 measure() {
   "$make_model" one.model "$@"
   "$fogcomp" export one.model -o fog_model.h --extension --allow-error >/dev/null
@@ -29,24 +29,24 @@ measure() {
 }
 
 row() { printf '| %-26s | %6s | %6s | %6s |\n' "$@"; }
-row effect "flash" "mean" "most"
+row effect "flash" "mean" "max"
 echo "|---|---|---|---|"
-read -r base_flash base_mean base_most < <(measure 0 bias)
-row "thermal state and bias" "$base_flash" "$base_mean" "$base_most"
+read -r base_flash base_mean base_max < <(measure 0 bias)
+row "thermal state and bias" "$base_flash" "$base_mean" "$base_max"
 for effect in $("$fogcomp" effects | awk '/^[a-z_]+ - / { print $1 }'); do
   [[ $effect == bias ]] && continue
   "$fogcomp" effects "$effect" | grep '^  host only' >/dev/null && continue
-  read -r flash mean most < <(measure 0 bias "$effect")
-  row "$effect" "+$((flash - base_flash))" "$((mean - base_mean))" "$((most - base_most))"
+  read -r flash mean max < <(measure 0 bias "$effect")
+  row "$effect" "+$((flash - base_flash))" "$((mean - base_mean))" "$((max - base_max))"
 done
 for inputs in 2 3 4; do
-  read -r flash mean most its_mean its_most < <(measure "$inputs" bias)
-  row "network $inputs-10-1" "+$((flash - base_flash))" "$((mean - base_mean))" "$((most - base_most))"
-  row "network $inputs-10-1 itself" "" "$its_mean" "$its_most"
+  read -r flash mean max its_mean its_max < <(measure "$inputs" bias)
+  row "network $inputs-10-1" "+$((flash - base_flash))" "$((mean - base_mean))" "$((max - base_max))"
+  row "network $inputs-10-1 itself" "" "$its_mean" "$its_max"
 done
 for expression in 'x=T*T*dTdt' 'x=lag(T,300)-T' 'x=play(T,6)' 'x=exp(-t/1200)' 'x=sin(T/3)' 'x=tanh(T/20)' 'x=dTdt/(300+T)'; do
-  read -r flash mean most < <(measure 0 bias "$expression")
-  row "expression ${expression#x=}" "+$((flash - base_flash))" "$((mean - base_mean))" "$((most - base_most))"
+  read -r flash mean max < <(measure 0 bias "$expression")
+  row "expression ${expression#x=}" "+$((flash - base_flash))" "$((mean - base_mean))" "$((max - base_max))"
 done
-read -r flash mean most _ < <(measure 3)
-row "all and a 3-10-1 network" "$flash" "$mean" "$most"
+read -r flash mean max _ < <(measure 3)
+row "all and a 3-10-1 network" "$flash" "$mean" "$max"

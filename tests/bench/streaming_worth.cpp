@@ -21,7 +21,7 @@ constexpr double kTwoPi = 6.283185307179586;
 // White noise of a sample, as the table expects it: 0.075 deg/h at 1 Hz.
 const double kNoiseDph = 0.075 * std::sqrt(kRateHz);
 
-using Denoiser = fog::Denoiser<fog::kAnyTaps, fog::kMostLevels>;
+using Denoiser = fog::Denoiser<fog::kAnyTaps, fog::kMaxLevels>;
 
 std::vector<double> streamed(const std::vector<double>& input_dph, int levels,
                              fog::ThresholdRule rule = fog::ThresholdRule::heursure,
@@ -83,7 +83,7 @@ void print_sines() {
     for (const double amplitude_dph : {1.0, 10.0, 3600.0}) {
       std::printf("%7d %9.0f %9g", levels, 1000 * static_cast<double>(delay) / kRateHz,
                   amplitude_dph);
-      double most_off_ms = 0;
+      double max_off_ms = 0;
       for (const double frequency_hz : frequencies_hz) {
         std::vector<double> input = noise;
         for (std::size_t i = 0; i < input.size(); ++i) {
@@ -96,9 +96,9 @@ void print_sines() {
         const auto out = component(output, frequency_hz, 20000 - delay);
         std::printf(" %10.3f", std::abs(out) / std::abs(in));
         const double off_ms = 1000 * std::arg(out / in) / (kTwoPi * frequency_hz);
-        most_off_ms = std::max(most_off_ms, std::abs(off_ms));
+        max_off_ms = std::max(max_off_ms, std::abs(off_ms));
       }
-      std::printf(" %15.2f\n", most_off_ms);
+      std::printf(" %15.2f\n", max_off_ms);
     }
   }
 }
@@ -151,16 +151,16 @@ void print_recording(const char* path) {
   print_allan("the same, streamed by the board's denoiser",
               {before.begin(), before.end() - static_cast<std::ptrdiff_t>(delay)}, streaming,
               recording.period_s);
-  double most = 0;
+  double max = 0;
   double mean = 0;
   for (std::size_t i = 0; i < streaming.size(); ++i) {
-    most = std::max(most, std::abs(streaming[i] - before[i]));
+    max = std::max(max, std::abs(streaming[i] - before[i]));
     mean += (streaming[i] - before[i]) / static_cast<double>(streaming.size());
   }
   std::printf(
       "noise of a sample %.2f deg/h; %zu samples late; mean changed by %.4f, a sample by at "
       "most %.1f deg/h\n",
-      noise_dph, delay, mean, most);
+      noise_dph, delay, mean, max);
 }
 
 }  // namespace

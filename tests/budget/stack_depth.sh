@@ -24,21 +24,21 @@ arm-none-eabi-objdump -d --no-show-raw-insn "$elf" >"$scratch/code"
 awk -v reserve="$reserve" -v percent="$percent" -v vectors="$vectors" -v image="${elf##*/}" '
   function fail(text) { print image ": " text > "/dev/stderr"; failed = 1; exit 1 }
   # Deepest below and with function f; path[f] is the next one on the way.
-  function depth(f,    n, i, callee, below, most) {
+  function depth(f,    n, i, callee, below, max) {
     if (f in known) return known[f]
     if (f in open) fail("recursion through " f)
     open[f] = 1
-    most = 0
+    max = 0
     n = split(calls[f], list, " ")
     for (i = 1; i <= n; i++) targets[f, i] = list[i]
     for (i = 1; i <= n; i++) {
       callee = targets[f, i]
       below = depth(callee)
-      if (below > most) { most = below; path[f] = callee }
+      if (below > max) { max = below; path[f] = callee }
     }
     delete open[f]
     if (!(f in frame)) frame[f] = shown[f] + 0
-    return known[f] = frame[f] + most
+    return known[f] = frame[f] + max
   }
   function chain(f,    text) {
     for (; f != ""; f = path[f]) text = text (text == "" ? "" : " > ") f " " frame[f]

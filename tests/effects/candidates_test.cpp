@@ -96,9 +96,9 @@ TEST_F(CandidatesTest, HaveOrthonormalBasesAndShapesWithinTheirBounds) {
       const model::CatalogueEntry& entry = model::find_effect(candidate.effect);
       for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
         const double value = shape.term.parameters[i];
-        EXPECT_LE(value, entry.parameters[i].most_milli / 1000.0 + 1e-9) << candidate.effect;
+        EXPECT_LE(value, entry.parameters[i].max_milli / 1000.0 + 1e-9) << candidate.effect;
         if (value == 0 && model::is_optional_part(entry.parameters[i])) continue;
-        EXPECT_GE(value, entry.parameters[i].least_milli / 1000.0 - 1e-9) << candidate.effect;
+        EXPECT_GE(value, entry.parameters[i].min_milli / 1000.0 - 1e-9) << candidate.effect;
       }
     }
   }
@@ -165,7 +165,8 @@ TEST_F(CandidatesTest, AreSharpenedTowardsTheTruth) {
   const Eigen::VectorXd residual = residual_of("thermal_lag:tau=700", 40);
   CandidateList list = found("bias");
   const double before = best_gain(*find(list, "thermal_lag"), residual);
-  sharpen(list.testable, series_, model::parse_effects("bias"), without_mean, residual);
+  refine_shape_parameters(list.testable, series_, model::parse_effects("bias"), without_mean,
+                          residual);
   const double after = best_gain(*find(list, "thermal_lag"), residual);
   EXPECT_GT(after, before);
   EXPECT_GT(after, 0.985 * residual.squaredNorm()) << before;
@@ -176,7 +177,8 @@ TEST_F(CandidatesTest, AreNotSharpenedOnWhatNoiseMightBe) {
   const Eigen::VectorXd residual = residual_of("thermal_lag:tau=700", 9);
   CandidateList list = found("bias");
   const CandidateList before = list;
-  sharpen(list.testable, series_, model::parse_effects("bias"), without_mean, residual);
+  refine_shape_parameters(list.testable, series_, model::parse_effects("bias"), without_mean,
+                          residual);
   for (std::size_t i = 0; i < list.testable.size(); ++i) {
     for (std::size_t shape = 0; shape < list.testable[i].shapes.size(); ++shape) {
       EXPECT_EQ(list.testable[i].shapes[shape].term.parameters,
@@ -189,7 +191,8 @@ TEST_F(CandidatesTest, OfAStepAreMovedToItsRow) {
   const Eigen::VectorXd step = fit::step_column(series_.rows(), 234);
   const Eigen::VectorXd residual = 40 * without_mean(step).columns.col(0).normalized();
   CandidateList list = found("bias");
-  sharpen(list.testable, series_, model::parse_effects("bias"), without_mean, residual);
+  refine_shape_parameters(list.testable, series_, model::parse_effects("bias"), without_mean,
+                          residual);
   const Candidate* const steps = find(list, "bias_step");
   ASSERT_NE(steps, nullptr);
   const auto best = std::max_element(steps->shapes.begin(), steps->shapes.end(),

@@ -18,8 +18,8 @@ TEST(Catalogue, ExamplesAreWithinBoundsAndHaveACoefficientForEachRegressor) {
     EXPECT_EQ(term.coefficients_dph.size(), RegressorBank({term}, 1).size()) << term.name;
     for (std::size_t i = 0; i < term.parameters.size(); ++i) {
       const ShapeBounds bounds = catalogue_bounds(entry, i);
-      EXPECT_GE(term.parameters[i], bounds.least) << term.name;
-      EXPECT_LE(term.parameters[i], bounds.most) << term.name;
+      EXPECT_GE(term.parameters[i], bounds.min) << term.name;
+      EXPECT_LE(term.parameters[i], bounds.max) << term.name;
     }
   }
 }
@@ -29,14 +29,14 @@ TEST(Catalogue, BoundsSuitTheScaleOfTheSearchAndDefaultsTheBounds) {
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
       const fog::ParameterDescription& parameter = entry.parameters[i];
       const std::string where = std::string(entry.description.name) + "." + parameter.name;
-      EXPECT_GE(parameter.default_milli, parameter.least_milli) << where;
-      EXPECT_LE(parameter.default_milli, parameter.most_milli) << where;
+      EXPECT_GE(parameter.default_milli, parameter.min_milli) << where;
+      EXPECT_LE(parameter.default_milli, parameter.max_milli) << where;
       const bool of_ratios =
           parameter.scale == fog::Scale::logarithmic || parameter.scale == fog::Scale::frequency;
-      EXPECT_TRUE(!of_ratios || catalogue_bounds(entry, i).least > 0) << where;
+      EXPECT_TRUE(!of_ratios || catalogue_bounds(entry, i).min > 0) << where;
       if (is_optional_part(parameter)) {
         EXPECT_TRUE(i > 0 && !is_optional_part(entry.parameters[i - 1])) << where;
-        EXPECT_TRUE(parameter.least_milli == 0 && parameter.default_milli == 0) << where;
+        EXPECT_TRUE(parameter.min_milli == 0 && parameter.default_milli == 0) << where;
       }
     }
   }

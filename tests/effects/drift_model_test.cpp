@@ -93,8 +93,8 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryInputOfANetwork) {
         std::vector{slow, fast, slow, fast}, std::vector{input_rate, rate}, std::vector{elapsed},
         std::vector{second, supply}}) {
     fogcomp::model::Model model = fog::test::paper_like_model();
-    model.least_degc = -60;
-    model.most_degc = 100;
+    model.min_degc = -60;
+    model.max_degc = 100;
     model.network = fog::test::network_of(inputs);
     EXPECT_LE(worst_difference(model, 13, 20), 2.0 / 1024)
         << fogcomp::model::name_of(inputs[0].signal);
@@ -139,7 +139,7 @@ std::vector<double> at_bounds(const fogcomp::model::CatalogueEntry& entry, bool 
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
     const fogcomp::model::ShapeBounds bounds = fogcomp::model::catalogue_bounds(entry, i);
     const bool upper = first_upper != (in_turn && i % 2 == 1);
-    shape.push_back(upper ? bounds.most : bounds.least);
+    shape.push_back(upper ? bounds.max : bounds.min);
   }
   return shape;
 }
@@ -170,8 +170,8 @@ class EveryEffect : public testing::TestWithParam<fogcomp::model::EffectTerm> {}
 TEST_P(EveryEffect, IsWithinTwoLsbOfDoubleOver72HoursOfAnyThermalHistory) {
   for (const std::vector<double>& shape : shapes_of(GetParam())) {
     fogcomp::model::Model model = fog::test::paper_like_model();
-    model.least_degc = -60;
-    model.most_degc = 100;
+    model.min_degc = -60;
+    model.max_degc = 100;
     model.network = {};
     model.terms = {with_shape(GetParam(), shape)};
     const double worst = worst_difference(model, 11, 72);

@@ -90,7 +90,7 @@ std::vector<History> histories() {
 }
 
 // tau dy/dt = x - y by the trapezoidal rule; in equilibrium where the history starts.
-Values lagged(const History& history, const Values& x, double tau_s) {
+Values lag_of(const History& history, const Values& x, double tau_s) {
   Values y(x.size());
   const double half = kBlock_s / tau_s / 2;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -102,8 +102,8 @@ Values lagged(const History& history, const Values& x, double tau_s) {
 
 // dx/dt behind two lags, per minute: the second lag's own equation says what its output changes by.
 Values rate_per_min(const History& history, const Values& x, double tau_s) {
-  const Values once = lagged(history, x, tau_s);
-  const Values twice = lagged(history, once, tau_s);
+  const Values once = lag_of(history, x, tau_s);
+  const Values twice = lag_of(history, once, tau_s);
   Values rate(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) rate[i] = 60 * (once[i] - twice[i]) / tau_s;
   return rate;
@@ -115,8 +115,8 @@ Values rate_of(const History& history) {
 // dTc/dt of a coil that follows the sensor with `tau_s`, per minute, behind the same two lags.
 Values coil_rate(const History& history, double tau_s) {
   const Values shown =
-      lagged(history, lagged(history, history.at_end_degc, kDerivativeTau_s), kDerivativeTau_s);
-  const Values coil = lagged(history, shown, tau_s);
+      lag_of(history, lag_of(history, history.at_end_degc, kDerivativeTau_s), kDerivativeTau_s);
+  const Values coil = lag_of(history, shown, tau_s);
   Values rate(shown.size());
   for (std::size_t i = 0; i < shown.size(); ++i) rate[i] = 60 * (shown[i] - coil[i]) / tau_s;
   return rate;
@@ -339,8 +339,8 @@ Columns columns_of(const fogcomp::model::CatalogueEntry& entry, const Values& sh
                    const History& history) {
   fogcomp::model::Model model;
   model.derivative_tau_s = kDerivativeTau_s;
-  model.least_degc = kMinDegc;
-  model.most_degc = kMaxDegc;
+  model.min_degc = kMinDegc;
+  model.max_degc = kMaxDegc;
   fog::ThermalState<fogcomp::model::RealNumbers> thermal(
       fogcomp::model::thermal_parameters(model, kBlock_s));
   fogcomp::model::RegressorBank bank({fog::test::natural_term(entry.description.name, shape, {})},

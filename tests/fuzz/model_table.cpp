@@ -31,7 +31,7 @@ fog::SensorSample sample_from(const std::uint8_t* bytes, std::uint16_t sequence)
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
   const std::size_t count = fog::load_le16(data);
-  if (count < 5 || count > fog::kMostModelWords || size < 2 + 4 * count) return 0;
+  if (count < 5 || count > fog::kMaxModelWords || size < 2 + 4 * count) return 0;
   std::vector<std::int32_t> words(count);
   for (std::size_t i = 0; i < count; ++i) {
     words[i] = static_cast<std::int32_t>(fog::load_le32(data + 2 + 4 * i));
@@ -44,7 +44,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (fog::read_model({words.data(), count}, fog::kAnyModel, parameters) != fog::ModelError::none) {
     return 0;
   }
-  fogcomp::board::HostCompensator board(parameters, fog::ImageProof::not_needed());
+  fogcomp::board::HostCompensator board(parameters, fog::IntegrityToken::not_needed());
   const std::uint8_t* const end = data + size;
   std::uint16_t sequence = 0;
   for (const std::uint8_t* at = data + 2 + 4 * count; end - at >= kSampleSize; at += kSampleSize) {
@@ -55,7 +55,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       board.process(sample);
     }
   }
-  std::array<std::uint32_t, fogcomp::board::HostCompensator::kMostStateWords> state{};
+  std::array<std::uint32_t, fogcomp::board::HostCompensator::kMaxStateWords> state{};
   const std::size_t kept = board.keep(state.data());
   promise(kept <= state.size(), "what outlives a restart has room");
   if (kept > 0) board.resume(state.data(), true);

@@ -17,8 +17,8 @@ void print_outputs(const std::string& name, const fogcomp::board::BoardTable& ta
       parameters.policy);
   std::printf("%s:", name.c_str());
   std::size_t block = 0;
-  for (const auto& means : fogcomp::board::verification_programme(parameters.thermal.least,
-                                                                  parameters.thermal.most, 1)) {
+  for (const auto& means :
+       fogcomp::board::verification_programme(parameters.thermal.min, parameters.thermal.max, 1)) {
     board.step(means);
     if (block++ % fog::test::kGoldenStride == 0)
       std::printf(" %d", static_cast<int>(board.drift().raw()));

@@ -177,7 +177,7 @@ refuses "^effect 'shaken': needs vibration_grms, which .* give --extension" expo
 "$fogcomp" fit field.csv -o fed.model --effects bias --network 2 --inputs supply --force-network >/dev/null
 refuses '^good\.csv: the network needs the column supply_v' compare fed.model good.csv
 refuses '^the network: needs supply_v, which .* give --extension' export fed.model -o kept
-fit_effect "^effect 'thermal_hysteresis': bounds of radius2 must be \?\[least,most\] within 0\.5 to 40 degC" \
+fit_effect "^effect 'thermal_hysteresis': bounds of radius2 must be \?\[min,max\] within 0\.5 to 40 degC" \
   'thermal_hysteresis:radius2=?[0,20]'
 fit_effect '^effect .bias_step.: is searched for in the whole recording; leave the bounds out' 'bias_step:at=?[1,9]'
 refuses '^--effects: names no effect beside bias_step; add bias' fit good.csv -o kept --effects bias_step

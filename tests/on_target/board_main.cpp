@@ -91,7 +91,7 @@ class InputFile {
 };
 
 Buffer table_buffer, input_buffer;
-std::array<std::int32_t, kMostModelWords> table;
+std::array<std::int32_t, kMaxModelWords> table;
 
 // ---- the golden files ----
 
@@ -160,16 +160,16 @@ void run_stream() {
     while (words < table.size() && file.read_words(&table[words], 1)) ++words;
   }
   ModelParameters parameters;
-  const ModelError error = read_model({table.data(), words}, StreamPipeline::room, parameters);
+  const ModelError error = read_model({table.data(), words}, StreamPipeline::capacity, parameters);
   if (error != ModelError::none) print(describe(error));
   alignas(StreamPipeline) static std::array<std::uint8_t, sizeof(StreamPipeline)> memory;
   StreamPipeline& pipeline =
-      *new (memory.data()) StreamPipeline(parameters, ImageProof::not_needed());
+      *new (memory.data()) StreamPipeline(parameters, IntegrityToken::not_needed());
 
   print("# CRC-32 and last 64 bytes of the output for every 1000 sensor samples\r\n");
   InputFile stream("stream.bin", input_buffer);
   SensorFrame frame;
-  std::array<std::uint8_t, kMostOutputBytes> out{};
+  std::array<std::uint8_t, kMaxOutputBytes> out{};
   std::uint32_t crc = kCrc32Initial;
   std::size_t size = 0;
   for (std::uint32_t i = 1; stream.read(frame.data(), frame.size()); ++i) {

@@ -73,15 +73,15 @@ class Signal {
     dph += amplitude_dph_ * std::sin(frequency_ * static_cast<double>(number_));
     if (outliers_ && random_() % 97 == 0)
       dph += (random_() % 2 == 0 ? 1 : -1) * 1e5 * uniform_(random_);
-    if (full_scale_) dph = random_() % 2 == 0 ? kMostDph : -kMostDph;
-    dph = std::clamp(dph, -kMostDph, kMostDph);
+    if (full_scale_) dph = random_() % 2 == 0 ? kMaxDph : -kMaxDph;
+    dph = std::clamp(dph, -kMaxDph, kMaxDph);
     return static_cast<std::int32_t>(
         std::clamp(std::round(dph / kRateLsb), double{INT32_MIN}, double{INT32_MAX}));
   }
 
  private:
   static constexpr std::size_t kPart = 4000;
-  static constexpr double kMostDph = 2097152;  // of Rate
+  static constexpr double kMaxDph = 2097152;  // of Rate
 
   void begin_part() {
     scale_ = std::exp(2.5 * uniform_(random_) - 1.5);  // a fifth to nearly three times
@@ -131,14 +131,13 @@ Agreement compare(fog::ThresholdRule rule, std::uint32_t seed, int samples) {
     if (chosen == block.choice) return chosen;
     ++found.other_choices;
     const double risk = block.risk[static_cast<std::size_t>(chosen)];
-    const double least = *std::min_element(block.risk.begin() + 1, block.risk.end());
+    const double min = *std::min_element(block.risk.begin() + 1, block.risk.end());
     const bool nearly_weak =
         std::abs(block.mean_square / RealDenoiser::weak() - 1) < kMeanSquareError;
-    const bool nearly_as_good =
-        block.mean_square > RealDenoiser::weak() && risk - least < kRiskError;
+    const bool nearly_as_good = block.mean_square > RealDenoiser::weak() && risk - min < kRiskError;
     EXPECT_TRUE(nearly_weak || nearly_as_good)
         << "level " << block.level << ": " << chosen << " sixteenths instead of " << block.choice
-        << ", mean square " << block.mean_square << ", risk " << risk << " instead of " << least;
+        << ", mean square " << block.mean_square << ", risk " << risk << " instead of " << min;
     return chosen;
   };
   RealDenoiser real(low, expected_dph, rule == fog::ThresholdRule::heursure, peer);

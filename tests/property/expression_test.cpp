@@ -19,8 +19,8 @@ using fogcomp::model::EffectTerm;
 
 // What a fit would have seen on these histories, less than all of it so that the clamps work too.
 void set_ranges(EffectTerm& term) {
-  const auto set = [&](fog::Input signal, double least, double most) {
-    term.expression->ranges[static_cast<std::size_t>(signal)] = {least, most};
+  const auto set = [&](fog::Input signal, double min, double max) {
+    term.expression->ranges[static_cast<std::size_t>(signal)] = {min, max};
   };
   set(fog::Input::temperature, -50, 90);
   set(fog::Input::temperature_rate, -32, 32);
@@ -79,8 +79,8 @@ EffectTerm term_of(const std::string& text) {
   EffectTerm term = fogcomp::model::expression_term("x = " + text);
   set_ranges(term);
   fogcomp::model::Model model = fog::test::paper_like_model();
-  const double most = fogcomp::board::compile_expression(term, model, 1).most;
-  term.expression->scale_log2 = most > 0 ? std::ilogb(most) - 1 : 0;
+  const double max = fogcomp::board::compile_expression(term, model, 1).max;
+  term.expression->scale_log2 = max > 0 ? std::ilogb(max) - 1 : 0;
   return term;
 }
 

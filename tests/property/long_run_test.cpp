@@ -41,7 +41,7 @@ TEST(LongRun, ALagEndsInAFixedPointBesideItsInputFromBothSides) {
       lag.reset(Lag::State::from_raw(x.raw() + start));
       Lag::State last{};
       int blocks = 0;
-      for (const int most = static_cast<int>(8 * tau) + 8; blocks < most; ++blocks) {
+      for (const int max = static_cast<int>(8 * tau) + 8; blocks < max; ++blocks) {
         last = lag.value();
         const Lag::State next = lag.step(x);
         if (next == last) break;

@@ -190,7 +190,7 @@ TEST_F(Loading, RefusesWhatIsNotForThisBoardBeforeAnythingIsErased) {
     expect_refused(LoadRefusal::other_layout, slot);
   }
   slot = slot_of(2);
-  slot[3] = slot[6] = fog::kMostSlotWords + 1;
+  slot[3] = slot[6] = fog::kMaxSlotWords + 1;
   expect_refused(LoadRefusal::not_in_image, slot);
   slot = slot_of(2);
   ++slot[3];

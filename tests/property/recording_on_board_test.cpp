@@ -55,8 +55,8 @@ std::map<std::int64_t, double> board_drift(const fogcomp::model::Model& model,
   settings.extension = true;
   const fogcomp::board::BoardTable table = fogcomp::board::make_board_table(model, settings);
   const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
-  fogcomp::board::HostCompensator board(parameters, fog::ImageProof::not_needed());
-  std::array<std::uint8_t, fog::kMostOutputBytes> frames;
+  fogcomp::board::HostCompensator board(parameters, fog::IntegrityToken::not_needed());
+  std::array<std::uint8_t, fog::kMaxOutputBytes> frames;
   std::map<std::int64_t, std::pair<double, int>> sums;
   std::size_t row = 0;
   fogcomp::board::make_sensor_stream(recording, model.scale_factor, fogcomp::model::needs_of(model),

@@ -28,7 +28,7 @@ class SensorFaults : public testing::Test {
   SensorFaults() {
     parameters_ = fogcomp::board::read_board_table(table_, "test");
     board_ = std::make_unique<fogcomp::board::HostCompensator>(parameters_,
-                                                               fog::ImageProof::not_needed());
+                                                               fog::IntegrityToken::not_needed());
   }
 
   SensorSample healthy() {
@@ -46,14 +46,14 @@ class SensorFaults : public testing::Test {
 
   using Fault = std::function<void(SensorSample&)>;
 
-  /// Samples with the fault until `flag` is set (that sample included), or `most` + 1.
-  int samples_until(Status flag, int most, const Fault& fault) {
-    for (int i = 1; i <= most; ++i) {
+  /// Samples with the fault until `flag` is set (that sample included), or `max` + 1.
+  int samples_until(Status flag, int max, const Fault& fault) {
+    for (int i = 1; i <= max; ++i) {
       SensorSample sample = healthy();
       fault(sample);
-      if (any(send(sample).status, flag)) return i;
+      if (has_any(send(sample).status, flag)) return i;
     }
-    return most + 1;
+    return max + 1;
   }
 
   fogcomp::board::BoardTable table_ =
@@ -76,7 +76,7 @@ TEST_F(SensorFaults, AStuckGyroIsInvalidWithinHalfASecond) {
     std::printf("stuck gyro, toggling by %d LSB: not valid after %.3f s\n", toggle,
                 (samples - 1) / double{kSecond});
     EXPECT_LE(samples - 1, kSecond / 2);
-    EXPECT_FALSE(any(run(1).status, Status::gyro_stuck));
+    EXPECT_FALSE(has_any(run(1).status, Status::gyro_stuck));
   }
 }
 
@@ -90,7 +90,7 @@ TEST_F(SensorFaults, ARampBeyondTheRangeIsFlaggedAndNeverWrapsAround) {
       const double counts = std::min(rate * kCountsPerDegPerS, 2147483647.0);
       sample.rate_counts = static_cast<std::int32_t>(sign * counts);
       const OutputSample out = send(sample);
-      const bool flagged = any(out.status, Status::rate_out_of_range);
+      const bool flagged = has_any(out.status, Status::rate_out_of_range);
       ASSERT_EQ(flagged, rate >= 555.75) << rate;
       ASSERT_EQ(flagged, !out.compensated_valid()) << rate;
       ASSERT_NEAR(std::ldexp(out.compensated.raw(), -10) / 3600, sign * std::min(rate, 582.54),
@@ -100,7 +100,8 @@ TEST_F(SensorFaults, ARampBeyondTheRangeIsFlaggedAndNeverWrapsAround) {
     for (double rate = 580; rate > 0; rate -= 0.25) {
       SensorSample sample = healthy();
       sample.rate_counts = static_cast<std::int32_t>(sign * rate * kCountsPerDegPerS);
-      if (!any(send(sample).status, Status::rate_out_of_range) && clear_at == 0) clear_at = rate;
+      if (!has_any(send(sample).status, Status::rate_out_of_range) && clear_at == 0)
+        clear_at = rate;
     }
     std::printf("range +-570 deg/s: set at %.2f deg/s, cleared on the way back at %.2f\n",
                 sign * set_at, sign * clear_at);
@@ -117,11 +118,11 @@ TEST_F(SensorFaults, SpikesAreFlaggedAndSpoilNoOtherSample) {
     SensorSample sample = healthy();
     sample.rate_counts = spike;
     const OutputSample out = send(sample);
-    EXPECT_TRUE(any(out.status, Status::rate_jump)) << spike;
+    EXPECT_TRUE(has_any(out.status, Status::rate_jump)) << spike;
     EXPECT_FALSE(out.compensated_valid());
     for (int i = 0; i < 5 * kSecond; ++i) {
       const OutputSample after = send(healthy());
-      const bool range = any(after.status, Status::rate_out_of_range);
+      const bool range = has_any(after.status, Status::rate_out_of_range);
       EXPECT_TRUE(after.compensated_valid() || (range && i < 10)) << spike << " " << i;
       if (after.denoised_valid()) {
         worst_dph = std::max(worst_dph, std::abs(std::ldexp(after.denoised.raw(), -10)));
@@ -140,7 +141,7 @@ TEST_F(SensorFaults, LostRepeatedLateAndReorderedSamplesAreFlaggedAndTimeStaysRi
   const auto flagged = [&](std::uint32_t sequence) {
     SensorSample sample = healthy();
     sample.sequence = static_cast<std::uint16_t>(sequence);
-    return any(send(sample).status, Status::sequence_gap);
+    return has_any(send(sample).status, Status::sequence_gap);
   };
   int flags = 0;
   int disorders = 0;

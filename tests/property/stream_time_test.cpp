@@ -72,7 +72,7 @@ fog::SensorSample sample_of(std::uint16_t sequence) {
 std::vector<double> board_times(const std::vector<std::uint16_t>& arrivals) {
   const fogcomp::board::BoardTable table = fogcomp::board::make_board_table(clock_model(), {1.0});
   const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
-  fogcomp::board::HostCompensator board(parameters, fog::ImageProof::not_needed());
+  fogcomp::board::HostCompensator board(parameters, fog::IntegrityToken::not_needed());
   std::vector<double> times;
   for (const std::uint16_t sequence : arrivals) {
     const double drift_dph = std::ldexp(board.process(sample_of(sequence)).drift.raw(), -10);

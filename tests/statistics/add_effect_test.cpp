@@ -44,13 +44,13 @@ struct Useless {
   void count(const Addition& addition) {
     ++tried;
     accepted += addition.accepted ? 1 : 0;
-    above_zero += addition.out_of_sample->gain > 0 ? 1 : 0;
+    above_zero += addition.out_of_sample->chi2_drop > 0 ? 1 : 0;
     if (addition.accepted) std::printf("%s\n", addition.reason.c_str());
     EXPECT_EQ(addition.model.history.back().forced, !addition.accepted);
   }
 };
 
-// The claims (OutOfSample): one in 100 reaches kMinGain, and gains are about -1 +- 2, so that
+// The claims (OutOfSample): one in 100 reaches kMinChi2Drop, and gains are about -1 +- 2, so that
 // less than one in three is above 0. Of a judge that keeps to them this fails less than once in 50
 // times. 60 tries pass one that accepts 10 % (20 %) 14 times (not once) in 100, and one of which
 // two in three gains are above 0 not once in 100 times.

@@ -301,7 +301,7 @@ fogcomp::diagnosis::Ladder ladder_of(const fogcomp::recording::Recording& record
   fogcomp::diagnosis::JudgingRuns runs;
   runs.training.runs.push_back(fogcomp::compare::run_in_blocks(recording, model.average_s));
   data.add(runs.training.runs[0]);
-  return fogcomp::diagnosis::walk_ladder(model, data, runs, 4);
+  return fogcomp::diagnosis::stepwise_selection(model, data, runs, 4);
 }
 
 std::vector<std::string> sorted(std::vector<std::string> names) {

@@ -21,7 +21,8 @@ TEST(NetworkOnNoise, LearnsNextToNothing) {
 TEST(NetworkOnNoise, IsNotKept) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const FittedNetwork fitted = fit_network(truth(), kSlowNoise, seed, false);
-    EXPECT_FALSE(fitted.model.network.present()) << "gain " << fitted.result.network_judged->gain;
+    EXPECT_FALSE(fitted.model.network.present())
+        << "gain " << fitted.result.network_judged->chi2_drop;
     EXPECT_EQ(fitted.model.residual_rms_dph, fitted.result.effects_rms_dph);
   }
 }
@@ -31,7 +32,7 @@ TEST(NetworkOnAnEffect, LearnsItAndIsTheSameAgainForcedOrNot) {
   gyro.terms.push_back(natural_term("polarization_ripple", {40, 0}, {0.03, 0.03}));
   const FittedNetwork fitted = fit_network(gyro, kQuietNoise, 1, false);
   ASSERT_TRUE(fitted.model.network.present());
-  EXPECT_GT(fitted.result.network_judged->gain, 5 * fogcomp::fit::rules::kMinGain);
+  EXPECT_GT(fitted.result.network_judged->chi2_drop, 5 * fogcomp::fit::rules::kMinChi2Drop);
   EXPECT_LT(mean_square(fitted.left_dph - fitted.network_dph), 0.1 * mean_square(fitted.left_dph));
   EXPECT_EQ(fit_network(gyro, kQuietNoise, 1, true).network_dph, fitted.network_dph);
 }

@@ -28,15 +28,15 @@ struct DriftVerdict {
 /// differs by from the second is what the temperature's error explains.
 class DriftUnderFaults {
  public:
-  explicit DriftUnderFaults(const fogcomp::model::Model& model, double most_degc_per_min = 3)
+  explicit DriftUnderFaults(const fogcomp::model::Model& model, double max_degc_per_min = 3)
       : table_(fogcomp::board::make_board_table(without_denoiser(model), {})),
         parameters_(fogcomp::board::read_board_table(table_, "test")),
-        most_degc_per_min_(most_degc_per_min) {}
+        max_degc_per_min_(max_degc_per_min) {}
 
   DriftVerdict run(const std::vector<Fault>& faults, double duration_s, std::uint64_t seed) const {
-    FaultyLine line(faults, seed, most_degc_per_min_);
-    Witness truth(parameters_, seed, most_degc_per_min_);
-    Witness told(parameters_, seed, most_degc_per_min_);
+    FaultyLine line(faults, seed, max_degc_per_min_);
+    Witness truth(parameters_, seed, max_degc_per_min_);
+    Witness told(parameters_, seed, max_degc_per_min_);
     Board board(parameters_);
     Clock clock(seed + 2);
     Judge judge;
@@ -46,7 +46,7 @@ class DriftUnderFaults {
       if (arrivals.empty()) board.wait();
       for (const FaultyLine::Arrival& arrival : arrivals) {
         const OutputSample out = board.process(arrival.sample, clock.at(arrival.time_us));
-        const bool believed = !any(out.status, Status::temperature_invalid);
+        const bool believed = !has_any(out.status, Status::temperature_invalid);
         truth.advance_to(arrival.time_us, 0);
         told.advance_to(arrival.time_us,
                         believed ? arrival.sample.temperature_q16 - raw(arrival.true_degc) : 0);
@@ -113,7 +113,7 @@ class DriftUnderFaults {
 
     const ModelParameters& parameters_;
     HostBoard pipeline_;
-    std::array<std::uint32_t, fogcomp::board::HostCompensator::kMostStateWords> state_{};
+    std::array<std::uint32_t, fogcomp::board::HostCompensator::kMaxStateWords> state_{};
     std::size_t size_ = 0;
     bool block_ended_ = false;
     int silent_ = 0;
@@ -126,7 +126,8 @@ class DriftUnderFaults {
     return model;
   }
   static HostBoard make_board(const ModelParameters& parameters) {
-    return std::make_unique<fogcomp::board::HostCompensator>(parameters, ImageProof::not_needed());
+    return std::make_unique<fogcomp::board::HostCompensator>(parameters,
+                                                             IntegrityToken::not_needed());
   }
   static double dph(Rate rate) { return std::ldexp(rate.raw(), -Rate::fractional_bits); }
   static std::int32_t raw(double degc) { return static_cast<std::int32_t>(degc * 65536); }
@@ -166,8 +167,8 @@ class DriftUnderFaults {
   // A board on a line without faults.
   class Witness {
    public:
-    Witness(const ModelParameters& parameters, std::uint64_t seed, double most_degc_per_min)
-        : board_(make_board(parameters)), coil_(seed, most_degc_per_min) {}
+    Witness(const ModelParameters& parameters, std::uint64_t seed, double max_degc_per_min)
+        : board_(make_board(parameters)), coil_(seed, max_degc_per_min) {}
 
     /// Up to a time; temperatures of the last block, if they come with this call, are wrong by so
     /// much: a mean of few samples, and late, is of those.
@@ -193,7 +194,7 @@ class DriftUnderFaults {
 
   fogcomp::board::BoardTable table_;
   ModelParameters parameters_;
-  double most_degc_per_min_;
+  double max_degc_per_min_;
 };
 
 }  // namespace fog::test

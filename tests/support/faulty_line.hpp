@@ -98,8 +98,8 @@ class FaultyLine {
     double true_degc;
   };
 
-  FaultyLine(std::vector<Fault> faults, std::uint64_t seed, double most_degc_per_min)
-      : faults_(std::move(faults)), coil_(seed, most_degc_per_min), random_(seed + 1) {
+  FaultyLine(std::vector<Fault> faults, std::uint64_t seed, double max_degc_per_min)
+      : faults_(std::move(faults)), coil_(seed, max_degc_per_min), random_(seed + 1) {
     sequence_ = static_cast<std::uint16_t>(random_());
   }
 

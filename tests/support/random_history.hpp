@@ -14,12 +14,12 @@ namespace fog::test {
 /// the other inputs change with each part.
 class RandomHistory {
  public:
-  RandomHistory(std::uint64_t seed, double least, double most)
-      : random_(seed), least_(least), most_(most), temperature_(uniform(least, most)) {}
+  RandomHistory(std::uint64_t seed, double min, double max)
+      : random_(seed), min_(min), max_(max), temperature_(uniform(min, max)) {}
 
   BlockMeans<BoardNumbers> next() {
     if (left_-- <= 0) begin_part();
-    temperature_ = std::clamp(temperature_ + per_block_, least_, most_);
+    temperature_ = std::clamp(temperature_ + per_block_, min_, max_);
     block_.temperature = fixed<Temperature>(temperature_ + noise_ * normal_(random_));
     gradient_ += (gradient_target_ - gradient_) / 200;
     set(Input::temperature2, temperature_ + gradient_);
@@ -34,11 +34,11 @@ class RandomHistory {
     const double kind = uniform(0, 1);
     per_block_ = 0;
     if (kind < 0.5) per_block_ = uniform(-10, 10) / 60;
-    if (kind > 0.9) temperature_ = uniform(least_, most_);
+    if (kind > 0.9) temperature_ = uniform(min_, max_);
     gradient_target_ = uniform(-5, 5);
     // A rate table now and then, the Earth's rate otherwise.
-    const double most_rate_dph = uniform(0, 1) < 0.2 ? 2e6 : 15;
-    block_.input_rate = fixed<Rate>(uniform(-most_rate_dph, most_rate_dph));
+    const double max_rate_dph = uniform(0, 1) < 0.2 ? 2e6 : 15;
+    block_.input_rate = fixed<Rate>(uniform(-max_rate_dph, max_rate_dph));
     set(Input::magnetic, uniform(-500, 500));
     set(Input::light_power, uniform(0, 1) < 0.05 ? 0 : std::exp(uniform(-2, 9)));
     set(Input::supply, uniform(4, 6));
@@ -56,8 +56,8 @@ class RandomHistory {
 
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
-  double least_;
-  double most_;
+  double min_;
+  double max_;
   double temperature_;
   double per_block_ = 0;
   double noise_ = 0;

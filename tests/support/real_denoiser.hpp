@@ -210,9 +210,9 @@ class RealDenoiser {
       for (int k = 1; k <= kWhole; ++k) {
         const double threshold = static_cast<double>(k) / kWhole;
         for (const double detail : level.block) {
-          const double least = std::min(std::abs(detail), threshold);
+          const double min = std::min(std::abs(detail), threshold);
           found.risk[static_cast<std::size_t>(k)] +=
-              least * least * variances - (std::abs(detail) <= threshold ? 2 : 0);
+              min * min * variances - (std::abs(detail) <= threshold ? 2 : 0);
         }
       }
       const auto best = std::min_element(found.risk.begin() + 1, found.risk.end());

@@ -7,9 +7,9 @@
 
 namespace fog::test {
 
-/// The most that removing details up to 1 on each level can change the output, level 1 first: the
-/// largest phase sum of the synthesis response's magnitude. The response of a level is its
-/// high-pass synthesis filter sent up through the low-pass ones of the finer levels. `low`: the
+/// The maximum by which removing details up to 1 on each level can change the output, level 1
+/// first: the largest phase sum of the synthesis response's magnitude. The response of a level is
+/// its high-pass synthesis filter sent up through the low-pass ones of the finer levels. `low`: the
 /// orthonormal decomposition filter.
 inline std::vector<double> removal_bounds(const std::vector<double>& low, int levels) {
   const std::size_t taps = low.size();

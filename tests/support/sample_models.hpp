@@ -39,8 +39,8 @@ inline fogcomp::model::Model paper_like_model() {
   fogcomp::model::Model model;
   model.scale_factor = 3600 * 1024;
   model.derivative_tau_s = 30;
-  model.least_degc = -41;
-  model.most_degc = 61;
+  model.min_degc = -41;
+  model.max_degc = 61;
   model.noise_dph_rthz = 0.075;
   model.residual_rms_dph = 0.024;
   model.terms = {

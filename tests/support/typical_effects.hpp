@@ -51,7 +51,7 @@ inline fogcomp::model::EffectTerm written_term(const std::string& definition) {
                               {0, 20}}};
   fogcomp::model::Model model = paper_like_model();
   term.expression->scale_log2 =
-      std::ilogb(fogcomp::board::compile_expression(term, model, 1).most) - 1;
+      std::ilogb(fogcomp::board::compile_expression(term, model, 1).max) - 1;
   term.coefficients_dph = {0.005};
   term.sigma_dph = {0.0001};
   return term;

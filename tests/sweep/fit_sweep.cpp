@@ -181,8 +181,8 @@ std::string random_effect(Dice& dice, const model::CatalogueEntry& entry) {
   for (const fog::ParameterDescription& parameter : entry.parameters) {
     const std::string before = settings.empty() ? ":" : ",";
     if (parameter.scale == fog::Scale::whole && dice.one_in(2)) {
-      const auto min = static_cast<std::size_t>(parameter.least_milli / 1000);
-      const auto max = static_cast<std::size_t>(parameter.most_milli / 1000);
+      const auto min = static_cast<std::size_t>(parameter.min_milli / 1000);
+      const auto max = static_cast<std::size_t>(parameter.max_milli / 1000);
       settings += before + format("%s=%zu", parameter.name, min + dice.below(max - min + 1));
     } else if (model::is_optional_part(parameter) && dice.one_in(3)) {
       settings += before + parameter.name + "=?";
@@ -234,8 +234,8 @@ class Numbers {
 void see_fit(Numbers& numbers, const model::Model& model, const fit::FitResult& fit) {
   numbers.see("model", model.terms);
   numbers.see("residual rms", model.residual_rms_dph);
-  numbers.see("range", {model.least_degc, model.most_degc, fit.raw_std_dph});
-  numbers.see("misfit", fit.identified.misfit);
+  numbers.see("range", {model.min_degc, model.max_degc, fit.raw_std_dph});
+  numbers.see("misfit", fit.identified.birge_ratio);
   numbers.see("noise", {fit.identified.noise.white_dph(), fit.identified.noise.wander_dph()});
   numbers.see("visible", fit.identified.visible_dph);
   model::parse_model(model::model_text(model), "written");
@@ -368,7 +368,7 @@ void run_case(std::uint64_t id, const Options& options, Tally& tally) {
     if (!addition.out_of_sample) return;
     numbers.see("out of sample",
                 {addition.out_of_sample->rms_before_dph, addition.out_of_sample->rms_after_dph,
-                 addition.out_of_sample->gain});
+                 addition.out_of_sample->chi2_drop});
   });
 }
 

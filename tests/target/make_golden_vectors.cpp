@@ -42,8 +42,8 @@ class WordFile {
 
 void write_blocks(const fog::ModelParameters& parameters, const std::string& path) {
   WordFile file(path);
-  for (const auto& means : fogcomp::board::verification_programme(parameters.thermal.least,
-                                                                  parameters.thermal.most, 1)) {
+  for (const auto& means :
+       fogcomp::board::verification_programme(parameters.thermal.min, parameters.thermal.max, 1)) {
     file.words({means.temperature.raw(), means.input_rate.raw(), means.elapsed.raw()});
     for (const auto& value : means.extension) file.word(value.raw());
   }

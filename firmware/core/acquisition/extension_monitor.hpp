@@ -44,7 +44,7 @@ class ExtensionMonitor {
   /// Lets so many samples pass.
   void advance(std::uint32_t samples) {
     for (std::uint32_t& elapsed : elapsed_) {
-      elapsed = samples < kMostElapsed - elapsed ? elapsed + samples : kMostElapsed;
+      elapsed = samples < kMaxElapsed - elapsed ? elapsed + samples : kMaxElapsed;
     }
   }
 
@@ -57,7 +57,7 @@ class ExtensionMonitor {
   }
 
  private:
-  static constexpr std::uint32_t kMostElapsed = 1U << 31U;
+  static constexpr std::uint32_t kMaxElapsed = 1U << 31U;
   using EveryInput = std::make_index_sequence<kExtensionInputs>;
 
   template <std::size_t... kNumbers>

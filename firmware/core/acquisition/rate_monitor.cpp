@@ -37,14 +37,14 @@ RateMonitor::RateMonitor(const RateLimits& limits, std::uint32_t sample_period_u
       clear_at_(share(range_, kClearFortieths)),
       clear_samples_((kClearUs + sample_period_us - 1) / sample_period_us),
       inside_samples_(clear_samples_),
-      most_step_(shift_left(std::int64_t{limits.step.raw()},
-                            Rate::fractional_bits - RateStep::fractional_bits)) {}
+      max_step_(shift_left(std::int64_t{limits.step.raw()},
+                           Rate::fractional_bits - RateStep::fractional_bits)) {}
 
 Status RateMonitor::judge(Rate measured, bool trusted, std::uint32_t elapsed) {
   const bool out_of_range = judge_range(measured, elapsed);
   since_accepted_ = sum_of_samples(since_accepted_, elapsed);
   unseen_samples_ = sum_of_samples(unseen_samples_, elapsed);
-  if (most_step_ * unseen_samples_ >= range_.raw()) turned_unseen_ = true;
+  if (max_step_ * unseen_samples_ >= range_.raw()) turned_unseen_ = true;
   const bool jump = jumped(measured, elapsed);
   last_ = measured;
   if (trusted) {
@@ -81,9 +81,9 @@ bool RateMonitor::judge_range(Rate measured, std::uint32_t elapsed) {
 // and came in at the other, and is right again when it comes back the same way.
 bool RateMonitor::jumped(Rate measured, std::uint32_t elapsed) const {
   const std::int64_t step = distance(measured, accepted_);
-  if (!has_accepted_ || step <= most_step_) return false;
+  if (!has_accepted_ || step <= max_step_) return false;
   if (step > range_.raw() && !turned_unseen_) return true;
-  return step > most_step_ * since_accepted_ || distance(measured, last_) > most_step_ * elapsed;
+  return step > max_step_ * since_accepted_ || distance(measured, last_) > max_step_ * elapsed;
 }
 
 }  // namespace fog

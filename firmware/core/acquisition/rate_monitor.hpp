@@ -37,8 +37,8 @@ class RateMonitor {
   std::uint32_t clear_samples_;
   std::uint32_t inside_samples_;  // in a row below clear_at_, up to clear_samples_
   bool out_of_range_ = false;
-  std::int64_t most_step_;  // LSB of Rate a sample; below 2^32
-  Rate last_{};             // the last one judged
+  std::int64_t max_step_;  // LSB of Rate a sample; below 2^32
+  Rate last_{};            // the last one judged
   bool has_accepted_ = false;
   Rate accepted_{};
   std::uint32_t since_accepted_ = 0;  // samples, up to kSamplesForAnything

@@ -14,10 +14,10 @@ constexpr std::uint32_t kLongestUs = 3600 * kSecondUs;
 // minutes.
 constexpr std::uint32_t kLargeStep = 8;  // resolutions
 constexpr std::uint32_t kLargeStepsOfNoise = 4;
-constexpr std::uint32_t kMostLargeSteps = 8;
+constexpr std::uint32_t kMaxLargeSteps = 8;
 constexpr std::uint32_t kNoiseStandsUs = kMinuteUs;
 constexpr std::uint32_t kMoving = 4;  // resolutions
-constexpr std::uint32_t kMovingAtLeast = kOneDegree / 4;
+constexpr std::uint32_t kMinMoved = kOneDegree / 4;
 constexpr std::uint32_t kMovingStandsUs = 2 * kMinuteUs;
 
 constexpr Status kJump = Status::temperature_invalid | Status::temperature_jump;
@@ -101,7 +101,7 @@ bool ReadingMonitor<Limits>::is_frozen() const {
   if (unchanged_us_ < kNoiseStandsUs) return false;
   const bool shows_noise = large_steps_ >= kLargeStepsOfNoise;
   const bool was_moving =
-      this->has_thermal_mass && moved_ >= kMovingAtLeast && moved_ / kMoving >= resolution_;
+      this->has_thermal_mass && moved_ >= kMinMoved && moved_ / kMoving >= resolution_;
   return shows_noise || (was_moving && unchanged_us_ >= kMovingStandsUs);
 }
 
@@ -131,7 +131,7 @@ void ReadingMonitor<Limits>::learn_step(Reading reading) {
   if (change < resolution_) resolution_ = change;
   if (change / kLargeStep < resolution_) {
     if (large_steps_ > 0) --large_steps_;
-  } else if (large_steps_ < kMostLargeSteps) {
+  } else if (large_steps_ < kMaxLargeSteps) {
     ++large_steps_;
   }
   moved_ = distance(reading, minute_before_);

@@ -9,10 +9,10 @@
 namespace fog {
 
 /// A coil between -70 and +130 degC; anything else is a broken sensor.
-constexpr Temperature kLeastTemperature = from_integer<Temperature>(-70);
-constexpr Temperature kMostTemperature = from_integer<Temperature>(130);
+constexpr Temperature kMinTemperature = from_integer<Temperature>(-70);
+constexpr Temperature kMaxTemperature = from_integer<Temperature>(130);
 constexpr bool is_possible(Temperature temperature) {
-  return temperature >= kLeastTemperature && temperature <= kMostTemperature;
+  return temperature >= kMinTemperature && temperature <= kMaxTemperature;
 }
 
 /// What a DS18B20 says before its first conversion.
@@ -32,8 +32,8 @@ enum class ReadingUse : std::uint8_t {
 
 /// The coil's own temperature, whatever the model.
 struct CoilLimits {
-  static constexpr Temperature min = kLeastTemperature;
-  static constexpr Temperature max = kMostTemperature;
+  static constexpr Temperature min = kMinTemperature;
+  static constexpr Temperature max = kMaxTemperature;
   static constexpr Temperature step = kTemperatureStep;
   static constexpr bool has_thermal_mass = true;
 };

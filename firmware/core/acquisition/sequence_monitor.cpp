@@ -6,7 +6,7 @@ namespace fog {
 namespace {
 
 constexpr std::int32_t kCircle = 1 << 16;  // of the sequence numbers
-constexpr std::int32_t kMostMissing = 1 << 30;
+constexpr std::int32_t kMaxMissing = 1 << 30;
 
 // Sequence and clock disagree where they are further apart than this: a board that was busy finds
 // no more samples waiting than its receive buffer holds, and a sample rate that is off by more than
@@ -61,7 +61,7 @@ SequenceMonitor::Verdict SequenceMonitor::judge(std::uint16_t sequence, SampleTi
 // Rounded to nearest; within 0.1 % up to periods of 10 s.
 std::int32_t SequenceMonitor::samples_in(std::uint32_t passed_ms) const {
   const std::uint64_t samples = (std::uint64_t{passed_ms} * samples_per_ms_ + (1U << 19U)) >> 20U;
-  return samples < kMostMissing ? static_cast<std::int32_t>(samples) : kMostMissing;
+  return samples < kMaxMissing ? static_cast<std::int32_t>(samples) : kMaxMissing;
 }
 
 }  // namespace fog

@@ -17,9 +17,9 @@ class StuckMonitor {
 
  private:
   std::uint32_t stuck_samples_;
-  std::uint32_t run_ = 0;   // counts within [least_, least_ + 1] or less, in a row
-  std::int64_t least_ = 0;  // wide, so that differences cannot overflow
-  std::int64_t most_ = 0;
+  std::uint32_t run_ = 0;  // counts within [min_, min_ + 1] or less, in a row
+  std::int64_t min_ = 0;   // wide, so that differences cannot overflow
+  std::int64_t max_ = 0;
 };
 
 }  // namespace fog

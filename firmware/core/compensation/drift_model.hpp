@@ -192,7 +192,7 @@ class DriftModel {
     } else {
       course_.now.drift = saturate_to<Rate>(drift);
     }
-    course_.flags = status_if(temperature < limits_.least || temperature > limits_.most,
+    course_.flags = status_if(temperature < limits_.min || temperature > limits_.max,
                               Status::temperature_clamped) |
                     status_if(!effects_.history_known() || !expressions_.history_known(),
                               Status::history_unknown);

@@ -13,7 +13,7 @@ constexpr std::uint32_t kWeakEnergy = 557;
 
 bool RiskHistogram::choose() {
   if (!full()) return false;
-  const std::uint32_t left_off = energy_ < kWeakEnergy ? 0 : kWhole - least_risk();
+  const std::uint32_t left_off = energy_ < kWeakEnergy ? 0 : kWhole - min_risk();
   *this = RiskHistogram();
   left_off_ = static_cast<std::uint8_t>(left_off);
   return true;
@@ -21,10 +21,10 @@ bool RiskHistogram::choose() {
 
 // Risk of threshold t, in noise variances: n - 2 #(|d| <= t) + sum min(d^2, t^2). The n is common
 // to all; a bin's details count with the bin's mean square.
-[[gnu::always_inline]] inline std::uint32_t RiskHistogram::least_risk() const {
+[[gnu::always_inline]] inline std::uint32_t RiskHistogram::min_risk() const {
   std::uint32_t below = 0;
   std::uint32_t squares = 0;
-  std::int32_t least = INT32_MAX;
+  std::int32_t min = INT32_MAX;
   std::uint32_t best = kWhole;
   for (std::uint32_t sixteenths = 1; sixteenths <= kWhole; ++sixteenths) {
     const std::uint32_t count = counts_[sixteenths - 1];
@@ -34,8 +34,8 @@ bool RiskHistogram::choose() {
     squares += count * (middle * middle + 1);  // + width^2 / 12
     const auto risk = static_cast<std::int32_t>(squares + (kThresholdBlock - below) * edge * edge) -
                       static_cast<std::int32_t>(2 * kNoiseVariance * below);
-    if (risk < least) {
-      least = risk;
+    if (risk < min) {
+      min = risk;
       best = sixteenths;
     }
   }

@@ -13,42 +13,42 @@ constexpr std::uint32_t kThresholdBlock = 128;
 
 /// How much noise there is, as a multiple of what the model table expected: a running median of the
 /// magnitude of the finest details, which outliers and rotation do not carry away.
-class NoiseGain {
+class NoiseScale {
  public:
   static constexpr int kFraction = 16;
-  static constexpr std::uint32_t kMost =
-      4 * power_of_two<std::uint32_t>(kFraction);  ///< kMostThresholdGain
+  static constexpr std::uint32_t kMax =
+      4 * power_of_two<std::uint32_t>(kFraction);  ///< kMaxThresholdScale
 
   /// The universal threshold of a level of which the table expected this; below 2^30.
   std::uint32_t of(std::uint32_t expected_universal) const {
     return static_cast<std::uint32_t>(
-        floor_shift(std::uint64_t{expected_universal} * gain_, kFraction));
+        floor_shift(std::uint64_t{expected_universal} * threshold_scale_, kFraction));
   }
 
   /// The median is the value that as many lie above as below: each detail moves it by 1/512 to its
   /// side. Error 3.4 % rms in white noise; half of a jump of the noise is followed in 350 details.
   /// `expected_universal` is the finest level's universal threshold for a gain of 1.
   [[gnu::always_inline]] void follow(std::uint32_t magnitude, std::uint32_t expected_universal) {
-    const std::uint32_t step = floor_shift(gain_, kStepShift);
+    const std::uint32_t step = floor_shift(threshold_scale_, kStepShift);
     const std::uint64_t median =
         floor_shift(std::uint64_t{of(expected_universal)} * kMedianShare, kShareFraction);
     if (magnitude > median) {
-      gain_ += step;
-      if (gain_ > kMost) gain_ = kMost;
-    } else if (gain_ > kLeast) {
-      gain_ -= step;
+      threshold_scale_ += step;
+      if (threshold_scale_ > kMax) threshold_scale_ = kMax;
+    } else if (threshold_scale_ > kMin) {
+      threshold_scale_ -= step;
     }
   }
 
  private:
   static constexpr int kStepShift = 9;
-  static constexpr auto kLeast =
+  static constexpr auto kMin =
       power_of_two<std::uint32_t>(kStepShift);  // 1/128: below, a step is 0
   // Median of white noise's magnitude / its universal threshold: 0.6745 / sqrt(2 ln 128).
   static constexpr int kShareFraction = 32;
   static constexpr std::uint32_t kMedianShare = 887 * power_of_two<std::uint32_t>(20);
 
-  std::uint32_t gain_ = power_of_two<std::uint32_t>(kFraction);
+  std::uint32_t threshold_scale_ = power_of_two<std::uint32_t>(kFraction);
 };
 
 /// Chooses one level's threshold by Stein's unbiased estimate of the risk, over blocks of its
@@ -61,8 +61,8 @@ class RiskHistogram {
   /// below 2^15.
   [[gnu::always_inline]] void add(std::uint32_t magnitude, std::uint32_t universal) {
     if (universal == 0) return;
-    const bool large = magnitude >= kMostScaled / kUnits * universal;
-    const std::uint32_t scaled = large ? kMostScaled : magnitude * kUnits / universal;
+    const bool large = magnitude >= kMaxScaled / kUnits * universal;
+    const std::uint32_t scaled = large ? kMaxScaled : magnitude * kUnits / universal;
     const std::uint32_t bin = scaled / kUnitsPerBin;
     if (bin < kWhole) ++counts_[bin];
     energy_ =
@@ -72,7 +72,7 @@ class RiskHistogram {
   bool full() const { return details_ >= kThresholdBlock; }
 
   /// Ends a block if it is full, and says so: sets the threshold and begins anew. The whole
-  /// universal threshold where the signal is weak, else the candidate of least risk.
+  /// universal threshold where the signal is weak, else the candidate with the smallest risk.
   bool choose();
 
   /// The level's threshold in sixteenths of the universal one, 1 to kWhole.
@@ -81,10 +81,10 @@ class RiskHistogram {
  private:
   static constexpr std::uint32_t kUnits = 64;  // to the universal threshold
   static constexpr std::uint32_t kUnitsPerBin = kUnits / kWhole;
-  static constexpr std::uint32_t kMostScaled = 256;
+  static constexpr std::uint32_t kMaxScaled = 256;
   static constexpr std::uint32_t kEnergyUnit = 256;
 
-  std::uint32_t least_risk() const;
+  std::uint32_t min_risk() const;
 
   std::uint16_t energy_ = 0;  // sum of squares / kEnergyUnit, at most 128 * 256
   std::array<std::uint8_t, kWhole> counts_{};
@@ -95,7 +95,7 @@ class RiskHistogram {
 /// The threshold of one level.
 struct LevelThreshold {
   std::uint32_t expected = 0;  ///< the table's, LSB 2^-16 deg/h
-  std::uint32_t now = 0;       ///< at most kMostThresholdGain times as much
+  std::uint32_t now = 0;       ///< at most kMaxThresholdScale times as much
   RiskHistogram risk;          ///< heursure only
 };
 

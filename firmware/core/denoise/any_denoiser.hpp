@@ -15,9 +15,9 @@ namespace fog {
 template <std::size_t kLevels>
 class Denoiser<kAnyTaps, kLevels> {
  public:
-  /// Needs levels <= kLevels and any even number of taps up to kMostTaps (read_model checks).
+  /// Needs levels <= kLevels and any even number of taps up to kMaxTaps (read_model checks).
   explicit Denoiser(const DenoiseParameters& parameters) {
-    make(parameters, std::make_index_sequence<kMostTaps / 2>());
+    make(parameters, std::make_index_sequence<kMaxTaps / 2>());
   }
   Denoiser(const Denoiser&) = delete;
   Denoiser& operator=(const Denoiser&) = delete;
@@ -37,7 +37,7 @@ class Denoiser<kAnyTaps, kLevels> {
     ~One() = default;
   };
 
-  template <std::size_t kTaps, std::size_t kMost>
+  template <std::size_t kTaps, std::size_t kMax>
   class OneOf final : public One {
    public:
     explicit OneOf(const DenoiseParameters& parameters) : denoiser_(parameters) {}
@@ -46,7 +46,7 @@ class Denoiser<kAnyTaps, kLevels> {
     std::size_t delay() const override { return denoiser_.delay(); }
 
    private:
-    Denoiser<kTaps, kMost> denoiser_;
+    Denoiser<kTaps, kMax> denoiser_;
   };
 
   template <std::size_t... kPairs>
@@ -61,8 +61,8 @@ class Denoiser<kAnyTaps, kLevels> {
   }
 
   One* one_ = nullptr;
-  alignas(OneOf<kMostTaps, kLevels>)
-      std::array<unsigned char, sizeof(OneOf<kMostTaps, kLevels>)> memory_;
+  alignas(
+      OneOf<kMaxTaps, kLevels>) std::array<unsigned char, sizeof(OneOf<kMaxTaps, kLevels>)> memory_;
 };
 
 }  // namespace fog

@@ -23,16 +23,16 @@ std::uint32_t largest_gain(Span<const std::int32_t> synthesis) {
 // From the coarsest level up: noise <= gain * (coarser noise + threshold). Each rounding adds half
 // an LSB at most; one is allowed for. `gain` below 2^16 keeps all within 32 bits.
 bool noise_fits(const DenoiseParameters& parameters, std::uint32_t gain, int shift) {
-  constexpr std::uint32_t kMost = INT16_MAX;
+  constexpr std::uint32_t kMax = INT16_MAX;
   std::uint32_t noise = 0;
   for (std::size_t level = parameters.levels(); level-- > 0;) {
     auto threshold = static_cast<std::uint32_t>(parameters.thresholds[level]);
     if (threshold >= power_of_two<std::uint32_t>(30)) return false;
-    if (parameters.rule != ThresholdRule::fixed) threshold *= kMostThresholdGain;
+    if (parameters.rule != ThresholdRule::fixed) threshold *= kMaxThresholdScale;
     const std::uint32_t removed = floor_shift(threshold, shift) + 1;
-    if (removed > kMost) return false;
+    if (removed > kMax) return false;
     noise = floor_shift(gain * (noise + removed), kSynthesisTapFraction - 1) + 1;
-    if (noise > kMost) return false;
+    if (noise > kMax) return false;
   }
   return true;
 }
@@ -42,7 +42,7 @@ bool noise_fits(const DenoiseParameters& parameters, std::uint32_t gain, int shi
 int noise_shift(const DenoiseParameters& parameters) {
   const std::uint32_t gain = largest_gain(parameters.synthesis());
   if (gain > UINT16_MAX) return -1;
-  for (int shift = 0; shift <= kMostNoiseShift; ++shift) {
+  for (int shift = 0; shift <= kMaxNoiseShift; ++shift) {
     if (noise_fits(parameters, gain, shift)) return shift;
   }
   return -1;

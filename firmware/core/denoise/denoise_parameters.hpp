@@ -16,9 +16,9 @@ enum class ThresholdRule : std::int32_t {
   heursure = 2,  ///< likewise, and lower where a level's latest details hold a strong signal
 };
 
-constexpr std::size_t kMostTaps = 30;            ///< coif5
-constexpr std::size_t kAnyTaps = kMostTaps + 1;  ///< as a template argument: chosen at run time
-constexpr std::size_t kOrNone = 64;              ///< added to it: or without a denoiser
+constexpr std::size_t kMaxTaps = 30;            ///< coif5
+constexpr std::size_t kAnyTaps = kMaxTaps + 1;  ///< as a template argument: chosen at run time
+constexpr std::size_t kOrNone = 64;             ///< added to it: or without a denoiser
 
 /// Bit n: filters of 2 n taps; bit 0: no denoiser.
 using FilterMask = std::uint32_t;
@@ -29,7 +29,7 @@ constexpr FilterMask filters_of(std::size_t taps) {
   return taps > kOrNone ? one | 1U : one;
 }
 
-constexpr std::size_t kMostLevels = 10;
+constexpr std::size_t kMaxLevels = 10;
 constexpr int kTapFraction = 31;           ///< of analysis taps
 constexpr int kSynthesisTapFraction = 15;  ///< of synthesis taps
 constexpr int kDetailFraction = 16;        ///< details and thresholds, deg/h
@@ -61,12 +61,12 @@ constexpr std::size_t denoise_delay(std::size_t taps, std::size_t levels) {
 }
 
 /// Adaptive thresholds go up to this times the table's.
-constexpr std::uint32_t kMostThresholdGain = 4;
+constexpr std::uint32_t kMaxThresholdScale = 4;
 
 /// Noise within the bank is held in 16 bits, LSB 2^(shift - 16) deg/h: the smallest shift with
-/// which no sum of removed details can overflow, whatever the input; -1 where even kMostNoiseShift
+/// which no sum of removed details can overflow, whatever the input; -1 where even kMaxNoiseShift
 /// is not enough (thresholds of thousands of deg/h).
-constexpr int kMostNoiseShift = 15;
+constexpr int kMaxNoiseShift = 15;
 int noise_shift(const DenoiseParameters& parameters);
 
 }  // namespace fog

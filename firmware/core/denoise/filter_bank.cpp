@@ -81,7 +81,7 @@ template <std::size_t kTaps>
 template <std::size_t kTaps>
 std::uint32_t FilterBank<kTaps>::adapt_threshold(LevelThreshold& threshold,
                                                  std::uint32_t magnitude) {
-  const std::uint32_t universal = gain_.of(threshold.expected);
+  const std::uint32_t universal = threshold_scale_.of(threshold.expected);
   threshold.now = universal;
   if (rule_ == ThresholdRule::heursure) {
     threshold.now = universal / RiskHistogram::kWhole * threshold.risk.sixteenths();
@@ -93,7 +93,7 @@ std::uint32_t FilterBank<kTaps>::adapt_threshold(LevelThreshold& threshold,
 
 template <std::size_t kTaps>
 void FilterBank<kTaps>::adapt_finest(std::uint32_t magnitude) {
-  if (follow_noise_) gain_.follow(magnitude, finest_.threshold.expected);
+  if (follow_noise_) threshold_scale_.follow(magnitude, finest_.threshold.expected);
   gate_.set_limit(outlier_limit(adapt_threshold(finest_.threshold, magnitude)));
 }
 

@@ -102,7 +102,7 @@ class FilterBank {
   CoarserLevel<kTaps>* coarser_;
   CoarserLevel<kTaps>* coarser_end_;  // a count would have to be multiplied for each pair
   BankLevel<kTaps> finest_{};
-  NoiseGain gain_;
+  NoiseScale threshold_scale_;
   bool follow_noise_ = false;
   bool choice_due_ = false;  // some histogram is full
 };

@@ -8,9 +8,9 @@
 
 namespace fog {
 
-/// Which of the latest samples, up to kMost, were valid. As long as all were and valid ones follow,
+/// Which of the latest samples, up to kMax, were valid. As long as all were and valid ones follow,
 /// nothing needs to be exchanged.
-template <std::size_t kMost>
+template <std::size_t kMax>
 class ValidityLine {
  public:
   bool settled() const { return unsettled_ == 0; }
@@ -36,7 +36,7 @@ class ValidityLine {
  private:
   static int bit_of(std::size_t place) { return static_cast<int>(place % 32U); }
 
-  std::array<std::uint32_t, kMost / 32U + 1U> invalid_{};
+  std::array<std::uint32_t, kMax / 32U + 1U> invalid_{};
   std::size_t next_ = 0;       // where the oldest stands; any place, if settled
   std::size_t unsettled_ = 0;  // samples until all since the last fault have been found valid
 };

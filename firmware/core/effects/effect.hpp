@@ -101,8 +101,8 @@ enum class NotGiven : std::uint8_t {
 struct ParameterDescription {
   const char* name;
   const char* unit;
-  std::int32_t least_milli;
-  std::int32_t most_milli;
+  std::int32_t min_milli;
+  std::int32_t max_milli;
   std::int32_t default_milli;
   Scale scale;
   /// What does as well as the effect where a search ends at that bound; nullptr: nothing simpler.
@@ -136,8 +136,8 @@ constexpr int kScaleFactorLog2 = 18;
 template <class N, int kBits>
 typename N::ScaleFactorError held_within(typename N::ScaleFactorError error) {
   const auto one = from_integer<typename N::template Number<0>>(1);
-  const auto most = round_to<typename N::ScaleFactorError>(divide_by_power_of_two<kBits>(one));
-  return clamp(error, -most, most);
+  const auto max = round_to<typename N::ScaleFactorError>(divide_by_power_of_two<kBits>(one));
+  return clamp(error, -max, max);
 }
 
 /// The same of what a coefficient is of the rate, where its regressor is W / 2^18 deg/h.
@@ -162,6 +162,6 @@ struct NoParameters {
 };
 
 using EffectMask = std::uint32_t;  ///< bit = id
-constexpr std::size_t kMostEffects = 32;
+constexpr std::size_t kMaxEffects = 32;
 
 }  // namespace fog

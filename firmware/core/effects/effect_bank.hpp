@@ -46,16 +46,16 @@ struct EffectParameters {
 };
 
 /// Coefficients have the range of Rate at least, and whatever finer resolution their size allows.
-constexpr int kLeastCoefficientFraction = Rate::fractional_bits;
-constexpr int kMostCoefficientFraction = 40;
+constexpr int kMinCoefficientFraction = Rate::fractional_bits;
+constexpr int kMaxCoefficientFraction = 40;
 
 struct EffectsParameters {
-  std::array<EffectParameters, kMostEffects> by_id{};
+  std::array<EffectParameters, kMaxEffects> by_id{};
   int coefficient_fraction = 0;  ///< fractional bits of every coefficient, deg/h
 
   EffectMask enabled() const {
     EffectMask mask = 0;
-    for (std::size_t id = 0; id < kMostEffects; ++id) {
+    for (std::size_t id = 0; id < kMaxEffects; ++id) {
       if (by_id[id].enabled()) mask |= EffectMask{1} << id;
     }
     return mask;

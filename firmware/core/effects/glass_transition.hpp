@@ -36,8 +36,8 @@ class GlassTransition {
   }
   // |Tg| < 256 degC and |T| <= 130 degC: the difference stays within +-512.
   static bool constants_valid(const typename N::Constant* constants) {
-    constexpr typename N::Constant kMost = 256 << 22;
-    return constants[0] > -kMost && constants[0] < kMost && constants[1] > 0;
+    constexpr typename N::Constant kMax = 256 << 22;
+    return constants[0] > -kMax && constants[0] < kMax && constants[1] > 0;
   }
 
   explicit GlassTransition(const typename N::Constant* constants)

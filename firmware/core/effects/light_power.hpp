@@ -32,9 +32,9 @@ class LightPower : public NoParameters {
   void reset(const Signals<N>& /*signals*/) {}
   void step(const Signals<N>& signals, typename N::Regressor* regressors) {
     using Power = typename N::template Wide<16>;
-    const auto least = divide_by_power_of_two<16>(from_integer<typename N::Elapsed>(1));
+    const auto min = divide_by_power_of_two<16>(from_integer<typename N::Elapsed>(1));
     const auto power = signals.block[Input::light_power];
-    const auto logarithm = N::natural_logarithm(round_to<Power>(power < least ? least : power)) -
+    const auto logarithm = N::natural_logarithm(round_to<Power>(power < min ? min : power)) -
                            N::natural_logarithm(from_integer<Power>(100));
     regressors[0] = saturate_to<typename N::Regressor>(divide_by_power_of_two<1>(logarithm));
   }

@@ -43,9 +43,9 @@ class PolarizationRipple {
   static constexpr std::array<int, 3> constant_fractions{31, 31, 39};
   template <class Real>
   static void board_constants(const Real* given, Real /*block_s*/, Real* constants) {
-    constexpr Real kLeastPeriod = 2;
+    constexpr Real kMinPeriod = 2;
     for (int i = 0; i < 2; ++i) {
-      const Real period = given[i] < kLeastPeriod ? kLeastPeriod : given[i];
+      const Real period = given[i] < kMinPeriod ? kMinPeriod : given[i];
       constants[i] = given[i] > Real{} ? Real{1} / period : Real{};
     }
     constants[2] = given[2] / 100;

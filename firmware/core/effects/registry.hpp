@@ -56,13 +56,13 @@ using Registry = EffectList<effects::Bias,                     //
 
 /// The longest list of regressors that any effect has.
 template <template <class> class... Effects>
-constexpr std::size_t most_regressors(EffectList<Effects...> /*list*/) {
-  std::size_t most = 0;
-  ((most = Effects<BoardNumbers>::coefficients.size() > most
-               ? Effects<BoardNumbers>::coefficients.size()
-               : most),
+constexpr std::size_t max_regressors(EffectList<Effects...> /*list*/) {
+  std::size_t max = 0;
+  ((max = Effects<BoardNumbers>::coefficients.size() > max
+              ? Effects<BoardNumbers>::coefficients.size()
+              : max),
    ...);
-  return most;
+  return max;
 }
 
 constexpr EffectMask bit_of(const EffectDescription& effect) {
@@ -109,7 +109,7 @@ constexpr bool ids_differ(EffectList<Effects...> /*list*/) {
 }
 static_assert(ids_differ(Registry{}), "two effects share an id");
 
-constexpr std::size_t kMostRegressors = most_regressors(Registry{});
+constexpr std::size_t kMaxRegressors = max_regressors(Registry{});
 /// All that a board can have.
 constexpr EffectMask kAllEffects = board_effects(Registry{});
 

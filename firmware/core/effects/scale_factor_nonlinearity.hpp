@@ -93,9 +93,9 @@ class ScaleFactorNonlinearity {
   }
   template <class Sum>
   static Power sixteenths(Sum sum) {
-    const auto most = round_to<Power>(
+    const auto max = round_to<Power>(
         divide_by_power_of_two<8>(from_integer<typename N::template Number<20>>(3)));
-    return clamp(saturate_to<Power>(divide_by_power_of_two<4>(sum)), -most, most);
+    return clamp(saturate_to<Power>(divide_by_power_of_two<4>(sum)), -max, max);
   }
 
   std::size_t order_;

@@ -16,7 +16,7 @@ namespace fog::effects {
 template <class N>
 class ScaleFactorTemperature {
   static constexpr std::int32_t kLsbsPerDegc = 1 << 16;
-  static constexpr std::int32_t kMostReference = 256;  // degC: 386 of any temperature
+  static constexpr std::int32_t kMaxReference = 256;  // degC: 386 of any temperature
 
  public:
   static constexpr EffectDescription description{
@@ -52,9 +52,9 @@ class ScaleFactorTemperature {
         kLsbsPerDegc;
   }
   static bool constants_valid(const typename N::Constant* constants) {
-    const auto most = from_integer<typename N::Temperature>(kMostReference);
+    const auto max = from_integer<typename N::Temperature>(kMaxReference);
     const auto reference = N::template number<16>(constants[1]);
-    return constants[0] >= 1 && constants[0] <= 3 && -most <= reference && reference <= most;
+    return constants[0] >= 1 && constants[0] <= 3 && -max <= reference && reference <= max;
   }
 
   explicit ScaleFactorTemperature(const typename N::Constant* constants)

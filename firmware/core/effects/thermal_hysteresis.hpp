@@ -40,19 +40,19 @@ class ThermalHysteresis {
   static constexpr std::array<int, 4> constant_fractions{22, 29, 22, 29};
   template <class Real>
   static void board_constants(const Real* given, Real /*block_s*/, Real* constants) {
-    constexpr Real kLeastRadius = Real{1} / 2;
+    constexpr Real kMinRadius = Real{1} / 2;
     for (int i = 0; i < 2; ++i) {
       const bool used = given[i] > Real{};
-      const Real radius = given[i] < kLeastRadius ? kLeastRadius : given[i];
+      const Real radius = given[i] < kMinRadius ? kMinRadius : given[i];
       constants[2 * i] = used ? radius : Real{};
       constants[2 * i + 1] = used ? Real{1} / radius : Real{};
     }
   }
   // |T| <= 130 degC and radii below 256 degC stay within the operator's +-512.
   static bool constants_valid(const typename N::Constant* constants) {
-    constexpr typename N::Constant kMostRadius = 256 << 22;
-    return constants[0] > 0 && constants[0] < kMostRadius && constants[2] >= 0 &&
-           constants[2] < kMostRadius;
+    constexpr typename N::Constant kMaxRadius = 256 << 22;
+    return constants[0] > 0 && constants[0] < kMaxRadius && constants[2] >= 0 &&
+           constants[2] < kMaxRadius;
   }
 
   explicit ThermalHysteresis(const typename N::Constant* constants)

@@ -47,7 +47,7 @@ class ExpressionBank {
   }
 
   /// What the last run gave, for the host's check of the export.
-  const std::array<Regressor, kMostExpressions>& regressors() const { return regressors_; }
+  const std::array<Regressor, kMaxExpressions>& regressors() const { return regressors_; }
 
  private:
   using Op = ExpressionOp;
@@ -71,11 +71,11 @@ class ExpressionBank {
   }
 
   static std::int32_t quotient(std::int32_t a, std::int32_t b, int bits) {
-    constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
-    if (b == 0) return a < 0 ? -kMost : kMost;
+    constexpr std::int32_t kMax = std::numeric_limits<std::int32_t>::max();
+    if (b == 0) return a < 0 ? -kMax : kMax;
     const std::int64_t numerator = shift_left(std::int64_t{a}, bits);
     if (b > 0) return narrow(round_divide(numerator, b));
-    return narrow(round_divide(-numerator, b < -kMost ? kMost : -b));
+    return narrow(round_divide(-numerator, b < -kMax ? kMax : -b));
   }
 
   static SineCosine wave(std::int32_t radians, int fraction) {
@@ -85,7 +85,7 @@ class ExpressionBank {
         static_cast<std::uint32_t>(round_shift(radians * kTurnsPerRadian, fraction)));
   }
 
-  static std::int32_t lagged(State& state, std::int32_t x, std::int32_t decay, bool restart) {
+  static std::int32_t lag_of(State& state, std::int32_t x, std::int32_t decay, bool restart) {
     const auto input = round_to<Lag::State>(Play::Value::from_raw(x));
     if (restart) {
       state.lag = Lag(Lag::Decay::from_raw(decay));
@@ -94,9 +94,9 @@ class ExpressionBank {
     return narrow(round_to<Fixed<std::int64_t, 22>>(state.lag.step(input)).raw());
   }
 
-  std::int32_t played(State& state, std::int32_t x, std::int32_t radius, bool restart) {
-    constexpr auto kMost = Play::Value::from_raw(1 << 30);
-    const auto input = clamp(Play::Value::from_raw(x), -kMost, kMost);
+  std::int32_t play(State& state, std::int32_t x, std::int32_t radius, bool restart) {
+    constexpr auto kMax = Play::Value::from_raw(1 << 30);
+    const auto input = clamp(Play::Value::from_raw(x), -kMax, kMax);
     if (restart) {
       state.play = Play(Play::Value::from_raw(radius));
       state.play.centre(input);
@@ -108,7 +108,7 @@ class ExpressionBank {
 
   // expressions_fit() has seen to it that neither words nor stack nor states run out.
   void run(const BoardSignals& signals, bool restart) {
-    std::array<std::int32_t, kMostExpressionStack + 1> stack;  // the top is in `x`
+    std::array<std::int32_t, kMaxExpressionStack + 1> stack;  // the top is in `x`
     std::int32_t* below = stack.data();
     std::int32_t x = 0;
     State* state = states_.data();
@@ -162,10 +162,10 @@ class ExpressionBank {
         case Op::absolute:
           x = narrow(x < 0 ? -std::int64_t{x} : x);
           break;
-        case Op::least:
+        case Op::min:
           x = clamp(x, std::numeric_limits<std::int32_t>::min(), *--below);
           break;
-        case Op::most:
+        case Op::max:
           x = clamp(x, *--below, std::numeric_limits<std::int32_t>::max());
           break;
         case Op::sine:
@@ -183,10 +183,10 @@ class ExpressionBank {
           if constexpr (has(Op::tanh)) x = hyperbolic_tangent(ActivationInput::from_raw(x)).raw();
           break;
         case Op::lag:
-          if constexpr (has(Op::lag)) x = lagged(*state++, x, *word++, restart);
+          if constexpr (has(Op::lag)) x = lag_of(*state++, x, *word++, restart);
           break;
         case Op::play:
-          if constexpr (has(Op::play)) x = played(*state++, x, *word++, restart);
+          if constexpr (has(Op::play)) x = play(*state++, x, *word++, restart);
           break;
         case Op::output:
           *regressor++ = Regressor::from_raw(shifted(x, bits));
@@ -199,8 +199,8 @@ class ExpressionBank {
   const ExpressionParameters& parameters_;
   int coefficient_fraction_;
   bool history_known_ = true;
-  std::array<Regressor, kMostExpressions> regressors_{};
-  std::array<State, has(Op::lag) || has(Op::play) ? kMostExpressionStates : 1> states_{};
+  std::array<Regressor, kMaxExpressions> regressors_{};
+  std::array<State, has(Op::lag) || has(Op::play) ? kMaxExpressionStates : 1> states_{};
 };
 
 /// An image without expressions: no state, no code.

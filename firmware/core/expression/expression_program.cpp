@@ -25,8 +25,8 @@ Effect effect_of(ExpressionOp op) {
     case ExpressionOp::subtract:
     case ExpressionOp::multiply:
     case ExpressionOp::divide:
-    case ExpressionOp::least:
-    case ExpressionOp::most:
+    case ExpressionOp::min:
+    case ExpressionOp::max:
       return {2, 1};
     case ExpressionOp::output:
       return {1, 0};
@@ -46,7 +46,7 @@ Effect effect_of(ExpressionOp op) {
 
 bool operands_fit(ExpressionOp op, const std::int32_t* words) {
   const std::int32_t bits = floor_shift(words[0], 8);
-  constexpr std::int32_t kMostRadius = 1 << 30;
+  constexpr std::int32_t kMaxRadius = 1 << 30;
   switch (op) {
     case ExpressionOp::signal:
       return bits >= 0 && bits < static_cast<std::int32_t>(kInputs) && words[1] <= words[2];
@@ -62,7 +62,7 @@ bool operands_fit(ExpressionOp op, const std::int32_t* words) {
     case ExpressionOp::lag:
       return bits == 0 && words[1] > 0;
     case ExpressionOp::play:
-      return bits == 0 && words[1] >= 0 && words[1] <= kMostRadius;
+      return bits == 0 && words[1] >= 0 && words[1] <= kMaxRadius;
     default:
       return bits == 0;
   }
@@ -103,10 +103,10 @@ bool expressions_fit(ExpressionParameters& expressions) {
     depth = depth - effect.takes + effect.leaves;
     states += op == ExpressionOp::lag || op == ExpressionOp::play ? 1 : 0;
     outputs += op == ExpressionOp::output ? 1 : 0;
-    if (depth > kMostExpressionStack || states > kMostExpressionStates) return false;
+    if (depth > kMaxExpressionStack || states > kMaxExpressionStates) return false;
     at += words_of(op);
   }
-  return depth == 0 && outputs == expressions.coefficients.size && outputs <= kMostExpressions;
+  return depth == 0 && outputs == expressions.coefficients.size && outputs <= kMaxExpressions;
 }
 
 }  // namespace fog

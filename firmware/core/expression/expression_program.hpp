@@ -15,7 +15,7 @@ namespace fog {
 /// One word: operation + 256 * argument (-62 to 62), then the words named here. `bits`: the
 /// argument.
 enum class ExpressionOp : std::uint8_t {
-  signal = 0,     ///< + least, most: pushes the Input of number `bits`, clamped, in its format
+  signal = 0,     ///< + min, max: pushes the Input of number `bits`, clamped, in its format
   constant = 1,   ///< + value
   duplicate = 2,  ///< pushes the top once more
   over = 3,       ///< pushes the value below the top once more
@@ -27,8 +27,8 @@ enum class ExpressionOp : std::uint8_t {
   divide = 9,  ///< round_divide(a * 2^bits, b), bits at most 30; the limit of a's sign where b is 0
   negate = 10,
   absolute = 11,
-  least = 12,
-  most = 13,
+  min = 12,
+  max = 13,
   sine = 14,    ///< of radians with `bits` fractional bits -> 30 fractional bits
   cosine = 15,  ///< the same
   decay = 16,   ///< exp(-x), x >= 0 with 26 fractional bits -> 30
@@ -39,10 +39,10 @@ enum class ExpressionOp : std::uint8_t {
 };
 constexpr std::size_t kExpressionOps = 21;
 
-constexpr std::size_t kMostExpressions = 8;       ///< outputs of a program
-constexpr std::size_t kMostExpressionStates = 8;  ///< lags and plays
-constexpr std::size_t kMostExpressionStack = 16;
-constexpr std::size_t kMostExpressionWords = 512;
+constexpr std::size_t kMaxExpressions = 8;       ///< outputs of a program
+constexpr std::size_t kMaxExpressionStates = 8;  ///< lags and plays
+constexpr std::size_t kMaxExpressionStack = 16;
+constexpr std::size_t kMaxExpressionWords = 512;
 
 /// Operations and, above them, inputs that a program has; 0: no expressions.
 using ExpressionMask = std::uint32_t;

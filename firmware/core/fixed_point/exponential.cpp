@@ -38,9 +38,8 @@ Value exponential_decay(Fixed<std::int32_t, 26> x) {
   series = kOne - product(z, series);
   const Value fraction = product(Value::from_raw(kExponentialTable[nodes % kNodes]), series);
   const auto halvings = static_cast<int>(nodes / kNodes);
-  constexpr int kMostHalvings = 31;  // then nothing is left of 2^30
-  return halvings > kMostHalvings ? Value{}
-                                  : Value::from_raw(round_shift(fraction.raw(), halvings));
+  constexpr int kMaxHalvings = 31;  // then nothing is left of 2^30
+  return halvings > kMaxHalvings ? Value{} : Value::from_raw(round_shift(fraction.raw(), halvings));
 }
 
 }  // namespace fog

@@ -170,8 +170,8 @@ constexpr auto divide_by_power_of_two(T value) {
 }
 
 template <class T>
-constexpr T clamp(T value, T least, T most) {
-  return value < least ? least : (most < value ? most : value);
+constexpr T clamp(T value, T min, T max) {
+  return value < min ? min : (max < value ? max : value);
 }
 
 }  // namespace fog

@@ -26,7 +26,7 @@ std::uint16_t frame_crc(const std::uint8_t* bytes, std::uint16_t start) {
 FOG_OPAQUE std::uint16_t sealed_crc(const std::uint8_t* bytes, std::uint32_t image_crc) {
   const auto status = static_cast<Status>(load_le32(bytes + kStatus));
   const auto start = static_cast<std::uint16_t>(image_crc & (image_crc >> 16U));
-  return frame_crc(bytes, any(status, Status::self_test_failed) ? kCrc16Initial : start);
+  return frame_crc(bytes, has_any(status, Status::self_test_failed) ? kCrc16Initial : start);
 }
 
 void store_signed(std::uint8_t* to, std::int32_t value) {

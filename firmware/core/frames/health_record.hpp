@@ -40,7 +40,7 @@ struct SampleCounts {
   void count(const OutputSample& sample) {
     ++samples;
     if (!sample.compensated_valid()) ++invalid_rates;
-    if (any(sample.status, Status::sequence_gap)) ++sequence_gaps;
+    if (has_any(sample.status, Status::sequence_gap)) ++sequence_gaps;
     status_last = sample.status;
     status_seen |= sample.status;
   }

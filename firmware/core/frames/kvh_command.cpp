@@ -47,11 +47,11 @@ std::size_t KvhCommands::feed(std::uint8_t byte, std::uint8_t* out) {
   if (byte == '=' || byte == '?') {
     size_ = 0;  // no command has one within
   } else if (byte == '\r' || byte == '\n') {
-    const bool whole = size_ > 1 && size_ < kMostLine;
+    const bool whole = size_ > 1 && size_ < kMaxLine;
     line_[whole ? size_ : 0] = '\0';
     size_ = 0;
     return whole ? answer(out) : 0;
-  } else if (size_ == 0 || size_ == kMostLine) {
+  } else if (size_ == 0 || size_ == kMaxLine) {
     return 0;
   }
   if (byte < ' ' || byte > '~') {

@@ -20,22 +20,22 @@ class KvhCommands {
   explicit KvhCommands(const KvhSettings& settings) : settings_(settings) {}
 
   /// Takes a byte. Where it ends a line that is to be answered: writes the answer to `out` (room
-  /// for kMostAnswer) and returns its size; else returns 0.
+  /// for kMaxAnswer) and returns its size; else returns 0.
   std::size_t feed(std::uint8_t byte, std::uint8_t* out);
 
   /// Whether the user has entered the configuration mode, in which no frames are sent.
   bool configuring() const { return configuring_; }
 
-  static constexpr std::size_t kMostLine = 24;
-  static constexpr std::size_t kMostAnswer = kMostLine + 16;
+  static constexpr std::size_t kMaxLine = 24;
+  static constexpr std::size_t kMaxAnswer = kMaxLine + 16;
 
  private:
   std::size_t answer(std::uint8_t* out);
 
   KvhSettings settings_;
   bool configuring_ = false;
-  std::size_t size_ = 0;  // of line_; 0: not within a command; kMostLine: too long for any
-  std::array<char, kMostLine> line_{};
+  std::size_t size_ = 0;  // of line_; 0: not within a command; kMaxLine: too long for any
+  std::array<char, kMaxLine> line_{};
 };
 
 }  // namespace fog

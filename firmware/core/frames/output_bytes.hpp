@@ -8,6 +8,6 @@
 namespace fog {
 
 /// Most bytes that one sensor sample causes to be sent: both frames.
-constexpr std::size_t kMostOutputBytes = kKvhFrameBytes + kCompactFrameBytes;
+constexpr std::size_t kMaxOutputBytes = kKvhFrameBytes + kCompactFrameBytes;
 
 }  // namespace fog

@@ -20,7 +20,7 @@ class InputLags {
   explicit InputLags(const NetworkParameters& network)
       : lags_{Lag(network.inputs[0].decay), Lag(network.inputs[1].decay),
               Lag(network.inputs[2].decay), Lag(network.inputs[3].decay)} {
-    static_assert(kMostNetworkInputs == 4);
+    static_assert(kMaxNetworkInputs == 4);
   }
   void reset(Temperature temperature) {
     for (Lag& lag : lags_) lag.reset(round_to<Lag::State>(temperature));
@@ -35,7 +35,7 @@ class InputLags {
 
  private:
   using Lag = FirstOrderLag<BoardNumbers>;
-  std::array<Lag, kMostNetworkInputs> lags_;
+  std::array<Lag, kMaxNetworkInputs> lags_;
 };
 
 template <>

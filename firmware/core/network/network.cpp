@@ -23,8 +23,8 @@ std::int32_t places_per_sum(int layer_shift) {
 ActivationOutput linear(std::int64_t sum, int layer_shift) {
   const int shift =
       layer_shift + ActivationOutput::fractional_bits - ActivationInput::fractional_bits;
-  const std::int32_t most = floor_shift(INT32_MAX, shift);
-  return ActivationOutput::from_raw(shift_left(clip(upper_word(sum), most), shift));
+  const std::int32_t max = floor_shift(INT32_MAX, shift);
+  return ActivationOutput::from_raw(shift_left(clip(upper_word(sum), max), shift));
 }
 
 // In raw.
@@ -37,7 +37,7 @@ bool sum_fits(std::uint64_t weights, std::int32_t bias) {
 // those that do not have it a tenth of the time, mostly because there are no registers for it.
 template <std::size_t kInputs>
 std::int64_t output_sum(const NetworkParameters& network, const ScaledInputs& inputs) {
-  static_assert(kMostNetworkInputs == 4 && kNeuronWords == 6);
+  static_assert(kMaxNetworkInputs == 4 && kNeuronWords == 6);
   const std::int32_t in[] = {inputs[0], inputs[1], inputs[2], inputs[3]};
   std::int64_t output = sum_of_upper_word(network.output_bias);
   const std::int32_t hidden = places_per_sum(network.hidden_shift);
@@ -60,7 +60,7 @@ std::int64_t output_sum(const NetworkParameters& network, const ScaledInputs& in
 }  // namespace
 
 DriftSum network_drift(const NetworkParameters& network, const ScaledInputs& inputs) {
-  const std::int64_t output = network.input_count == kMostNetworkInputs
+  const std::int64_t output = network.input_count == kMaxNetworkInputs
                                   ? output_sum<4>(network, inputs)
                                   : output_sum<3>(network, inputs);
   const ActivationOutput y = network.linear_output
@@ -75,7 +75,7 @@ bool network_fits(const NetworkParameters& network) {
   for (const std::int32_t* word = network.neurons.begin(); word != network.neurons.end();
        word += kNeuronWords) {
     std::uint64_t weights = 0;
-    for (std::size_t i = 1; i <= kMostNetworkInputs; ++i) weights += magnitude_of(word[i]);
+    for (std::size_t i = 1; i <= kMaxNetworkInputs; ++i) weights += magnitude_of(word[i]);
     fits = fits && sum_fits(weights, word[0]);
     output_weights += magnitude_of(word[kNeuronWords - 1]);
   }

@@ -30,7 +30,7 @@ constexpr Input input_of(NetworkInput input) {
 }
 
 /// As many as one network takes.
-constexpr std::size_t kMostNetworkInputs = 4;
+constexpr std::size_t kMaxNetworkInputs = 4;
 
 using NetworkInputMask = std::uint32_t;  ///< bit = NetworkInput; 0: no network
 constexpr NetworkInputMask kAllNetworkInputs = (NetworkInputMask{1} << kNetworkInputs) - 1U;

@@ -22,8 +22,8 @@ class BlockClock {
     }
     now_.position = position % samples_per_block_;
     const std::uint32_t blocks = position / samples_per_block_;
-    constexpr auto kMost = static_cast<std::uint32_t>(Elapsed::highest().raw());
-    now_.elapsed = blocks < kMost - now_.elapsed ? now_.elapsed + blocks : kMost;
+    constexpr auto kMax = static_cast<std::uint32_t>(Elapsed::highest().raw());
+    now_.elapsed = blocks < kMax - now_.elapsed ? now_.elapsed + blocks : kMax;
     return blocks;
   }
 

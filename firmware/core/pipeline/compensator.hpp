@@ -17,8 +17,8 @@
 #include "core/frames/output_bytes.hpp"
 #include "core/frames/rate_float.hpp"
 #include "core/frames/stream_parser.hpp"
-#include "core/health/image_proof.hpp"
 #include "core/health/image_seal.hpp"
+#include "core/health/integrity_token.hpp"
 #include "core/pipeline/block_clock.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "core/signal/output_sample.hpp"
@@ -64,22 +64,22 @@ class Compensator {
   using Drift = DriftModel<kEffects, kExpressions, kNetworkInputs>;
 
  public:
-  static constexpr ModelShape room{kEffects,
-                                   kExpressions,
-                                   kNetworkInputs,
-                                   filters_of(kTaps),
-                                   kLevels,
-                                   effect_fits<kEffects>,
-                                   expression_check<kExpressions>(),
-                                   kOutput,
-                                   kOptions};
+  static constexpr ModelShape capacity{kEffects,
+                                       kExpressions,
+                                       kNetworkInputs,
+                                       filters_of(kTaps),
+                                       kLevels,
+                                       effect_fits<kEffects>,
+                                       expression_check<kExpressions>(),
+                                       kOutput,
+                                       kOptions};
 
   /// `parameters` must have been read with this class's room; parameters of a refused table make a
   /// pipeline that answers every sample and marks none valid. `proof` of the image's integrity is
   /// asked for at every sample.
-  Compensator(const ModelParameters& parameters, const ImageProof& proof)
+  Compensator(const ModelParameters& parameters, const IntegrityToken& token)
       : fault_(parameters.fault),
-        proof_(proof),
+        token_(token),
         calibration_(parameters.calibration),
         output_(parameters.output),
         invalidating_(parameters.invalidating),
@@ -96,7 +96,7 @@ class Compensator {
         denoiser_(parameters.denoise) {}
 
   /// Takes one byte of the sensor stream. Where it completes a sample, writes the frames that
-  /// answer it to `out` (room for kMostOutputBytes) and returns their size; else returns 0.
+  /// answer it to `out` (room for kMaxOutputBytes) and returns their size; else returns 0.
   std::size_t feed(std::uint8_t byte, std::uint8_t* out) {
     return feed(byte, out,
                 [](const SensorSample& sample) -> const SensorSample& { return sample; });
@@ -124,7 +124,7 @@ class Compensator {
   std::size_t answer_silence(std::uint8_t* out) {
     begin_answer();
     last_.status |= fault_ | Status::no_samples | Status::rate_refused | Status::denoised_refused |
-                    status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
+                    status_if(token_.for_status() != kIntactImage, Status::self_test_failed);
     return encode(last_, out);
   }
 
@@ -144,7 +144,7 @@ class Compensator {
   /// Where the checks of the image leave what they came to: unless that is kIntactImage, and
   /// lately, no rate is valid. A frame that says otherwise, because the code that should know
   /// better is itself damaged, has a wrong CRC.
-  ImageProof& image_proof() { return proof_; }
+  IntegrityToken& integrity_token() { return token_; }
 
   /// The values behind the frames last written.
   const OutputSample& last() const { return last_; }
@@ -156,15 +156,15 @@ class Compensator {
   bool ended_block() const { return ended_block_; }
 
   /// What a restart of the board must not lose: thermal state, history, time since power-on. Writes
-  /// it to `words`, room for kMostStateWords, and returns how many they are; 0 where there is
+  /// it to `words`, room for kMaxStateWords, and returns how many they are; 0 where there is
   /// nothing worth it.
   std::size_t keep(std::uint32_t* words) {
-    if (any(last_.status, Status::drift_given_up) || !drift_model_.has_caught_up()) return 0;
+    if (has_any(last_.status, Status::drift_given_up) || !drift_model_.has_caught_up()) return 0;
     StateCarrier state(StateCarrier::Way::to_words, words);
     carry(state);
     return static_cast<std::size_t>(state.end() - words);
   }
-  static constexpr std::size_t kMostStateWords =
+  static constexpr std::size_t kMaxStateWords =
       (sizeof(Drift) + sizeof(BlockClock)) / sizeof(std::uint32_t) + 1;
 
   /// Goes on where `words`, that keep() has written for this very model, left off; before the first
@@ -191,7 +191,7 @@ class Compensator {
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = prepare_drift_model(verdict, temperature, measured);
-    if (!any(verdict.status, kRateInvalid)) drift_model_.see(measured);
+    if (!has_any(verdict.status, kRateInvalid)) drift_model_.see(measured);
 
     OutputSample& result = last_;
     result.sequence = sample.sequence;
@@ -199,12 +199,12 @@ class Compensator {
     result.status = fault_ | verdict.status | drift_model_.status() | input_missing_ |
                     status_if(!verdict.temperature_confirmed || !extension_monitor_.confirmed(),
                               Status::drift_given_up) |
-                    status_if(proof_.for_status() != kIntactImage, Status::self_test_failed);
+                    status_if(token_.for_status() != kIntactImage, Status::self_test_failed);
     result.compensated = BoardNumbers::saturating_difference(measured, result.drift);
 
     // A late sample is answered, but time stands: it has no place in what runs at the sample rate.
-    const bool measured_well = !any(result.status, kRateInvalid);
-    result.status |= status_if(any(result.status, invalidating_), Status::rate_refused);
+    const bool measured_well = !has_any(result.status, kRateInvalid);
+    result.status |= status_if(has_any(result.status, invalidating_), Status::rate_refused);
     if (!verdict.late) {
       denoise(result.compensated, measured_well);
       count_refused(measured_well && !result.compensated_valid());
@@ -214,7 +214,7 @@ class Compensator {
     result.status |=
         status_if(!denoised_.valid || samples_after_refused_ > 0, Status::denoised_invalid) |
         status_if(denoiser_.filling(), Status::denoiser_filling);
-    result.status |= status_if(any(result.status, invalidating_ | Status::denoised_invalid),
+    result.status |= status_if(has_any(result.status, invalidating_ | Status::denoised_invalid),
                                Status::denoised_refused);
     result.temperature = last_temperature_;
     if (verdict.late) return result;
@@ -237,7 +237,7 @@ class Compensator {
   }
 
   void begin_answer() {
-    proof_.take();
+    token_.consume();
     rotation_.stand();
     ended_block_ = false;
   }
@@ -258,9 +258,9 @@ class Compensator {
   // Steps of the drift model for each sample, so that it has caught up with any hold before the
   // next block ends: one where a block has more samples than there are blocks in a hold.
   static std::uint32_t steps_per_sample(const ModelParameters& parameters) {
-    constexpr std::uint32_t kMost = 64;
+    constexpr std::uint32_t kMax = 64;
     const std::uint32_t steps = parameters.policy.hold_blocks / parameters.samples_per_block;
-    return steps < kMost ? steps + 1 : kMost;
+    return steps < kMax ? steps + 1 : kMax;
   }
 
   // A rate that is refused though it was measured well is not replaced in the denoiser. So from the
@@ -278,7 +278,7 @@ class Compensator {
   // for its means.
   bool prepare_drift_model(const SampleMonitor::Verdict& verdict, Temperature temperature,
                            Rate measured) {
-    const bool timed = !any(verdict.status, Status::sample_rate);
+    const bool timed = !has_any(verdict.status, Status::sample_rate);
     if (verdict.temperature == ReadingUse::good_anew || !timed) {
       drift_model_.stop();
       collector_.forget_temperature();
@@ -317,13 +317,13 @@ class Compensator {
     if constexpr (kOutput != OutputSelection::compact) {
       if (sends(OutputSelection::kvh)) {
         append(encode_kvh_frame(sample, rotation_.bits(sample.denoised), frames_,
-                                proof_.for_frames()));
+                                token_.for_frames()));
       }
     }
     if constexpr (kOutput != OutputSelection::kvh) {
       if (sends(OutputSelection::compact)) {
         append(encode_compact_frame(sample, static_cast<std::uint16_t>(denoiser_.delay()),
-                                    proof_.for_frames()));
+                                    token_.for_frames()));
       }
     }
     ++frames_;
@@ -331,7 +331,7 @@ class Compensator {
   }
 
   Status fault_;
-  ImageProof proof_;
+  IntegrityToken token_;
   const CalibrationParameters& calibration_;
   OutputSelection output_;
   Status invalidating_;

@@ -12,8 +12,8 @@
 namespace fog {
 namespace {
 
-constexpr std::int32_t kMost32 = std::numeric_limits<std::int32_t>::max();
-constexpr std::size_t kLeastWords = 5;  // magic, layout, word count, provenance, CRC
+constexpr std::int32_t kMax32 = std::numeric_limits<std::int32_t>::max();
+constexpr std::size_t kMinWords = 5;  // magic, layout, word count, provenance, CRC
 
 template <class Value>
 Value next_fixed(TableReader& table) {
@@ -22,34 +22,34 @@ Value next_fixed(TableReader& table) {
 
 template <class Value>
 Value next_positive(TableReader& table) {
-  return Value::from_raw(table.next(1, kMost32));
+  return Value::from_raw(table.next(1, kMax32));
 }
 
-std::size_t next_count(TableReader& table, std::size_t most) {
-  return static_cast<std::size_t>(table.next(0, static_cast<std::int32_t>(most)));
+std::size_t next_count(TableReader& table, std::size_t max) {
+  return static_cast<std::size_t>(table.next(0, static_cast<std::int32_t>(max)));
 }
 
 void read_calibration(TableReader& table, ModelParameters& parameters) {
-  parameters.acquisition.sample_period_us = static_cast<std::uint32_t>(table.next(1, kMost32));
-  parameters.samples_per_block = static_cast<std::uint32_t>(table.next(1, kMost32));
-  parameters.calibration.multiplier = table.next(1 << 30, kMost32);
+  parameters.acquisition.sample_period_us = static_cast<std::uint32_t>(table.next(1, kMax32));
+  parameters.samples_per_block = static_cast<std::uint32_t>(table.next(1, kMax32));
+  parameters.calibration.multiplier = table.next(1 << 30, kMax32);
   parameters.calibration.shift = table.next(0, 62);
   parameters.acquisition.rate.range = next_positive<Rate>(table);
   parameters.acquisition.rate.step = next_positive<RateStep>(table);
-  parameters.acquisition.stuck_samples = static_cast<std::uint32_t>(table.next(0, kMost32));
+  parameters.acquisition.stuck_samples = static_cast<std::uint32_t>(table.next(0, kMax32));
 }
 
 void read_thermal(TableReader& table, ModelParameters& parameters) {
   auto& thermal = parameters.thermal;
   thermal.derivative.decay = next_positive<FirstOrderLag<BoardNumbers>::Decay>(table);
   thermal.derivative.rate_gain = next_positive<BoardNumbers::Number<24>>(table);
-  thermal.least = next_fixed<Temperature>(table);
-  thermal.most = next_fixed<Temperature>(table);
-  table.require(kLeastTemperature <= thermal.least && thermal.least <= thermal.most &&
-                thermal.most <= kMostTemperature);
-  parameters.policy.hold_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
-  parameters.policy.accurate_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
-  parameters.policy.settle_blocks = static_cast<std::uint32_t>(table.next(0, kMost32));
+  thermal.min = next_fixed<Temperature>(table);
+  thermal.max = next_fixed<Temperature>(table);
+  table.require(kMinTemperature <= thermal.min && thermal.min <= thermal.max &&
+                thermal.max <= kMaxTemperature);
+  parameters.policy.hold_blocks = static_cast<std::uint32_t>(table.next(0, kMax32));
+  parameters.policy.accurate_blocks = static_cast<std::uint32_t>(table.next(0, kMax32));
+  parameters.policy.settle_blocks = static_cast<std::uint32_t>(table.next(0, kMax32));
 }
 
 // Whether there are enough of them finds whoever needs them.
@@ -60,14 +60,14 @@ void read_input_limits(TableReader& table, AcquisitionParameters& acquisition) {
 
 // Returns which effects the table enables.
 EffectMask read_effects(TableReader& table, EffectCheck effect_fits, EffectsParameters& effects) {
-  effects.coefficient_fraction = table.next(kLeastCoefficientFraction, kMostCoefficientFraction);
+  effects.coefficient_fraction = table.next(kMinCoefficientFraction, kMaxCoefficientFraction);
   EffectMask enabled = 0;
-  for (std::size_t left = next_count(table, kMostEffects); left > 0 && table.good(); --left) {
-    const std::size_t id = next_count(table, kMostEffects - 1);
+  for (std::size_t left = next_count(table, kMaxEffects); left > 0 && table.good(); --left) {
+    const std::size_t id = next_count(table, kMaxEffects - 1);
     const Span<const std::int32_t> constants =
         table.next_words(next_count(table, kZeroConstants.size()));
     const Span<const std::int32_t> coefficients =
-        table.next_words(next_count(table, kMostRegressors));
+        table.next_words(next_count(table, kMaxRegressors));
     const EffectMask bit = EffectMask{1} << id;
     table.require((enabled & bit) == 0U);
     enabled |= bit;
@@ -81,30 +81,30 @@ EffectMask read_effects(TableReader& table, EffectCheck effect_fits, EffectsPara
 
 void read_expressions(TableReader& table, ExpressionCheck expressions_fit,
                       ExpressionParameters& expressions) {
-  expressions.coefficients = table.next_words(next_count(table, kMostExpressions));
-  expressions.program = table.next_words(next_count(table, kMostExpressionWords));
+  expressions.coefficients = table.next_words(next_count(table, kMaxExpressions));
+  expressions.program = table.next_words(next_count(table, kMaxExpressionWords));
   if (!table.good()) return;
   table.require(expressions_fit(expressions));
 }
 
 void read_network(TableReader& table, NetworkParameters& network) {
   using Decay = FirstOrderLag<BoardNumbers>::Decay;
-  network.input_count = next_count(table, kMostNetworkInputs);
-  const std::size_t hidden = next_count(table, kMostHidden);
+  network.input_count = next_count(table, kMaxNetworkInputs);
+  const std::size_t hidden = next_count(table, kMaxHidden);
   if (hidden == 0) return;
   table.require(network.input_count > 0);
   for (std::size_t i = 0; i < network.input_count; ++i) {
     InputScaling& input = network.inputs[i];
     input.signal = static_cast<NetworkInput>(table.next(0, kNetworkInputs - 1));
-    input.decay = Decay::from_raw(table.next(0, kMost32));
+    input.decay = Decay::from_raw(table.next(0, kMax32));
     table.require((input.signal == NetworkInput::lagged_temperature) == (input.decay > Decay{}));
     input.centre = table.next();
-    input.reach = table.next(1, kMost32);
+    input.half_range = table.next(1, kMax32);
     input.shift = table.next(0, 30);
-    table.require(input.reach <= floor_shift(kMost32, input.shift));
+    table.require(input.half_range <= floor_shift(kMax32, input.shift));
   }
-  network.hidden_shift = table.next(0, kMostWeightShift);
-  network.output_shift = table.next(0, kMostWeightShift);
+  network.hidden_shift = table.next(0, kMaxWeightShift);
+  network.output_shift = table.next(0, kMaxWeightShift);
   network.neurons = table.next_words(kNeuronWords * hidden);
   network.output_bias = table.next();
   network.linear_output = table.next(0, 1) != 0;
@@ -144,8 +144,8 @@ bool filters_fit(const DenoiseParameters& denoise) {
 }
 
 void read_denoise(TableReader& table, DenoiseParameters& denoise) {
-  const std::size_t levels = next_count(table, kMostLevels);
-  const std::size_t taps = next_count(table, kMostTaps);
+  const std::size_t levels = next_count(table, kMaxLevels);
+  const std::size_t taps = next_count(table, kMaxTaps);
   denoise.rule = static_cast<ThresholdRule>(table.next(0, 2));
   denoise.mode = static_cast<ThresholdMode>(table.next(0, 1));
   denoise.filters = table.next_words(3 * taps);
@@ -156,7 +156,7 @@ void read_denoise(TableReader& table, DenoiseParameters& denoise) {
   table.require(filters_fit(denoise) && noise_shift(denoise) >= 0);
 }
 
-ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
+ModelError read_body(Span<const std::int32_t> words, const ModelShape& capacity,
                      ModelParameters& parameters) {
   parameters.fault = Status::none;
   parameters.provenance = static_cast<std::uint32_t>(words[3]);
@@ -167,8 +167,8 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   read_calibration(table, parameters);
   read_thermal(table, parameters);
   read_input_limits(table, parameters.acquisition);
-  const EffectMask enabled = read_effects(table, room.effect_fits, parameters.effects);
-  read_expressions(table, room.expressions_fit, parameters.expressions);
+  const EffectMask enabled = read_effects(table, capacity.effect_fits, parameters.effects);
+  read_expressions(table, capacity.expressions_fit, parameters.expressions);
   read_network(table, parameters.network);
   read_denoise(table, parameters.denoise);
   const std::int32_t output = table.next(0, 2 | kAllOutputOptions);
@@ -178,12 +178,13 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& room,
   parameters.invalidating = static_cast<Status>(table.next());
   table.require((parameters.invalidating & ~kMayInvalidate) == kRateInvalid);
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
-  if ((parameters.expressions.used & ~room.expressions) != 0U) return ModelError::not_in_image;
-  if ((enabled & ~room.effects) != 0U || (parameters.network.used() & ~room.network_inputs) != 0U ||
-      parameters.denoise.levels() > room.levels ||
-      (room.filters >> (parameters.denoise.taps() / 2) & 1U) == 0U ||
-      (room.output != OutputSelection::both && parameters.output != room.output) ||
-      (parameters.output_options & ~room.output_options) != 0U) {
+  if ((parameters.expressions.used & ~capacity.expressions) != 0U) return ModelError::not_in_image;
+  if ((enabled & ~capacity.effects) != 0U ||
+      (parameters.network.used() & ~capacity.network_inputs) != 0U ||
+      parameters.denoise.levels() > capacity.levels ||
+      (capacity.filters >> (parameters.denoise.taps() / 2) & 1U) == 0U ||
+      (capacity.output != OutputSelection::both && parameters.output != capacity.output) ||
+      (parameters.output_options & ~capacity.output_options) != 0U) {
     return ModelError::not_in_image;
   }
   return ModelError::none;
@@ -209,10 +210,10 @@ std::uint32_t model_table_crc(Span<const std::int32_t> table) {
   return crc;
 }
 
-ModelError read_model(Span<const std::int32_t> words, const ModelShape& room,
+ModelError read_model(Span<const std::int32_t> words, const ModelShape& capacity,
                       ModelParameters& parameters) {
   reset(parameters);
-  if (words.size < kLeastWords || words.size > kMostModelWords || words[0] != kModelMagic) {
+  if (words.size < kMinWords || words.size > kMaxModelWords || words[0] != kModelMagic) {
     return ModelError::not_a_model;
   }
   if (words[1] != kModelLayout) return ModelError::other_layout;
@@ -220,7 +221,7 @@ ModelError read_model(Span<const std::int32_t> words, const ModelShape& room,
   if (static_cast<std::uint32_t>(words[words.size - 1]) != model_table_crc(words)) {
     return ModelError::damaged;
   }
-  const ModelError error = read_body(words, room, parameters);
+  const ModelError error = read_body(words, capacity, parameters);
   if (error != ModelError::none) reset(parameters);
   return error;
 }

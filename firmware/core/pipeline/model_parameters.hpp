@@ -28,7 +28,7 @@ constexpr OutputOptions kAllOutputOptions = kRotationIsAngle | kAnswersKvhComman
 
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
 constexpr std::int32_t kModelLayout = 6;          ///< of the table; SPEC.md, "Model table"
-constexpr std::size_t kMostModelWords = 4096;
+constexpr std::size_t kMaxModelWords = 4096;
 
 /// What an image has room for: fixed by the header that it is built with.
 struct ModelShape {
@@ -45,7 +45,7 @@ struct ModelShape {
 
 /// Room for any model.
 constexpr ModelShape kAnyModel{kAllEffects, kAllExpressions, kAllNetworkInputs,
-                               filters_of(kAnyTaps), kMostLevels};
+                               filters_of(kAnyTaps), kMaxLevels};
 
 /// Whose model it is, from word kIdentityAt of the table on: four words of the gyro's serial
 /// number, ASCII padded with 0, at least one; three of the number of the processor that it is bound
@@ -112,7 +112,7 @@ std::uint32_t model_table_crc(Span<const std::int32_t> table);
 
 /// Checks everything once, so that the pipeline need not: CRC, layout, ranges, and sums that must
 /// not overflow. On an error `parameters` are as constructed.
-ModelError read_model(Span<const std::int32_t> table, const ModelShape& room,
+ModelError read_model(Span<const std::int32_t> table, const ModelShape& capacity,
                       ModelParameters& parameters);
 
 /// For the boot message and the host's errors.

@@ -13,13 +13,13 @@ bool is_newer(const SlotContents& a, const SlotContents& b) {
   return static_cast<std::int32_t>(a.sequence - b.sequence) >= 0;
 }
 
-ModelError read_for(const SlotContents& slot, const ModelShape& room,
+ModelError read_for(const SlotContents& slot, const ModelShape& capacity,
                     const std::array<std::uint32_t, kProcessorWords>& processor,
                     ModelParameters& parameters) {
-  const ModelError error = read_model(slot.table, room, parameters);
+  const ModelError error = read_model(slot.table, capacity, parameters);
   if (error != ModelError::none) return error;
   if (!is_bound_elsewhere(slot.table.data + kProcessorAt, processor)) return ModelError::none;
-  read_model({}, room, parameters);  // none: a second one would be a fifth of the stack
+  read_model({}, capacity, parameters);  // none: a second one would be a fifth of the stack
   return ModelError::other_board;
 }
 
@@ -37,7 +37,7 @@ SlotContents read_slot_behind_magic(SlotMemory memory) {
   if (memory[1] != kSlotLayout) return slot;
   slot.error = ModelError::damaged;
   const auto words = static_cast<std::uint32_t>(memory[3]);
-  if (words > kMostSlotWords || kSlotHeaderWords + words + 1 > memory.size) return slot;
+  if (words > kMaxSlotWords || kSlotHeaderWords + words + 1 > memory.size) return slot;
   const Span<const std::uint8_t> sealed{reinterpret_cast<const std::uint8_t*>(memory.data),
                                         (kSlotHeaderWords + words + 1) * sizeof(std::int32_t)};
   constexpr std::size_t kMagicBytes = sizeof(std::int32_t);
@@ -52,7 +52,7 @@ SlotContents read_slot_behind_magic(SlotMemory memory) {
   return slot;
 }
 
-SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const ModelShape& room,
+SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const ModelShape& capacity,
                        const std::array<std::uint32_t, kProcessorWords>& processor,
                        ModelParameters& parameters) {
   SlotChoice choice;
@@ -61,7 +61,7 @@ SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const M
   for (const std::size_t slot : {newest, newest ^ 1U}) {
     ModelError& error = choice.slots[slot].error;
     if (error == ModelError::none)
-      error = read_for(choice.slots[slot], room, processor, parameters);
+      error = read_for(choice.slots[slot], capacity, processor, parameters);
     if (error == ModelError::none) {
       choice.error = error;
       choice.slot = slot;

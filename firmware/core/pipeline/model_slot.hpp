@@ -17,7 +17,7 @@ constexpr std::int32_t kSlotMagic = 0x53474F46;
 constexpr std::int32_t kSlotLayout = 1;
 constexpr std::size_t kSlotHeaderWords = 4;
 constexpr std::size_t kSlotBytes = 16384;  ///< a sector of the smallest flash that has two
-constexpr std::size_t kMostSlotWords = kSlotBytes / sizeof(std::int32_t) - kSlotHeaderWords - 1;
+constexpr std::size_t kMaxSlotWords = kSlotBytes / sizeof(std::int32_t) - kSlotHeaderWords - 1;
 constexpr std::size_t kModelSlots = 2;
 
 /// What the generic image, into which a model is loaded, has room for: everything but a denoiser
@@ -51,7 +51,7 @@ struct SlotChoice {
 
 /// The newest intact slot whose model an image with this `room` on this processor can have; it is
 /// taken apart into `parameters`, which without one are those of a refused model.
-SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const ModelShape& room,
+SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const ModelShape& capacity,
                        const std::array<std::uint32_t, kProcessorWords>& processor,
                        ModelParameters& parameters);
 

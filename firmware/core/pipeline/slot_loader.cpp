@@ -35,7 +35,7 @@ LoadRefusal refusal_of_head(const std::uint32_t* head, const LoadTarget& target,
       table[1] != static_cast<std::uint32_t>(kModelLayout)) {
     return LoadRefusal::other_layout;
   }
-  if (head[3] > kMostSlotWords) return LoadRefusal::not_in_image;
+  if (head[3] > kMaxSlotWords) return LoadRefusal::not_in_image;
   if (table[2] != head[3] || head[3] <= kProcessorAt + kProcessorWords) return LoadRefusal::damaged;
   std::array<std::int32_t, kProcessorWords> bound{};
   for (std::size_t i = 0; i < bound.size(); ++i) {
@@ -50,11 +50,11 @@ LoadRefusal refusal_of_head(const std::uint32_t* head, const LoadTarget& target,
   return is_newer ? LoadRefusal::none : LoadRefusal::not_newer;
 }
 
-LoadRefusal refusal_of_body(SlotMemory memory, const ModelShape& room) {
+LoadRefusal refusal_of_body(SlotMemory memory, const ModelShape& capacity) {
   const SlotContents slot = read_slot_behind_magic(memory);
   if (slot.error != ModelError::none) return refusal_of(slot.error);
   ModelParameters parameters;
-  return refusal_of(read_model(slot.table, room, parameters));
+  return refusal_of(read_model(slot.table, capacity, parameters));
 }
 
 }  // namespace fog

@@ -31,7 +31,7 @@ LoadRefusal refusal_of_head(const std::uint32_t* head, const LoadTarget& target,
 
 /// Whether a slot whose first word is still missing would be a good one in an image with this
 /// `room`: seal, table, ranges.
-LoadRefusal refusal_of_body(SlotMemory memory, const ModelShape& room);
+LoadRefusal refusal_of_body(SlotMemory memory, const ModelShape& capacity);
 
 /// Loads a table into the slot that is not in use. Its first word, without which it is none, is
 /// written last, when all behind it has been read back and checked. So whenever the power goes, the
@@ -42,8 +42,8 @@ LoadRefusal refusal_of_body(SlotMemory memory, const ModelShape& room);
 template <class Flash>
 class SlotLoader {
  public:
-  SlotLoader(Flash& flash, const LoadTarget& target, const ModelShape& room)
-      : flash_(flash), target_(target), room_(room) {}
+  SlotLoader(Flash& flash, const LoadTarget& target, const ModelShape& capacity)
+      : flash_(flash), target_(target), room_(capacity) {}
 
   LoadAnswer take(const LoadMessage& message, bool strap_closed) {
     return {message.step, strap_closed ? step(message) : LoadRefusal::strap_open, next_};

@@ -23,12 +23,12 @@ class TableReader {
     return word;
   }
 
-  /// A word within [least, most]; `least` where it is not.
-  std::int32_t next(std::int32_t least, std::int32_t most) {
+  /// A word within [min, max]; `min` where it is not.
+  std::int32_t next(std::int32_t min, std::int32_t max) {
     const std::int32_t word = next();
-    if (word >= least && word <= most) return word;
+    if (word >= min && word <= max) return word;
     good_ = false;
-    return least;
+    return min;
   }
 
   Span<const std::int32_t> next_words(std::size_t count) {

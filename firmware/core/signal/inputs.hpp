@@ -49,8 +49,8 @@ struct InputDescription {
   /// counts.
   int decimals;
   /// What a sensor can mean; beyond lies a wrong unit, or a mark for "no value" such as -999.
-  std::int64_t least_milli;
-  std::int64_t most_milli;
+  std::int64_t min_milli;
+  std::int64_t max_milli;
   InputSwing swing;
 };
 

@@ -16,8 +16,8 @@ struct OutputSample {
   Temperature temperature{};   ///< last good one
   Status status = Status::none;
 
-  bool compensated_valid() const { return !any(status, kRateInvalid | Status::rate_refused); }
-  bool denoised_valid() const { return !any(status, kDenoisedInvalid); }
+  bool compensated_valid() const { return !has_any(status, kRateInvalid | Status::rate_refused); }
+  bool denoised_valid() const { return !has_any(status, kDenoisedInvalid); }
 };
 
 }  // namespace fog

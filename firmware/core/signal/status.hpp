@@ -47,7 +47,7 @@ constexpr Status operator~(Status a) {
 constexpr Status& operator|=(Status& a, Status b) {
   return a = a | b;
 }
-constexpr bool any(Status status, Status of) {
+constexpr bool has_any(Status status, Status of) {
   return (status & of) != Status::none;
 }
 constexpr Status status_if(bool condition, Status flag) {

@@ -22,7 +22,7 @@ class BlockBridge {
   /// More than `hold_blocks` blocks in a row without a good one are not bridged: too much may have
   /// happened.
   explicit BlockBridge(std::uint32_t hold_blocks)
-      : hold_blocks_(hold_blocks < kMostBridged ? hold_blocks : kMostBridged) {}
+      : hold_blocks_(hold_blocks < kMaxBridged ? hold_blocks : kMaxBridged) {}
 
   /// The model has been started with this block.
   void start(const Means& block) {
@@ -74,7 +74,7 @@ class BlockBridge {
   }
 
  private:
-  static constexpr std::uint32_t kMostBridged = INT32_MAX - 1;  // and the good one: an int32_t
+  static constexpr std::uint32_t kMaxBridged = INT32_MAX - 1;  // and the good one: an int32_t
 
   // One of left_ equal parts of the way; what rounding leaves is part of the next way.
   template <class Value>

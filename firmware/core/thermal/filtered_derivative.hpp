@@ -8,7 +8,7 @@
 namespace fog {
 
 /// Faster than any chamber heats a coil: what is beyond comes from a sensor, not from the coil.
-constexpr std::int32_t kMostRateDegcPerMin = 32;
+constexpr std::int32_t kMaxRateDegcPerMin = 32;
 
 /// Time constant of a FilteredDerivative, per block.
 template <class N>
@@ -45,8 +45,8 @@ class FilteredDerivative {
         saturate_to<typename N::template Number<26>>(first_.value() - second_.value());
     second_.step(first_.value());
     const auto rate = saturate_to<TemperatureRate>(ahead * rate_gain_);
-    constexpr auto kMost = from_integer<TemperatureRate>(kMostRateDegcPerMin);
-    return clamp(rate, -kMost, kMost);
+    constexpr auto kMax = from_integer<TemperatureRate>(kMaxRateDegcPerMin);
+    return clamp(rate, -kMax, kMax);
   }
 
   void carry(StateCarrier& state) {

@@ -10,8 +10,8 @@ namespace fog {
 template <class N>
 struct ThermalParameters {
   DerivativeParameters<N> derivative;
-  typename N::Temperature least{};  ///< trained range
-  typename N::Temperature most{};
+  typename N::Temperature min{};  ///< trained range
+  typename N::Temperature max{};
 };
 
 /// Block means -> Signals. Before the derivative, temperature is not clamped: the rate stays right
@@ -20,25 +20,25 @@ template <class N>
 class ThermalState {
  public:
   explicit ThermalState(const ThermalParameters<N>& parameters)
-      : least_(parameters.least), most_(parameters.most), derivative_(parameters.derivative) {}
+      : min_(parameters.min), max_(parameters.max), derivative_(parameters.derivative) {}
 
   /// Starts as if the temperature had been this one for ever: rate 0.
   Signals<N> reset(const BlockMeans<N>& block) {
     derivative_.reset(block.temperature);
-    return {clamp(block.temperature, least_, most_), {}, block};
+    return {clamp(block.temperature, min_, max_), {}, block};
   }
 
   /// Advances by one block.
   Signals<N> step(const BlockMeans<N>& block) {
     const auto rate = derivative_.step(block.temperature);
-    return {clamp(block.temperature, least_, most_), rate, block};
+    return {clamp(block.temperature, min_, max_), rate, block};
   }
 
   void carry(StateCarrier& state) { derivative_.carry(state); }
 
  private:
-  typename N::Temperature least_;
-  typename N::Temperature most_;
+  typename N::Temperature min_;
+  typename N::Temperature max_;
   FilteredDerivative<N> derivative_;
 };
 

@@ -61,7 +61,7 @@ void Ds18b20::slot_made(bool line, std::uint32_t now_ms) {
     if (line) present_ = true;
     return;  // no sensor: the next reset asks again
   }
-  if (phase_ == Phase::wait) return waited(line, now_ms);
+  if (phase_ == Phase::wait) return check_ready(line, now_ms);
   constexpr std::size_t kReadCommandBits = 8U * kReadCommand.size();
   if (phase_ == Phase::read && bit_ >= kReadCommandBits) {
     const std::size_t bit = bit_ - kReadCommandBits;
@@ -104,7 +104,7 @@ void Ds18b20::command_sent(std::uint32_t now_ms) {
 }
 
 // A sensor that is ready at once has not understood the command: its register holds an old value.
-void Ds18b20::waited(bool ready, std::uint32_t now_ms) {
+void Ds18b20::check_ready(bool ready, std::uint32_t now_ms) {
   if (ready) return start(seen_busy_ ? Phase::read : Phase::configure);
   seen_busy_ = true;
   if (now_ms - converting_since_ms_ > kLongestConversionMs) start(Phase::configure);

@@ -40,7 +40,7 @@ class Ds18b20 {
 
   void start(Phase phase);
   void command_sent(std::uint32_t now_ms);
-  void waited(bool ready, std::uint32_t now_ms);
+  void check_ready(bool ready, std::uint32_t now_ms);
   void scratchpad_read(std::uint32_t now_ms);
 
   Phase phase_ = Phase::configure;

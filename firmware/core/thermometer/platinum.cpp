@@ -16,8 +16,8 @@ constexpr auto kC = Fixed<std::int32_t, 50>::from_raw(-4710);  // -4.183e-12
 constexpr auto kOne = ResistanceRatio::from_raw(1 << 28);
 
 // W(-100 degC), W(200 degC).
-constexpr auto kLeastRatio = ResistanceRatio::from_raw(161748039);
-constexpr auto kMostRatio = ResistanceRatio::from_raw(472059856);
+constexpr auto kMinRatio = ResistanceRatio::from_raw(161748039);
+constexpr auto kMaxRatio = ResistanceRatio::from_raw(472059856);
 
 /// 1 + A t + B t^2 + C (t - 100) t^3, |t| <= 256 degC.
 ResistanceRatio ratio_at(Celsius t) {
@@ -46,7 +46,7 @@ Celsius divide(ResistanceRatio residual, Slope slope) {
 // the error: Newton's own convergence above 0 degC, and below, where C is left out of the slope,
 // the 1 % by which that is off.
 Temperature platinum_temperature(ResistanceRatio ratio) {
-  const ResistanceRatio known = clamp(ratio, kLeastRatio, kMostRatio);
+  const ResistanceRatio known = clamp(ratio, kMinRatio, kMaxRatio);
   Celsius t = divide(known - kOne, kA);
   for (int step = 0; step < 4; ++step) {
     t += divide(known - ratio_at(t), kA + round_to<Slope>(kTwiceB * t));

@@ -102,7 +102,7 @@ inline void disable_interrupt(std::uint32_t number) {
 inline void quiet_interrupts() {
   systick().control.write(0);
   system_control_block().interrupt_control.write(SystemControlBlock::kClearPendingTick);
-  for (std::size_t i = 0; i < 8; ++i) {  // 240 lines, the most that there can be
+  for (std::size_t i = 0; i < 8; ++i) {  // 240 lines, the maximum
     interrupt_controller().clear_enable[i].write(0xFFFFFFFFU);
     interrupt_controller().clear_pending[i].write(0xFFFFFFFFU);
   }

@@ -22,13 +22,13 @@ namespace fog::platform {
 namespace {
 
 // A crystal that dies now and then would be a loop of restarts.
-constexpr std::uint32_t kMostClockFailures = 3;
+constexpr std::uint32_t kMaxClockFailures = 3;
 
 }  // namespace
 
 void start_board() {
   report_reset(take_hardware_reset_cause());
-  start_clock_tree(hal::reset_report().counts.clock_failures < kMostClockFailures);
+  start_clock_tree(hal::reset_report().counts.clock_failures < kMaxClockFailures);
   start_tick(clock_tree().core_hz);
   open_console_port();
   open_output_port();

@@ -15,15 +15,15 @@
     with_group.set(plot.group, [...(with_group.get(plot.group) || []), plot]);
   });
   with_group.forEach((members) => {
-    const least = Math.min(...members.map((plot) => plot.x[0]));
-    const most = Math.max(...members.map((plot) => plot.x[plot.x.length - 1]));
+    const low = Math.min(...members.map((plot) => plot.x[0]));
+    const high = Math.max(...members.map((plot) => plot.x[plot.x.length - 1]));
     members.forEach((plot) => {
-      if (plot.x[0] > least) {
-        plot.x.unshift(least);
+      if (plot.x[0] > low) {
+        plot.x.unshift(low);
         plot.curves.forEach((curve) => curve.y.unshift(null));
       }
-      if (plot.x[plot.x.length - 1] < most) {
-        plot.x.push(most);
+      if (plot.x[plot.x.length - 1] < high) {
+        plot.x.push(high);
         plot.curves.forEach((curve) => curve.y.push(null));
       }
     });
@@ -177,9 +177,9 @@
       u.data[c + 1].forEach((y, i) => {
         if (y == null || curve.sigma[i] == null) return;
         const x = u.valToPos(u.data[0][i], "x", true);
-        const least = u.scales.y.distr === 3 ? Math.max(y - curve.sigma[i], y / 1e3) : y - curve.sigma[i];
+        const low = u.scales.y.distr === 3 ? Math.max(y - curve.sigma[i], y / 1e3) : y - curve.sigma[i];
         pen.beginPath();
-        pen.moveTo(x, u.valToPos(least, "y", true));
+        pen.moveTo(x, u.valToPos(low, "y", true));
         pen.lineTo(x, u.valToPos(y + curve.sigma[i], "y", true));
         pen.stroke();
       });
@@ -238,14 +238,14 @@
     const log_y = plot.kind === "log_log";
     const log_x = log_y || plot.kind === "log_x";
     const { data, series, bands } = plot.kind === "stacked" ? stacked(plot) : unstacked(plot);
-    const y_range = (u, least, most) => {
-      if (least == null) return [0, 1];
+    const y_range = (u, low, high) => {
+      if (low == null) return [0, 1];
       plot.levels.forEach((level) => {
-        least = Math.min(least, level.y);
-        most = Math.max(most, level.y);
+        low = Math.min(low, level.y);
+        high = Math.max(high, level.y);
       });
-      const spare = 0.06 * (most - least) || 0.1 * Math.abs(most) || 1;
-      return [least - spare, most + spare];
+      const spare = 0.06 * (high - low) || 0.1 * Math.abs(high) || 1;
+      return [low - spare, high + spare];
     };
     const values = (logarithmic) => (logarithmic ? (u, splits) => splits.map(significant)
       : (u, splits, a, space, step) => splits.map((v) => v.toFixed(decimals(step))));

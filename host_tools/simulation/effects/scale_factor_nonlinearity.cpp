@@ -6,7 +6,7 @@
 namespace fogcomp::simulation {
 namespace {
 
-// An open loop shows the sine of the Sagnac phase; what is left after a straight line of least
+// An open loop shows the sine of the Sagnac phase; what is left after a straight line by least
 // squares was taken for it. A phase beside the bias point makes it uneven. For small phases a that
 // is -a^2 / 15 of Legendre's third polynomial, and a / 3 tan(offset) of the second.
 class ScaleFactorNonlinearity : public Effect {

@@ -131,7 +131,7 @@ std::string wrong_names(const std::vector<CaseResult>& results) {
       text += format(" at %g, imitates %.0f %% of it", truth.hidden[0].size,
                      found == imitation.end() ? 0 : 100 * found->second);
     }
-    text += format("; misfit %.2f, flicker %s, on %s\n", truth.misfit, truth.flicker.c_str(),
+    text += format("; misfit %.2f, flicker %s, on %s\n", truth.birge_ratio, truth.flicker.c_str(),
                    joined(truth.programmes, " ").c_str());
   }
   return text;
@@ -150,7 +150,7 @@ std::string cases_csv(const std::vector<CaseResult>& results) {
     for (const HiddenTruth& hidden : truth.hidden) sizes.push_back(format("%g", hidden.size));
     text += format("%s,%s,%s,%s,%d,%s,%.4f,%.0f,%s,%s,%s,", truth.id.c_str(), truth.kind.c_str(),
                    hidden_words(truth).c_str(), joined(sizes, "+").c_str(), confusable ? 1 : 0,
-                   truth.flicker.c_str(), truth.misfit, truth.rows,
+                   truth.flicker.c_str(), truth.birge_ratio, truth.rows,
                    joined(truth.programmes, "+").c_str(), answer.verdict.c_str(),
                    joined(answer.named, "+").c_str());
     if (!answer.candidates.empty()) text += format("%.4f", answer.candidates[0].probability);

@@ -12,11 +12,11 @@
 namespace fogcomp::bench {
 namespace {
 
-constexpr double kLeastVisible = 0.05;   // of an effect's rms about its mean
-constexpr double kLeastLikeness = 0.85;  // of the visible part, by the catalogue's own formula
-constexpr double kMostMisfit = 0.1;      // of declared effects, in noise of a row
-constexpr double kMisfitShare = 0.3;     // and of the smallest hidden size
-constexpr double kMostEnlarged = 1e6;    // of an effect at natural size: else it is not called up
+constexpr double kMinVisible = 0.05;    // of an effect's rms about its mean
+constexpr double kMinLikeness = 0.85;   // of the visible part, by the catalogue's own formula
+constexpr double kMaxBirgeRatio = 0.1;  // of declared effects, in noise of a row
+constexpr double kMisfitShare = 0.3;    // and of the smallest hidden size
+constexpr double kMaxEnlarged = 1e6;    // of an effect at natural size: else it is not called up
 constexpr int kAttempts = 200;
 constexpr int kPairAttempts = 10;
 constexpr double kExtraColumns = 0.3;  // of the cases have columns that they do not need
@@ -120,10 +120,10 @@ class Trial {
   std::vector<TrialRun> runs_;
 };
 
-double most_misfit_dph(const CasePlan& plan) {
-  double most = kMostMisfit;
-  for (const double size : plan.what.sizes) most = std::min(most, kMisfitShare * size);
-  return most * plan.gyro.row_noise_dph();
+double max_misfit_dph(const CasePlan& plan) {
+  double max = kMaxBirgeRatio;
+  for (const double size : plan.what.sizes) max = std::min(max, kMisfitShare * size);
+  return max * plan.gyro.row_noise_dph();
 }
 
 // Whether, of two hidden effects (rows in noise of a row), neither alone lowers the error by a
@@ -134,8 +134,8 @@ bool each_alone_is_little(const Eigen::VectorXd& first, const Eigen::VectorXd& s
   const auto without = [&](const Eigen::VectorXd& one) -> Eigen::VectorXd {
     return both - one * (one.dot(both) / one.squaredNorm());
   };
-  const double least = kLittle * error(both);
-  return error(without(first)) >= least && error(without(second)) >= least;
+  const double min = kLittle * error(both);
+  return error(without(first)) >= min && error(without(second)) >= min;
 }
 
 // Finds the values that give the wanted sizes; false where the gyro is none for this case.
@@ -152,20 +152,20 @@ bool set_sizes(CasePlan& plan) {
     if (!is_hidden) all_declared += declared.back();
   }
   const BesideDeclared beside(sight, declared);
-  if (!(rms(beside.left_beside_delays(all_declared)) <= most_misfit_dph(plan))) return false;
+  if (!(rms(beside.left_beside_delays(all_declared)) <= max_misfit_dph(plan))) return false;
   plan.values.clear();
   std::vector<Eigen::VectorXd> sized;
   for (std::size_t i = 0; i < plan.hidden.size(); ++i) {
     const Eigen::VectorXd natural = trial.rows(sight, plan.hidden[i].name);
     const Eigen::VectorXd left = beside.left_of(natural);
     const double visible = rms(left);
-    if (!(visible > kLeastVisible * rms(natural.array() - natural.mean()))) return false;
+    if (!(visible > kMinVisible * rms(natural.array() - natural.mean()))) return false;
     if (is_catalogued(plan.what.hidden[i]) &&
-        imitation_by(plan.hidden[i].name, sight, beside, left) < kLeastLikeness) {
+        imitation_by(plan.hidden[i].name, sight, beside, left) < kMinLikeness) {
       return false;
     }
     const double wanted = plan.what.sizes[i] * plan.gyro.row_noise_dph();
-    if (wanted > kMostEnlarged * visible) return false;
+    if (wanted > kMaxEnlarged * visible) return false;
     plan.values.push_back(plan.hidden[i].natural * wanted / visible);
     sized.push_back(left * (plan.what.sizes[i] / visible));
   }

@@ -73,7 +73,7 @@ Truth read_truth(const std::string& folder, const std::string& id) {
   truth.kind = plan.word("kind");
   truth.flicker = plan.word("flicker");
   truth.rows = facts.number("rows");
-  truth.misfit = facts.number("misfit");
+  truth.birge_ratio = facts.number("misfit");
   for (const auto& words : plan.all("programme")) truth.programmes.push_back(words[0]);
   for (const auto& words : plan.all("hidden")) {
     HiddenTruth hidden;

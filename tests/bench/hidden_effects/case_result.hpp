@@ -29,7 +29,8 @@ struct Truth {
   std::vector<HiddenTruth> hidden;
   std::vector<std::string> programmes;
   double rows = 0;
-  double misfit = 0;  ///< what the declared model leaves of declared effects, in noise of a row
+  double birge_ratio =
+      0;  ///< what the declared model leaves of declared effects, in noise of a row
   std::optional<double> unseen_noise_dph;
 
   bool has(const std::string& effect) const;

@@ -14,11 +14,9 @@ class Draws {
  public:
   explicit Draws(std::uint64_t seed) : random_(seed, "hidden_effects") {}
 
-  double uniform(double least, double most) { return least + (most - least) * random_.uniform(); }
+  double uniform(double min, double max) { return min + (max - min) * random_.uniform(); }
   /// Every ratio equally likely.
-  double ratio(double least, double most) {
-    return least * std::pow(most / least, random_.uniform());
-  }
+  double ratio(double min, double max) { return min * std::pow(max / min, random_.uniform()); }
   bool chance(double probability) { return random_.uniform() < probability; }
   double sign() { return chance(0.5) ? -1 : 1; }
   /// 0 ... count - 1.

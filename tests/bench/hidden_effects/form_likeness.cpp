@@ -17,7 +17,7 @@ namespace {
 using namespace fogcomp;
 using namespace fogcomp::bench;
 
-constexpr std::size_t kMostForms = 3;
+constexpr std::size_t kMaxForms = 3;
 
 JsonValue read_json(const std::string& path) {
   return std::filesystem::exists(path) ? JsonValue::parse(read_file(path), path) : JsonValue();
@@ -45,7 +45,7 @@ void write_likeness(const std::string& runs, const std::string& truth, const std
   const double share_left = left.squaredNorm() / hidden.squaredNorm();
   std::string text;
   const std::vector<JsonValue>& forms = said["forms"].elements();
-  for (std::size_t i = 0; i < std::min(kMostForms, forms.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMaxForms, forms.size()); ++i) {
     const model::EffectTerm term = model::expression_term(forms[i]["expression"].text());
     const double explained = imitation_by(term, sight, beside, left);
     text += format("likeness %.4f\n", 1 - share_left * (1 - explained));

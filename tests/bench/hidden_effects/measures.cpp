@@ -10,7 +10,7 @@ namespace {
 using Sense = Measure::Sense;
 using Test = CaseTest;
 
-constexpr double kLeastProbability = 0.05;  // stated probabilities below this are not counted
+constexpr double kMinProbability = 0.05;  // stated probabilities below this are not counted
 constexpr int kBins = 10;
 constexpr double kFewRows = 5000;  // "a diagnosis of 6,000 rows" is one of so many
 constexpr double kManyRows = 7000;
@@ -162,7 +162,7 @@ Measure calibration(const std::vector<CaseResult>& results) {
   for (const CaseResult& r : results) {
     if (!names_something(r)) continue;
     for (const Candidate& candidate : r.answer.candidates) {
-      if (candidate.probability < kLeastProbability) continue;
+      if (candidate.probability < kMinProbability) continue;
       Bin& bin = bins[std::min<std::size_t>(static_cast<std::size_t>(candidate.probability * kBins),
                                             kBins - 1)];
       bin.stated += candidate.probability;
@@ -196,9 +196,9 @@ void experiments(std::vector<Measure>& all, const std::vector<CaseResult>& resul
   all.push_back(random);
   Measure ratio{"proposed_over_random", "proposed over random"};
   // Half a case for none, so that a few cases are no infinity.
-  const double least = proposed.cases > 0 ? 0.5 / static_cast<double>(proposed.cases) : 1;
+  const double min = proposed.cases > 0 ? 0.5 / static_cast<double>(proposed.cases) : 1;
   ratio.cases = proposed.cases;
-  ratio.value = proposed.value / std::max(random.value, least);
+  ratio.value = proposed.value / std::max(random.value, min);
   all.push_back(with_target(ratio, Sense::at_least, 3));
 }
 

@@ -7,7 +7,7 @@
 namespace fogcomp::bench {
 namespace {
 
-constexpr std::size_t kMostRows = 16'000;
+constexpr std::size_t kMaxRows = 16'000;
 constexpr double kOneRun = 0.35;
 constexpr double kTwoRuns = 0.4;  // else three
 
@@ -55,7 +55,7 @@ std::vector<std::string> draw_programmes(Draws& draws, const std::vector<std::st
 
   std::vector<std::string> chosen{draws.pick(required.empty() ? thermal : required)};
   // A bench without a chamber teaches no thermal model: what has no ramps gets a chamber test too.
-  if (facts_of(chosen[0]).most_degc <= 30 &&
+  if (facts_of(chosen[0]).max_degc <= 30 &&
       facts_of(chosen[0]).kind != ProgrammeFacts::Kind::thermal) {
     wanted = std::max<std::size_t>(wanted, 2);
   }
@@ -63,7 +63,7 @@ std::vector<std::string> draw_programmes(Draws& draws, const std::vector<std::st
   draws.shuffle(thermal);
   for (const std::string& name : thermal) {
     const std::size_t more = facts_of(name).rows;
-    if (chosen.size() >= wanted || contains(chosen, name) || rows + more > kMostRows) continue;
+    if (chosen.size() >= wanted || contains(chosen, name) || rows + more > kMaxRows) continue;
     chosen.push_back(name);
     rows += more;
   }
@@ -76,17 +76,17 @@ bool turns(const std::string& programme) {
 
 std::string draw_unseen(Draws& draws, const std::vector<std::string>& seen, bool turning) {
   const auto kind = turning ? ProgrammeFacts::Kind::turning : ProgrammeFacts::Kind::thermal;
-  double least = 1e9;
-  double most = -1e9;
+  double min = 1e9;
+  double max = -1e9;
   double fastest_dps = 0;
   for (const std::string& name : seen) {
-    least = std::min(least, facts_of(name).least_degc);
-    most = std::max(most, facts_of(name).most_degc);
+    min = std::min(min, facts_of(name).min_degc);
+    max = std::max(max, facts_of(name).max_degc);
     fastest_dps = std::max(fastest_dps, facts_of(name).fastest_dps);
   }
   std::vector<std::string> possible;
   for (const ProgrammeFacts& facts : programmes()) {
-    if (facts.kind == kind && facts.least_degc >= least && facts.most_degc <= most &&
+    if (facts.kind == kind && facts.min_degc >= min && facts.max_degc <= max &&
         facts.fastest_dps <= fastest_dps && !contains(seen, facts.name)) {
       possible.push_back(facts.name);
     }

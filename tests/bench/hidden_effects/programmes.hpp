@@ -11,8 +11,8 @@ namespace fogcomp::bench {
 struct ProgrammeFacts {
   std::string name;
   std::size_t rows;  ///< of 10 s
-  double least_degc;
-  double most_degc;
+  double min_degc;
+  double max_degc;
   double fastest_dps;  ///< of the rate table
   /// A plain chamber test, one with a rate table, or for effects that need something else.
   enum class Kind { thermal, turning, special } kind;

@@ -49,7 +49,7 @@ std::vector<model::ShapeParameter> shapes_of(const model::EffectTerm& term, doub
   if (model::is_event(term)) return {{0, 0, 0, longest_s}};
   std::vector<model::ShapeParameter> shapes = model::shape_parameters({term});
   for (model::ShapeParameter& shape : shapes) {
-    shape.most = std::min(shape.most, std::max(shape.least * 2, longest_s));
+    shape.max = std::min(shape.max, std::max(shape.min * 2, longest_s));
   }
   return shapes;
 }

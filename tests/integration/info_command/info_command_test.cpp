@@ -127,8 +127,8 @@ TEST(InfoCommand, EndsWithCodeTwoAndOneLineForBadInput) {
 
 TEST(InfoCommand, TakesMoreThanTwentyMillionRowsInMeans) {
   std::string content = "time_s,temperature_degc,rate_dph\n";
-  content.reserve(recording::kMostRows * 13);
-  for (std::size_t i = 0; i <= recording::kMostRows; ++i) {
+  content.reserve(recording::kMaxRows * 13);
+  for (std::size_t i = 0; i <= recording::kMaxRows; ++i) {
     content += std::to_string(i) + ",2," + std::to_string(i % 7) + "\n";
   }
   const std::string run = recording::temporary_file("long.csv", content);

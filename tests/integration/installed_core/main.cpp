@@ -43,14 +43,14 @@ std::uint32_t call(std::uint32_t operation, std::array<std::uint32_t, 3> argumen
 void run() {
   fog::ModelParameters parameters;
   const fog::ModelError error =
-      fog::read_model({fog_model, FOG_MODEL_WORDS}, Pipeline::room, parameters);
+      fog::read_model({fog_model, FOG_MODEL_WORDS}, Pipeline::capacity, parameters);
   if (error != fog::ModelError::none) end(3);
   // A product hands it what a check of its own image came to (firmware/app/self_test.hpp).
-  static Pipeline pipeline(parameters, fog::ImageProof::not_needed());
+  static Pipeline pipeline(parameters, fog::IntegrityToken::not_needed());
   const std::uint32_t input = call(kOpen, {word("in.bin"), kForReading, 6});
   const std::uint32_t output = call(kOpen, {word("out.bin"), kForWriting, 7});
   static std::array<std::uint8_t, 4096> bytes;
-  std::array<std::uint8_t, fog::kMostOutputBytes> frames;
+  std::array<std::uint8_t, fog::kMaxOutputBytes> frames;
   for (;;) {
     const std::size_t size = bytes.size() - call(kRead, {input, word(bytes.data()), bytes.size()});
     if (size == 0) break;

@@ -49,7 +49,7 @@ Alarms alarms_of_a_paper_run(double rate_hz, const std::string& sensor) {
       const auto verdict =
           monitor.judge(sample, fog::calibrated_rate(parameters.calibration, sample.rate_counts));
       ++alarms.samples;
-      alarms.sensor_faults += any(verdict.status, kFaults);
+      alarms.sensor_faults += has_any(verdict.status, kFaults);
     }
   }
   return alarms;

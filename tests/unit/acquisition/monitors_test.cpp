@@ -33,7 +33,7 @@ TEST(SequenceMonitor, TimeIsRightAfterLostRepeatedAndReorderedSamples) {
   const auto send = [&](std::uint16_t sequence) {
     const auto verdict = monitor.judge(sequence);
     if (!verdict.late) time += verdict.missing + 1;
-    return any(verdict.status, Status::sequence_gap);
+    return has_any(verdict.status, Status::sequence_gap);
   };
   EXPECT_FALSE(send(65533));
   EXPECT_FALSE(send(65534));
@@ -52,7 +52,7 @@ TEST(SequenceMonitor, ADemodulatorThatCountsAnewIsFollowedAfterEightSamples) {
   const auto send = [&](std::uint16_t sequence) {
     const auto verdict = monitor.judge(sequence);
     if (!verdict.late) time += verdict.missing + 1;
-    return any(verdict.status, Status::sequence_gap);
+    return has_any(verdict.status, Status::sequence_gap);
   };
   for (std::uint16_t i = 1000; i < 1100; ++i) send(i);
   for (std::uint16_t i = 0; i < 8; ++i) EXPECT_TRUE(send(i)) << i;
@@ -234,9 +234,9 @@ TEST(StuckMonitor, CallsConstantAndTogglingCountsStuckAndNothingElse) {
 // Of a gyro that turns by 20,000 deg/s^2 at most.
 fog::RateMonitor rate_monitor(Rate range, std::uint32_t period_us) {
   const double step_dph = 20'000.0 * 3600 * period_us * 1e-6;
-  const double most_dph = std::ldexp(INT32_MAX, -fog::RateStep::fractional_bits);
+  const double max_dph = std::ldexp(INT32_MAX, -fog::RateStep::fractional_bits);
   const auto raw = static_cast<std::int32_t>(
-      std::ldexp(std::min(step_dph, most_dph), fog::RateStep::fractional_bits));
+      std::ldexp(std::min(step_dph, max_dph), fog::RateStep::fractional_bits));
   return {{range, fog::RateStep::from_raw(raw)}, period_us};
 }
 
@@ -244,7 +244,7 @@ TEST(RateMonitor, RangeIsSetAt97AndAHalfAndClearedBelow92AndAHalfFor50Millisecon
   for (const double sign : {1.0, -1.0}) {
     fog::RateMonitor monitor = rate_monitor(deg_per_s(400), kPeriodUs);
     const auto flagged = [&](double rate) {
-      return any(monitor.judge(deg_per_s(sign * rate), true, 1), Status::rate_out_of_range);
+      return has_any(monitor.judge(deg_per_s(sign * rate), true, 1), Status::rate_out_of_range);
     };
     EXPECT_FALSE(flagged(380));
     EXPECT_FALSE(flagged(389.9));
@@ -259,7 +259,7 @@ TEST(RateMonitor, RangeIsSetAt97AndAHalfAndClearedBelow92AndAHalfFor50Millisecon
 
 TEST(RateMonitor, LimitsOfTheRangeAreExactToTheLsb) {
   const auto flagged_at = [](fog::RateMonitor& monitor, std::int32_t raw) {
-    return any(monitor.judge(Rate::from_raw(raw), true, 1), Status::rate_out_of_range);
+    return has_any(monitor.judge(Rate::from_raw(raw), true, 1), Status::rate_out_of_range);
   };
   for (const std::int32_t sign : {1, -1}) {
     // A second a sample: nothing is a jump, and one sample inside is enough.
@@ -278,7 +278,7 @@ TEST(RateMonitor, LimitsOfTheRangeAreExactToTheLsb) {
     }
     fog::RateMonitor gap = rate_monitor(Rate::from_raw(1'000'000), 5000);
     EXPECT_TRUE(flagged_at(gap, sign * 975'000));
-    EXPECT_TRUE(any(gap.judge(Rate{}, true, 9), Status::rate_out_of_range));
+    EXPECT_TRUE(has_any(gap.judge(Rate{}, true, 9), Status::rate_out_of_range));
     EXPECT_FALSE(flagged_at(gap, 0)) << "lost samples are time as well";
   }
 }
@@ -319,7 +319,7 @@ TEST(RateMonitor, OnlyValidRatesInRangeAreAccepted) {
   EXPECT_EQ(invalid.judge(Rate::from_raw(9 * kStep), true, 1), Status::none);
   fog::RateMonitor beyond = rate_monitor(Rate::from_raw(100 * kStep), 100);
   EXPECT_EQ(beyond.judge(Rate::from_raw(99 * kStep), true, 1), Status::rate_out_of_range);
-  EXPECT_FALSE(any(beyond.judge(Rate{}, true, 1), Status::rate_jump)) << "none accepted yet";
+  EXPECT_FALSE(has_any(beyond.judge(Rate{}, true, 1), Status::rate_jump)) << "none accepted yet";
 }
 
 TEST(RateMonitor, ASpikeIsRefusedAndTheSampleAfterItAccepted) {

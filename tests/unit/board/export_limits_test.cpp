@@ -33,13 +33,13 @@ TEST(ExportLimits, ACoefficientIsNamedWithItsUnitTheLimitAndTheRemedy) {
 
 TEST(ExportLimits, ATrainedRangeInKelvinIsNamed) {
   model::Model model = fog::test::paper_like_model();
-  model.least_degc = 234;
-  model.most_degc = 335;
+  model.min_degc = 234;
+  model.max_degc = 335;
   EXPECT_EQ(refusal(model),
             "export: the trained range 234 to 335 degC lies outside -70 to 130 degC, what a board "
             "has; is temperature_degc in kelvin? subtract 273.15 and fit again");
-  model.least_degc = 131;
-  model.most_degc = 143;
+  model.min_degc = 131;
+  model.max_degc = 143;
   EXPECT_EQ(refusal(model),
             "export: the trained range 131 to 143 degC lies outside -70 to 130 degC, what a board "
             "has; is temperature_degc in degC? correct it and fit again");

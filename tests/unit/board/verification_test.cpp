@@ -15,8 +15,8 @@ TEST(Verification, AScaleFactorWithALargeSlopeIsWithinTheLimitAtAnyReferenceAndR
     model::Model model = fog::test::paper_like_model();
     model.network = {};
     model.terms = {fog::test::natural_term("scale_factor_temperature", {1, 25.5 + off}, {-400})};
-    model.least_degc = 21 + off;
-    model.most_degc = 46 - off;
+    model.min_degc = 21 + off;
+    model.max_degc = 46 - off;
     const BoardTable table = make_board_table(model, {200, fog::OutputSelection::kvh, false});
     const QuantizationError error = verify_quantization(model, read_board_table(table, "test"));
     EXPECT_LE(error.worst_dph, kQuantizationLimitDph) << off;

@@ -8,8 +8,8 @@ namespace {
 model::Model trained() {
   model::Model model;
   model.terms = {{"bias", {}, {}, {}, {0.7}, {0.01}}};
-  model.least_degc = -41;
-  model.most_degc = 61;
+  model.min_degc = -41;
+  model.max_degc = 61;
   model.rate_range_degc_per_min = model::Range{-0.7, 0.9};
   model.time_range_s = model::Range{600, 36000};
   return model;

@@ -49,11 +49,11 @@ TEST(RiskHistogram, ChoosesTheCandidateOfLeastRiskWhereTheSignalIsStrong) {
         histogram.add(magnitude(details.back()), kUniversal);
       }
       histogram.choose();
-      double least = risk(details, kUniversal);
-      for (int k = 1; k < 16; ++k) least = std::min(least, risk(details, k * (kUniversal / 16.0)));
+      double min = risk(details, kUniversal);
+      for (int k = 1; k < 16; ++k) min = std::min(min, risk(details, k * (kUniversal / 16.0)));
       const double chosen = risk(details, kUniversal * histogram.sixteenths() / 16.0);
       // The details' squares are known to the width of a bin only: 2 % of the noise in the block.
-      ASSERT_LE(chosen - least, 0.02 * fog::kThresholdBlock) << strength;
+      ASSERT_LE(chosen - min, 0.02 * fog::kThresholdBlock) << strength;
     }
   }
 }
@@ -109,15 +109,15 @@ TEST(RiskHistogram, TakesAnyMagnitude) {
 }
 
 // What it makes of 1, with kFraction fractional bits.
-std::uint32_t gain_of(const fog::NoiseGain& gain) {
-  return gain.of(std::uint32_t{1} << fog::NoiseGain::kFraction);
+std::uint32_t gain_of(const fog::NoiseScale& gain) {
+  return gain.of(std::uint32_t{1} << fog::NoiseScale::kFraction);
 }
 
-TEST(NoiseGain, FindsTheNoiseInSpiteOfOutliers) {
+TEST(NoiseScale, FindsTheNoiseInSpiteOfOutliers) {
   for (const double factor : {0.05, 1.0, 3.5}) {
     std::mt19937 random(3);
     std::normal_distribution<double> noise(0, 1000 * factor);
-    fog::NoiseGain gain;
+    fog::NoiseScale gain;
     for (int i = 0; i < 8000; ++i) {
       gain.follow(i % 50 == 0 ? 0xFFFFFFFFU : magnitude(noise(random)), kUniversal);
     }
@@ -125,16 +125,16 @@ TEST(NoiseGain, FindsTheNoiseInSpiteOfOutliers) {
     constexpr int kSamples = 8000;
     for (int i = 0; i < kSamples; ++i) {
       gain.follow(i % 50 == 0 ? 0xFFFFFFFFU : magnitude(noise(random)), kUniversal);
-      mean += std::ldexp(gain_of(gain), -fog::NoiseGain::kFraction) / kSamples;
+      mean += std::ldexp(gain_of(gain), -fog::NoiseScale::kFraction) / kSamples;
     }
     EXPECT_NEAR(mean / factor, 1, 0.06) << factor;
   }
 }
 
-TEST(NoiseGain, StaysWithinItsLimits) {
-  fog::NoiseGain gain;
+TEST(NoiseScale, StaysWithinItsLimits) {
+  fog::NoiseScale gain;
   for (int i = 0; i < 100000; ++i) gain.follow(0xFFFFFFFFU, kUniversal);
-  EXPECT_EQ(gain_of(gain), fog::NoiseGain::kMost);
+  EXPECT_EQ(gain_of(gain), fog::NoiseScale::kMax);
   for (int i = 0; i < 100000; ++i) gain.follow(0, kUniversal);
   EXPECT_GE(gain_of(gain), 512U);
 }

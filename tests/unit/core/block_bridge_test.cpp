@@ -42,12 +42,12 @@ TEST(BlockBridge, EndsAtTheGoodBlockWhateverWasRounded) {
   Bridge bridge(100);
   bridge.start(block_of(0, 0));
   ASSERT_TRUE(bridge.aim(block_of(-1001, 62), 61));
-  double most_off = 0;
+  double max_off = 0;
   for (int i = 1; i <= 62; ++i) {
     const double expected = -1001.0 * i / 62;
-    most_off = std::max(most_off, std::abs(bridge.next().temperature.raw() - expected));
+    max_off = std::max(max_off, std::abs(bridge.next().temperature.raw() - expected));
   }
-  EXPECT_LT(most_off, 10);  // 0.00015 degC
+  EXPECT_LT(max_off, 10);  // 0.00015 degC
   ASSERT_TRUE(bridge.aim(block_of(5, 63), 0));
   EXPECT_EQ(bridge.next().temperature.raw(), 5);
 }

@@ -22,8 +22,8 @@ class CompensatorTest : public testing::Test {
   void restart() {
     table_ = fogcomp::board::make_board_table(model_, settings_);
     parameters_ = fogcomp::board::read_board_table(table_, "test");
-    pipeline_ = std::make_unique<fogcomp::board::HostCompensator>(parameters_,
-                                                                  fog::ImageProof::not_needed());
+    pipeline_ = std::make_unique<fogcomp::board::HostCompensator>(
+        parameters_, fog::IntegrityToken::not_needed());
   }
 
   OutputSample send(SensorSample sample) { return pipeline_->process(sample); }

@@ -64,12 +64,12 @@ TEST_F(ExtensionTest, IsContentWithOneRecordPerBlock) {
   for (int block = 0; block < 20; ++block) {
     run_with_inputs(1);
     const OutputSample out = run(199);
-    ASSERT_FALSE(any(out.status, Status::input_missing | Status::drift_held));
+    ASSERT_FALSE(has_any(out.status, Status::input_missing | Status::drift_held));
   }
 }
 
 TEST_F(ExtensionTest, HasNoValidRateBeforeItsInputsHaveCome) {
-  EXPECT_TRUE(any(run(1000).status, Status::drift_given_up));
+  EXPECT_TRUE(has_any(run(1000).status, Status::drift_given_up));
   EXPECT_FALSE(run(1).compensated_valid());
   run_with_inputs(200);
   EXPECT_TRUE(run_with_inputs(1).compensated_valid());
@@ -86,14 +86,14 @@ TEST_F(ExtensionTest, HoldsTheDriftWithoutAnInputThenGivesItUpThenRecovers) {
     return last;
   };
   OutputSample out = run_without_field(2);
-  EXPECT_TRUE(any(out.status, Status::input_missing));
-  EXPECT_TRUE(any(out.status, Status::drift_held));
+  EXPECT_TRUE(has_any(out.status, Status::input_missing));
+  EXPECT_TRUE(has_any(out.status, Status::drift_held));
   EXPECT_TRUE(out.compensated_valid());
   EXPECT_EQ(out.drift, drift);
   out = run_without_field(60);
-  EXPECT_TRUE(any(out.status, Status::drift_given_up));
+  EXPECT_TRUE(has_any(out.status, Status::drift_given_up));
   out = run_with_inputs(401);
-  EXPECT_FALSE(any(out.status, Status::drift_given_up | Status::input_missing));
+  EXPECT_FALSE(has_any(out.status, Status::drift_given_up | Status::input_missing));
   EXPECT_TRUE(out.compensated_valid());
 }
 
@@ -105,7 +105,7 @@ TEST_F(ExtensionTest, TakesAnImpossibleSecondTemperatureForAMissingOne) {
     take(fog::Input::magnetic, 50);
     out = run(1);
   }
-  EXPECT_TRUE(any(out.status, Status::input_missing));
+  EXPECT_TRUE(has_any(out.status, Status::input_missing));
 }
 
 // The second temperature is the coil's and 1 degC; the first rises by 1.2 degC/min from 0 on.
@@ -120,8 +120,8 @@ class SecondTemperature : public ExtensionTest {
   // its sensor says.
   template <class Second>
   Run ramp(Second second) {
-    pipeline_ = std::make_unique<fogcomp::board::HostCompensator>(parameters_,
-                                                                  fog::ImageProof::not_needed());
+    pipeline_ = std::make_unique<fogcomp::board::HostCompensator>(
+        parameters_, fog::IntegrityToken::not_needed());
     Run run;
     const int seconds = static_cast<int>(parameters_.policy.settle_blocks) + 90;
     for (int i = 0; i < seconds * 200; ++i) {
@@ -151,23 +151,23 @@ TEST_F(SecondTemperature, AFirstValueThatIsWrongLeavesNoTraceInAValidRate) {
   const Run undisturbed = ramp(true_value);
   const Run run = ramp([](int i, double degc) { return i < 20 ? 50 : degc; });
   for (std::size_t i = 0; i < run.drift_dph.size(); ++i) {
-    if (any(run.status[i], fog::kRateInvalid | Status::thermal_settling)) continue;
+    if (has_any(run.status[i], fog::kRateInvalid | Status::thermal_settling)) continue;
     ASSERT_NEAR(run.drift_dph[i], undisturbed.drift_dph[i], 2.0 / 1024) << i;
   }
-  EXPECT_FALSE(any(run.status.back(), fog::kRateInvalid | Status::thermal_settling));
+  EXPECT_FALSE(has_any(run.status.back(), fog::kRateInvalid | Status::thermal_settling));
 }
 
 TEST_F(SecondTemperature, ThatStandsStillWithItsNoiseIsMissing) {
   const Run run = ramp([](int i, double degc) { return i < 100 * 200 ? degc : 31.5; });
-  EXPECT_FALSE(any(run.status[100 * 200], Status::input_missing));
-  EXPECT_TRUE(any(run.status.back(), Status::input_missing));
+  EXPECT_FALSE(has_any(run.status[100 * 200], Status::input_missing));
+  EXPECT_TRUE(has_any(run.status.back(), Status::input_missing));
 }
 
 TEST_F(SecondTemperature, ThatJumpsAndIsConfirmedStartsTheModelAnew) {
   const Run run = ramp([](int i, double degc) { return i < 100 * 200 ? degc : degc + 10; });
-  EXPECT_TRUE(any(run.status[102 * 200], Status::input_missing));
-  EXPECT_FALSE(any(run.status[120 * 200], Status::input_missing));
-  EXPECT_TRUE(any(run.status[120 * 200], Status::thermal_settling));
+  EXPECT_TRUE(has_any(run.status[102 * 200], Status::input_missing));
+  EXPECT_FALSE(has_any(run.status[120 * 200], Status::input_missing));
+  EXPECT_TRUE(has_any(run.status[120 * 200], Status::thermal_settling));
   EXPECT_EQ(run.status.back() & fog::kRateInvalid, Status::none);
 }
 
@@ -193,11 +193,11 @@ class TrainedField : public ExtensionTest {
 };
 
 TEST_F(TrainedField, BeyondItsRangeIsMissing) {
-  EXPECT_FALSE(any(run_with_field(50, 200).status, Status::input_missing));
-  EXPECT_FALSE(any(run_with_field(149, 600).status, Status::input_missing));
-  EXPECT_TRUE(any(run_with_field(151, 600).status, Status::input_missing));
-  EXPECT_FALSE(any(run_with_field(-49, 600).status, Status::input_missing));
-  EXPECT_TRUE(any(run_with_field(-51, 600).status, Status::input_missing));
+  EXPECT_FALSE(has_any(run_with_field(50, 200).status, Status::input_missing));
+  EXPECT_FALSE(has_any(run_with_field(149, 600).status, Status::input_missing));
+  EXPECT_TRUE(has_any(run_with_field(151, 600).status, Status::input_missing));
+  EXPECT_FALSE(has_any(run_with_field(-49, 600).status, Status::input_missing));
+  EXPECT_TRUE(has_any(run_with_field(-51, 600).status, Status::input_missing));
 }
 
 TEST_F(TrainedField, IsNotTakenFromASpikeAndIsFromAStepThatLasts) {
@@ -206,7 +206,7 @@ TEST_F(TrainedField, IsNotTakenFromASpikeAndIsFromAStepThatLasts) {
     const bool spike = i < 80 || i == 300;  // 0.4 s, 5 ms
     EXPECT_NEAR(run_with_field(spike ? 90 : 50, 1).drift.raw(), drift.raw(), 1) << i;
   }
-  EXPECT_FALSE(any(run_with_field(90, 800).status, Status::input_missing));
+  EXPECT_FALSE(has_any(run_with_field(90, 800).status, Status::input_missing));
   EXPECT_GT(run_with_field(90, 1).drift, drift);
 }
 
@@ -221,7 +221,7 @@ TEST_F(CompensatorTest, WarmUpGoesOnThroughATemperatureHoldAndARestartOfTheModel
     send(in);
   }
   const OutputSample out = run(201);
-  EXPECT_TRUE(any(out.status, Status::thermal_settling));
+  EXPECT_TRUE(has_any(out.status, Status::thermal_settling));
   EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), 10 * std::exp(-151 / 100.0), 2.0 / 1024);
 }
 
@@ -232,7 +232,7 @@ TEST_F(CompensatorTest, WarmUpCountsLostSamplesAsTimeThatPasses) {
   run(200 * 5);
   sequence_ = static_cast<std::uint16_t>(sequence_ + 200 * 20);
   const OutputSample out = run(200 + 21);  // a step for each lost block, one a sample
-  EXPECT_FALSE(any(out.status, Status::drift_held));
+  EXPECT_FALSE(has_any(out.status, Status::drift_held));
   EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), 10 * std::exp(-26 / 100.0), 2.0 / 1024);
 }
 

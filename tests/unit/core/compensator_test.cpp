@@ -111,7 +111,7 @@ TEST_F(CompensatorTest, FlagsARateBeyondItsRangeAndClipsInsteadOfWrapping) {
     SensorSample in = sample();
     in.rate_counts = counts;
     const OutputSample out = send(in);
-    EXPECT_TRUE(any(out.status, Status::rate_out_of_range));
+    EXPECT_TRUE(has_any(out.status, Status::rate_out_of_range));
     EXPECT_FALSE(out.compensated_valid());
     EXPECT_EQ(out.compensated.raw() > 0, counts > 0);
   }
@@ -130,15 +130,15 @@ TEST_F(CompensatorTest, HoldsTheDriftWithoutATemperatureThenGivesItUpThenRecover
     return last;
   };
   OutputSample out = send_without_temperature(2);
-  EXPECT_TRUE(any(out.status, Status::temperature_invalid | Status::drift_held));
+  EXPECT_TRUE(has_any(out.status, Status::temperature_invalid | Status::drift_held));
   EXPECT_TRUE(out.compensated_valid());
   EXPECT_EQ(out.drift, drift);
   out = send_without_temperature(60);
-  EXPECT_TRUE(any(out.status, Status::drift_given_up));
+  EXPECT_TRUE(has_any(out.status, Status::drift_given_up));
   EXPECT_FALSE(out.compensated_valid());
   out = run(401);
-  EXPECT_FALSE(any(out.status, Status::drift_given_up | Status::drift_held));
-  EXPECT_TRUE(any(out.status, Status::thermal_settling));
+  EXPECT_FALSE(has_any(out.status, Status::drift_given_up | Status::drift_held));
+  EXPECT_TRUE(has_any(out.status, Status::thermal_settling));
   EXPECT_TRUE(out.compensated_valid());
 }
 
@@ -148,7 +148,7 @@ TEST_F(CompensatorTest, TakesAnImpossibleTemperatureForAMissingOne) {
     SensorSample in = sample();
     in.temperature_q16 = degc * kDegree;
     const OutputSample out = send(in);
-    EXPECT_TRUE(any(out.status, Status::temperature_invalid)) << degc;
+    EXPECT_TRUE(has_any(out.status, Status::temperature_invalid)) << degc;
     EXPECT_EQ(out.temperature.raw(), 25 * kDegree);
   }
 }
@@ -160,7 +160,7 @@ TEST_F(CompensatorTest, ClampsAndFlagsATemperatureOutsideTheTrainedRange) {
     in.temperature_q16 = 100 * kDegree;
     out = send(in);
   }
-  EXPECT_TRUE(any(out.status, Status::temperature_clamped));
+  EXPECT_TRUE(has_any(out.status, Status::temperature_clamped));
   EXPECT_TRUE(out.compensated_valid());
 }
 
@@ -169,29 +169,29 @@ TEST_F(CompensatorTest, FlagsLostAndRepeatedSamplesAndKeepsTime) {
   sequence_ = static_cast<std::uint16_t>(sequence_ + 100);  // the block ends within the gap
   SensorSample in = sample();
   in.temperature_q16 = 26 * kDegree;
-  EXPECT_TRUE(any(send(in).status, Status::sequence_gap));
-  EXPECT_FALSE(any(run(1).status, Status::sequence_gap));
+  EXPECT_TRUE(has_any(send(in).status, Status::sequence_gap));
+  EXPECT_FALSE(has_any(run(1).status, Status::sequence_gap));
   --sequence_;  // the same number again
-  EXPECT_TRUE(any(run(1).status, Status::sequence_gap));
+  EXPECT_TRUE(has_any(run(1).status, Status::sequence_gap));
 }
 
 TEST_F(CompensatorTest, AGapLongerThanTheHoldGivesTheDriftUp) {
   run(400);
   sequence_ = static_cast<std::uint16_t>(sequence_ + 200 * 62);
   const OutputSample out = run(2);
-  EXPECT_TRUE(any(out.status, Status::drift_given_up));
+  EXPECT_TRUE(has_any(out.status, Status::drift_given_up));
 }
 
 TEST_F(CompensatorTest, CallsAGyroStuckAfterHalfASecondOfEqualCounts) {
   run(400);
   SensorSample stuck = sample();
   for (int i = 1; i < 100; ++i) {
-    EXPECT_FALSE(any(send(stuck).status, Status::gyro_stuck)) << i;
+    EXPECT_FALSE(has_any(send(stuck).status, Status::gyro_stuck)) << i;
     ++stuck.sequence;
   }
-  EXPECT_TRUE(any(send(stuck).status, Status::gyro_stuck));
+  EXPECT_TRUE(has_any(send(stuck).status, Status::gyro_stuck));
   sequence_ = stuck.sequence;
-  EXPECT_FALSE(any(run(1).status, Status::gyro_stuck));
+  EXPECT_FALSE(has_any(run(1).status, Status::gyro_stuck));
 }
 
 TEST_F(CompensatorTest, AnswersEverySampleWithTheFramesOfItsModel) {
@@ -202,8 +202,8 @@ TEST_F(CompensatorTest, AnswersEverySampleWithTheFramesOfItsModel) {
         fogcomp::board::make_board_table(model_, {200, selection});
     const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
     const auto pipeline = std::make_unique<fogcomp::board::HostCompensator>(
-        parameters, fog::ImageProof::not_needed());
-    std::vector<std::uint8_t> out(fog::kMostOutputBytes);
+        parameters, fog::IntegrityToken::not_needed());
+    std::vector<std::uint8_t> out(fog::kMaxOutputBytes);
     std::size_t size = 0;
     for (const std::uint8_t byte : frame) {
       ASSERT_EQ(size, 0U);
@@ -262,14 +262,14 @@ TEST_F(CompensatorTest, ARateIsValidWhereNoneOfTheChosenFlagsIs) {
       in.temperature_valid = i / 2000 != 25 && i / 12000 != 5;  // 10 s, and a minute
       if (i == 60'000) sequence_ = static_cast<std::uint16_t>(sequence_ + 1);
       const OutputSample out = send(in);
-      const bool undelayed = !any(out.status, refusing & ~Status::denoiser_filling);
+      const bool undelayed = !has_any(out.status, refusing & ~Status::denoiser_filling);
       good = undelayed ? good + 1 : 0;
       ASSERT_EQ(out.compensated_valid(), undelayed) << i;
       if (good > 466) {
         ASSERT_TRUE(out.denoised_valid()) << i;
       }
       if (out.denoised_valid()) {
-        ASSERT_FALSE(any(out.status, refusing | Status::denoised_invalid)) << i;
+        ASSERT_FALSE(has_any(out.status, refusing | Status::denoised_invalid)) << i;
       }
     }
   }
@@ -291,11 +291,11 @@ TEST_F(CompensatorTest, ADriftIsOutdatedWhenItWasHeldBeyondItsAccuracy) {
       in.temperature_valid = false;
       out = send(in);
     }
-    if (any(out.status, Status::drift_outdated)) break;
+    if (has_any(out.status, Status::drift_outdated)) break;
   }
   EXPECT_NEAR(held, accurate + 1, 1);
   run(200 * 2);
-  EXPECT_FALSE(any(run(1).status, Status::drift_outdated));
+  EXPECT_FALSE(has_any(run(1).status, Status::drift_outdated));
 }
 
 // An image has room for its own model alone; what it leaves out must not be missed.
@@ -304,16 +304,16 @@ void expect_same_bytes(const fogcomp::model::Model& model) {
   const fogcomp::board::BoardTable table =
       fogcomp::board::make_board_table(model, {20, fog::OutputSelection::both});
   fog::ModelParameters parameters;
-  ASSERT_EQ(fog::read_model(table.span(), Image::room, parameters), fog::ModelError::none);
-  Image image(parameters, fog::ImageProof::not_needed());
-  fogcomp::board::HostCompensator any(parameters, fog::ImageProof::not_needed());
-  std::uint8_t from_image[fog::kMostOutputBytes];
-  std::uint8_t from_any[fog::kMostOutputBytes];
+  ASSERT_EQ(fog::read_model(table.span(), Image::capacity, parameters), fog::ModelError::none);
+  Image image(parameters, fog::IntegrityToken::not_needed());
+  fogcomp::board::HostCompensator any_bytes(parameters, fog::IntegrityToken::not_needed());
+  std::uint8_t from_image[fog::kMaxOutputBytes];
+  std::uint8_t from_any[fog::kMaxOutputBytes];
   std::size_t sent = 0;
   const auto feed = [&](const auto& frame) {
     for (const std::uint8_t byte : frame) {
       const std::size_t size = image.feed(byte, from_image);
-      ASSERT_EQ(any.feed(byte, from_any), size);
+      ASSERT_EQ(any_bytes.feed(byte, from_any), size);
       ASSERT_TRUE(std::equal(from_image, from_image + size, from_any)) << sent;
       sent += size;
     }
@@ -324,9 +324,9 @@ void expect_same_bytes(const fogcomp::model::Model& model) {
     feed(fog::encode_sensor_frame(
         {i, 700 + i % 11, (20 + i / 40) * kDegree, i % 60 != 59, i % 90 < 80}));
   }
-  EXPECT_EQ(sent, 2000U * fog::kMostOutputBytes);
+  EXPECT_EQ(sent, 2000U * fog::kMaxOutputBytes);
   EXPECT_EQ(image.discarded_bytes(), 3U * 8);
-  EXPECT_EQ(any.discarded_bytes(), 3U * 8);
+  EXPECT_EQ(any_bytes.discarded_bytes(), 3U * 8);
 }
 
 constexpr fog::EffectMask kThreeEffects = 0x7;
@@ -344,20 +344,20 @@ void expect_room_for_its_own_frames_alone(fog::OutputSelection other) {
   for (const auto refused : {other, fog::OutputSelection::both}) {
     const fogcomp::board::BoardTable table =
         fogcomp::board::make_board_table(fog::test::paper_like_model(), {200, refused});
-    EXPECT_EQ(fog::read_model(table.span(), Image::room, parameters),
+    EXPECT_EQ(fog::read_model(table.span(), Image::capacity, parameters),
               fog::ModelError::not_in_image);
   }
   const fogcomp::board::BoardTable table =
       fogcomp::board::make_board_table(fog::test::paper_like_model(), {200, kOutput});
-  ASSERT_EQ(fog::read_model(table.span(), Image::room, parameters), fog::ModelError::none);
-  Image image(parameters, fog::ImageProof::not_needed());
-  fogcomp::board::HostCompensator any(parameters, fog::ImageProof::not_needed());
-  std::uint8_t from_image[fog::kMostOutputBytes];
-  std::uint8_t from_any[fog::kMostOutputBytes];
+  ASSERT_EQ(fog::read_model(table.span(), Image::capacity, parameters), fog::ModelError::none);
+  Image image(parameters, fog::IntegrityToken::not_needed());
+  fogcomp::board::HostCompensator any_bytes(parameters, fog::IntegrityToken::not_needed());
+  std::uint8_t from_image[fog::kMaxOutputBytes];
+  std::uint8_t from_any[fog::kMaxOutputBytes];
   const auto frame = fog::encode_sensor_frame({1, 700, 20 * kDegree, true, true});
   for (const std::uint8_t byte : frame) {
     const std::size_t size = image.feed(byte, from_image);
-    ASSERT_EQ(any.feed(byte, from_any), size);
+    ASSERT_EQ(any_bytes.feed(byte, from_any), size);
     EXPECT_TRUE(std::equal(from_image, from_image + size, from_any));
   }
 }

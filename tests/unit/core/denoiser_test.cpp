@@ -19,7 +19,7 @@ namespace {
 
 using fog::Rate;
 using fog::test::kNoiseResolution;
-using Denoiser = fog::Denoiser<fog::kAnyTaps, fog::kMostLevels>;
+using Denoiser = fog::Denoiser<fog::kAnyTaps, fog::kMaxLevels>;
 
 constexpr std::size_t kDelay = 465;
 
@@ -223,7 +223,7 @@ TEST_F(DenoiserTest, StaysBoundedAtFullScaleWithoutOverflow) {
       input[i] = i % 4000 < 2000 ? extreme() : static_cast<std::int32_t>(random_());
     }
     const auto output = run(*denoiser, input);
-    const double gain = rule == fog::ThresholdRule::fixed ? 1 : fog::kMostThresholdGain;
+    const double gain = rule == fog::ThresholdRule::fixed ? 1 : fog::kMaxThresholdScale;
     const double bound = gain * removal_bound(filter_, 5) * kThreshold;
     for (std::size_t i = kDelay + 1; i < output.size(); ++i) {
       // Where a sample was taken for an outlier, the one before it stands in.

@@ -16,8 +16,8 @@ class DriftStatus : public testing::Test {
   DriftStatus() {
     thermal_.derivative.decay = decltype(thermal_.derivative.decay)::from_raw(1 << 29);
     thermal_.derivative.rate_gain = decltype(thermal_.derivative.rate_gain)::from_raw(1 << 24);
-    thermal_.least = fog::from_integer<Temperature>(-40);
-    thermal_.most = fog::from_integer<Temperature>(60);
+    thermal_.min = fog::from_integer<Temperature>(-40);
+    thermal_.max = fog::from_integer<Temperature>(60);
     policy_.hold_blocks = 5;
     policy_.accurate_blocks = INT32_MAX;
     policy_.settle_blocks = 3;
@@ -119,7 +119,7 @@ TEST_F(DriftStatus, IsHeldUntilTheModelHasCaughtUpStepByStep) {
   for (int i = 0; i < 4; ++i) {
     next_sample();
     EXPECT_EQ(model.drift(), held);
-    EXPECT_TRUE(any(model.status(), Status::drift_held));
+    EXPECT_TRUE(has_any(model.status(), Status::drift_held));
   }
   next_sample();
   EXPECT_EQ(model.drift(), whole.drift());
@@ -138,11 +138,11 @@ TEST_F(DriftStatus, AHoldDuringTheCatchingUpIsHeldAsWell) {
   model.catch_up();
   model.hold(1);
   for (int i = 0; i < 3; ++i) model.catch_up();
-  EXPECT_TRUE(any(model.status(), Status::drift_held)) << "the block that was lost meanwhile";
+  EXPECT_TRUE(has_any(model.status(), Status::drift_held)) << "the block that was lost meanwhile";
   model.hold(4);
-  EXPECT_FALSE(any(model.status(), Status::drift_given_up));
+  EXPECT_FALSE(has_any(model.status(), Status::drift_given_up));
   model.hold(1);
-  EXPECT_TRUE(any(model.status(), Status::drift_given_up));
+  EXPECT_TRUE(has_any(model.status(), Status::drift_given_up));
   model.step(at(4000));
   EXPECT_EQ(model.status(), Status::thermal_settling);
 }
@@ -153,11 +153,11 @@ TEST_F(DriftStatus, StaysGivenUpHoweverLongNothingComes) {
   model.start(at(0));
   for (const std::uint32_t blocks : {0x7FFFFFFFU, 0x7FFFFFFFU, 5U, 0x7FFFFFFFU, 0x7FFFFFFFU}) {
     model.hold(blocks);
-    EXPECT_TRUE(any(model.status(), Status::drift_held));
+    EXPECT_TRUE(has_any(model.status(), Status::drift_held));
   }
-  EXPECT_TRUE(any(model.status(), Status::drift_given_up));
+  EXPECT_TRUE(has_any(model.status(), Status::drift_given_up));
   model.hold(7);
-  EXPECT_TRUE(any(model.status(), Status::drift_given_up));
+  EXPECT_TRUE(has_any(model.status(), Status::drift_given_up));
 }
 
 TEST_F(DriftStatus, ATemperatureIsClampedBeyondTheTrainedRangeToTheLsb) {
@@ -206,12 +206,12 @@ TEST_F(DriftStatus, TheRateIsClampedTo32DegreesAMinute) {
     model.start(at(0));
     EXPECT_EQ(model.drift(), fog::Rate{});
     model.step(at(sign * 1024 * 65536));
-    const fog::Rate most = model.drift();
-    EXPECT_NE(most, fog::Rate{});
+    const fog::Rate max = model.drift();
+    EXPECT_NE(max, fog::Rate{});
     Model further = make();
     further.start(at(0));
     further.step(at(sign * 2048 * 65536));
-    EXPECT_EQ(further.drift(), most);
+    EXPECT_EQ(further.drift(), max);
   }
 }
 

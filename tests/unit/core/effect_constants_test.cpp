@@ -21,8 +21,8 @@ bool accepted(std::size_t id, const Constants& constants, std::size_t coefficien
   return fog::effect_fits<fog::kAllEffects>(id, effect, constants.size());
 }
 
-constexpr std::int32_t kMost = INT32_MAX;
-constexpr std::int32_t kLeast = INT32_MIN;
+constexpr std::int32_t kMax = INT32_MAX;
+constexpr std::int32_t kMin = INT32_MIN;
 constexpr std::int32_t k256Degrees = 256 << 22;
 constexpr std::int32_t k256Degrees_q16 = 256 << 16;
 
@@ -37,20 +37,16 @@ struct EffectLimits {
 const EffectLimits kEffects[] = {
     {"bias", 0, 1, {{}}, {}},
     {"temperature_rate", 2, 1, {{}}, {}},
-    {"shupe", 3, 1, {{1}, {kMost}}, {{0}, {-1}}},
-    {"thermal_lag", 4, 1, {{1}, {kMost}}, {{0}, {-1}}},
+    {"shupe", 3, 1, {{1}, {kMax}}, {{0}, {-1}}},
+    {"thermal_lag", 4, 1, {{1}, {kMax}}, {{0}, {-1}}},
     {"temperature_rate_product", 5, 1, {{}}, {}},
-    {"axial_gradient", 6, 2, {{1, 1}, {kMost, kMost}}, {{0, 1}, {1, 0}, {-1, 1}, {1, -1}}},
+    {"axial_gradient", 6, 2, {{1, 1}, {kMax, kMax}}, {{0, 1}, {1, 0}, {-1, 1}, {1, -1}}},
     {"polarization_ripple, one",
      7,
      2,
-     {{1, 0, kLeast}, {kMost, 0, kMost}},
+     {{1, 0, kMin}, {kMax, 0, kMax}},
      {{0, 0, 0}, {-1, 0, 0}, {1, -1, 0}}},
-    {"polarization_ripple, two",
-     7,
-     4,
-     {{1, 1, 0}, {kMost, kMost, kLeast}},
-     {{0, 1, 0}, {1, -1, 0}}},
+    {"polarization_ripple, two", 7, 4, {{1, 1, 0}, {kMax, kMax, kMin}}, {{0, 1, 0}, {1, -1, 0}}},
     {"thermal_hysteresis, one",
      8,
      1,
@@ -64,7 +60,7 @@ const EffectLimits kEffects[] = {
     {"glass_transition",
      9,
      2,
-     {{0, 1}, {k256Degrees - 1, kMost}, {1 - k256Degrees, 1}},
+     {{0, 1}, {k256Degrees - 1, kMax}, {1 - k256Degrees, 1}},
      {{0, 0}, {k256Degrees, 1}, {-k256Degrees, 1}, {0, -1}}},
     {"scale_factor", 17, 1, {{}}, {}},
     {"scale_factor_temperature",
@@ -72,14 +68,14 @@ const EffectLimits kEffects[] = {
      2,
      {{2, k256Degrees_q16}, {2, -k256Degrees_q16}},
      {{0, 0}, {4, 0}, {2, k256Degrees_q16 + 1}, {2, -k256Degrees_q16 - 1}}},
-    {"scale_factor_nonlinearity", 18, 2, {{3, 1}, {3, kMost}}, {{1, 1}, {6, 1}, {3, 0}, {3, -1}}},
+    {"scale_factor_nonlinearity", 18, 2, {{3, 1}, {3, kMax}}, {{1, 1}, {6, 1}, {3, 0}, {3, -1}}},
     {"scale_factor_asymmetry",
      19,
      1,
-     {{1, 1}, {36864000, 119305}, {kMost, 3072}},
-     {{0, 1}, {1, 0}, {kMost, 3073}, {kMost, kMost}}},
-    {"warm_up", 11, 1, {{1}, {kMost}}, {{0}, {-1}}},
-    {"aging", 12, 1, {{1}, {kMost}}, {{0}, {-1}}},
+     {{1, 1}, {36864000, 119305}, {kMax, 3072}},
+     {{0, 1}, {1, 0}, {kMax, 3073}, {kMax, kMax}}},
+    {"warm_up", 11, 1, {{1}, {kMax}}, {{0}, {-1}}},
+    {"aging", 12, 1, {{1}, {kMax}}, {{0}, {-1}}},
 };
 
 TEST(EffectConstants, AreAcceptedUpToTheirLimitsAndRefusedBeyond) {

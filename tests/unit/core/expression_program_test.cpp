@@ -51,7 +51,7 @@ TEST(ExpressionProgram, ArgumentsAreAcceptedUpToTheirLimits) {
   constexpr auto kLast = static_cast<std::int32_t>(fog::kInputs) - 1;
   const struct {
     ExpressionOp op;
-    std::int32_t least, most;
+    std::int32_t min, max;
     std::size_t takes, leaves;
     Program words;
   } operations[] = {
@@ -67,8 +67,8 @@ TEST(ExpressionProgram, ArgumentsAreAcceptedUpToTheirLimits) {
       {ExpressionOp::divide, 0, 30, 2, 1, {}},
       {ExpressionOp::negate, 0, 0, 1, 1, {}},
       {ExpressionOp::absolute, 0, 0, 1, 1, {}},
-      {ExpressionOp::least, 0, 0, 2, 1, {}},
-      {ExpressionOp::most, 0, 0, 2, 1, {}},
+      {ExpressionOp::min, 0, 0, 2, 1, {}},
+      {ExpressionOp::max, 0, 0, 2, 1, {}},
       {ExpressionOp::sine, 0, 62, 1, 1, {}},
       {ExpressionOp::cosine, 0, 62, 1, 1, {}},
       {ExpressionOp::decay, 0, 0, 1, 1, {}},
@@ -76,14 +76,14 @@ TEST(ExpressionProgram, ArgumentsAreAcceptedUpToTheirLimits) {
       {ExpressionOp::lag, 0, 0, 1, 1, {1}},
       {ExpressionOp::play, 0, 0, 1, 1, {1}},
   };
-  for (const auto& [op, least, most, takes, leaves, words] : operations) {
+  for (const auto& [op, min, max, takes, leaves, words] : operations) {
     const int number = static_cast<int>(op);
-    EXPECT_TRUE(fits_alone(op, least, takes, leaves, words)) << number;
-    EXPECT_TRUE(fits_alone(op, most, takes, leaves, words)) << number;
-    EXPECT_FALSE(fits_alone(op, least - 1, takes, leaves, words)) << number;
-    EXPECT_FALSE(fits_alone(op, most + 1, takes, leaves, words)) << number;
+    EXPECT_TRUE(fits_alone(op, min, takes, leaves, words)) << number;
+    EXPECT_TRUE(fits_alone(op, max, takes, leaves, words)) << number;
+    EXPECT_FALSE(fits_alone(op, min - 1, takes, leaves, words)) << number;
+    EXPECT_FALSE(fits_alone(op, max + 1, takes, leaves, words)) << number;
     if (takes > 0) {  // a stack that runs empty
-      EXPECT_FALSE(fits(joined({repeated(takes - 1, kConstant), {word(op, least)}, words})));
+      EXPECT_FALSE(fits(joined({repeated(takes - 1, kConstant), {word(op, min)}, words})));
     }
   }
   for (const std::int32_t bits : {-31, 62}) {
@@ -224,8 +224,8 @@ TEST(ExpressionOperations, ShiftRoundsToTheRightAndSaturatesToTheLeft) {
 
 TEST(ExpressionOperations, LeastMostAndTheStack) {
   for (const Program& order : {Program{-3, 4}, Program{4, -3}}) {
-    EXPECT_EQ(result(ExpressionOp::least, order), -3);
-    EXPECT_EQ(result(ExpressionOp::most, order), 4);
+    EXPECT_EQ(result(ExpressionOp::min, order), -3);
+    EXPECT_EQ(result(ExpressionOp::max, order), 4);
   }
   const Program subtract{word(ExpressionOp::subtract)}, add{word(ExpressionOp::add)};
   const Program two = joined({constant(50), constant(3)});
@@ -268,8 +268,8 @@ TEST(ExpressionOperations, SignalsAreWhatTheirNumbersSayWithinTheirLimits) {
   }
   for (std::int32_t number = 0; number < 9; ++number) {
     const std::int32_t expected = 100 + number;
-    const auto within = [&](std::int32_t least, std::int32_t most) {
-      return run(joined({{word(ExpressionOp::signal, number), least, most}, kOutput}), {signals});
+    const auto within = [&](std::int32_t min, std::int32_t max) {
+      return run(joined({{word(ExpressionOp::signal, number), min, max}, kOutput}), {signals});
     };
     EXPECT_EQ(within(INT32_MIN, INT32_MAX), expected);
     EXPECT_EQ(within(expected + 5, INT32_MAX), expected + 5);

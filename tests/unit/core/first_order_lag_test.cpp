@@ -64,8 +64,8 @@ TEST(ThermalState, HasTheRampsRateTwoTimeConstantsAfterItsStart) {
   fog::ThermalParameters<fog::BoardNumbers> parameters;
   parameters.derivative.decay = decay(kTau);
   parameters.derivative.rate_gain = rate_gain(kTau);
-  parameters.least = fog::from_integer<fog::Temperature>(-50);
-  parameters.most = fog::from_integer<fog::Temperature>(70);
+  parameters.min = fog::from_integer<fog::Temperature>(-50);
+  parameters.max = fog::from_integer<fog::Temperature>(70);
   fog::ThermalState<fog::BoardNumbers> thermal(parameters);
   const auto at = [](double degc) {
     return fog::Temperature::from_raw(static_cast<std::int32_t>(std::lround(degc * 65536)));
@@ -86,15 +86,15 @@ TEST(ThermalState, ClampsTemperatureToTheTrainedRangeButNotItsRate) {
   fog::ThermalParameters<fog::BoardNumbers> parameters;
   parameters.derivative.decay = decay(2);
   parameters.derivative.rate_gain = rate_gain(2);
-  parameters.least = fog::from_integer<fog::Temperature>(-40);
-  parameters.most = fog::from_integer<fog::Temperature>(60);
+  parameters.min = fog::from_integer<fog::Temperature>(-40);
+  parameters.max = fog::from_integer<fog::Temperature>(60);
   fog::ThermalState<fog::BoardNumbers> thermal(parameters);
   thermal.reset({fog::from_integer<fog::Temperature>(60)});
   fog::Signals<fog::BoardNumbers> signals;
   for (int i = 1; i < 60; ++i) {
     signals = thermal.step({fog::Temperature::from_raw((60 << 16) + i * 65536 / 60)});
   }
-  EXPECT_EQ(signals.temperature, parameters.most);
+  EXPECT_EQ(signals.temperature, parameters.max);
   EXPECT_NEAR(std::ldexp(signals.temperature_rate.raw(), -25), 1, 0.01);
 }
 

@@ -90,7 +90,7 @@ TEST(KvhFrame, IsNotValidWhereTheDenoisedRateIsRefused) {
   for (unsigned bit = 0; bit < 32; ++bit) {
     fog::OutputSample faulty = sample();
     faulty.status = static_cast<fog::Status>(1U << bit);
-    const bool refused = any(faulty.status, fog::kDenoisedInvalid);
+    const bool refused = has_any(faulty.status, fog::kDenoisedInvalid);
     EXPECT_EQ(fog::encode_kvh_frame(faulty, fog::rate_as_radians_float(faulty.denoised), 0,
                                     fog::kIntactImage)[28],
               refused ? 0 : 4)

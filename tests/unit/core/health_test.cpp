@@ -11,8 +11,8 @@
 #include "core/frames/health_request.hpp"
 #include "core/frames/kvh_frame.hpp"
 #include "core/frames/rate_float.hpp"
-#include "core/health/image_proof.hpp"
 #include "core/health/image_seal.hpp"
+#include "core/health/integrity_token.hpp"
 #include "core/health/memory_scan.hpp"
 #include "core/health/sealed_scan.hpp"
 
@@ -90,29 +90,29 @@ TEST(SealedScan, GoesOverASlotAsWell) {
   }
 }
 
-bool next_is_intact(fog::ImageProof& proof) {
-  proof.take();
-  const bool for_status = proof.for_status() == fog::kIntactImage;
-  EXPECT_EQ(for_status, proof.for_frames() == fog::kIntactImage);
+bool next_is_intact(fog::IntegrityToken& token) {
+  token.consume();
+  const bool for_status = token.for_status() == fog::kIntactImage;
+  EXPECT_EQ(for_status, token.for_frames() == fog::kIntactImage);
   return for_status;
 }
 
-TEST(ImageProof, LastsOnlyAsLongAsChecksAreGiven) {
-  fog::ImageProof proof(10);
-  EXPECT_FALSE(next_is_intact(proof));  // none given yet
-  proof.give(fog::kIntactImage, fog::kIntactImage);
-  for (int i = 1; i < 10; ++i) EXPECT_FALSE(next_is_intact(proof)) << i;
+TEST(IntegrityToken, LastsOnlyAsLongAsChecksAreGiven) {
+  fog::IntegrityToken token(10);
+  EXPECT_FALSE(next_is_intact(token));  // none given yet
+  token.publish(fog::kIntactImage, fog::kIntactImage);
+  for (int i = 1; i < 10; ++i) EXPECT_FALSE(next_is_intact(token)) << i;
   for (int round = 0; round < 5; ++round) {
     for (int i = 0; i < 10; ++i) {
-      EXPECT_TRUE(next_is_intact(proof)) << i;
-      if (i == 4) proof.give(fog::kIntactImage, fog::kIntactImage);
+      EXPECT_TRUE(next_is_intact(token)) << i;
+      if (i == 4) token.publish(fog::kIntactImage, fog::kIntactImage);
     }
   }
-  for (int i = 0; i < 10; ++i) EXPECT_TRUE(next_is_intact(proof));
-  for (int i = 0; i < 100; ++i) EXPECT_FALSE(next_is_intact(proof));  // the check stopped
-  proof.give(0x12345678, 0x12345678);
-  for (int i = 0; i < 10; ++i) EXPECT_FALSE(next_is_intact(proof));
-  fog::ImageProof no_image = fog::ImageProof::not_needed();
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(next_is_intact(token));
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(next_is_intact(token));  // the check stopped
+  token.publish(0x12345678, 0x12345678);
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(next_is_intact(token));
+  fog::IntegrityToken no_image = fog::IntegrityToken::not_needed();
   for (int i = 0; i < 1000; ++i) EXPECT_TRUE(next_is_intact(no_image));
 }
 

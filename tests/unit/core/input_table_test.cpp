@@ -31,7 +31,7 @@ TEST(InputTable, AnExtensionInputHasAColumnWithinTheFormatAndSwingsInTheCheckOfA
     const InputDescription& row = description_of(input);
     EXPECT_EQ(std::string(row.column).rfind(std::string(row.name) + "_", 0), 0U) << row.column;
     EXPECT_EQ(row.fraction, fog::ExtensionValue::fractional_bits) << row.name;
-    EXPECT_LT(row.least_milli, row.most_milli) << row.name;
+    EXPECT_LT(row.min_milli, row.max_milli) << row.name;
     EXPECT_GT(row.swing.amplitude_milli, 0) << row.name;
     EXPECT_GT(row.swing.period_s, 0) << row.name;
   }

@@ -98,12 +98,12 @@ class KeptState : public fog::test::CompensatorTest {
     return pipeline_->keep(state_.data());
   }
   std::unique_ptr<Pipeline> resumed(bool was_short) {
-    auto pipeline = std::make_unique<Pipeline>(parameters_, fog::ImageProof::not_needed());
+    auto pipeline = std::make_unique<Pipeline>(parameters_, fog::IntegrityToken::not_needed());
     pipeline->resume(state_.data(), was_short);
     return pipeline;
   }
 
-  std::array<std::uint32_t, Pipeline::kMostStateWords> state_{};
+  std::array<std::uint32_t, Pipeline::kMaxStateWords> state_{};
   std::int32_t samples_ = 0;
 };
 

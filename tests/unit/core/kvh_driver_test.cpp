@@ -115,7 +115,7 @@ TEST(KvhDriver, TakesAllFramesOfABoardThatSendsAngles) {
   settings.output_options = kRotationIsAngle;
   const auto table = fogcomp::board::make_board_table(model, settings);
   const auto parameters = fogcomp::board::read_board_table(table, "test");
-  fogcomp::board::HostCompensator board(parameters, ImageProof::not_needed());
+  fogcomp::board::HostCompensator board(parameters, IntegrityToken::not_needed());
   CheckingDriver driver;
   double turned_rad = 0;
   constexpr int kSamples = 20000;
@@ -124,7 +124,7 @@ TEST(KvhDriver, TakesAllFramesOfABoardThatSendsAngles) {
     const auto frame = encode_sensor_frame(
         {static_cast<std::uint16_t>(i), rate_raw, 25 * 65536 + i % 5, true, true});
     for (const std::uint8_t byte : frame) {
-      std::vector<std::uint8_t> out(kMostOutputBytes);
+      std::vector<std::uint8_t> out(kMaxOutputBytes);
       out.resize(board.feed(byte, out.data()));
       driver.take(out);
     }
@@ -143,7 +143,7 @@ struct Terminal {
   std::string send(const std::string& text) {
     std::string answers;
     for (const char character : text) {
-      std::uint8_t out[KvhCommands::kMostAnswer];
+      std::uint8_t out[KvhCommands::kMaxAnswer];
       const std::size_t size = commands.feed(static_cast<std::uint8_t>(character), out);
       answers.append(reinterpret_cast<const char*>(out), size);
     }

@@ -68,8 +68,8 @@ Table table_begun() {
   table.put("period", 5000).put("block", 200).put("multiplier", kHalf + 1).put("shift", 30);
   table.put("range", 1 << 20).put("step", 77).put("stuck", 100);
   table.put("decay", 1001).put("gain", 2002);
-  table.put("least", -40 * kOneDegree)
-      .put("most", 60 * kOneDegree)
+  table.put("min", -40 * kOneDegree)
+      .put("max", 60 * kOneDegree)
       .put("hold", 61)
       .put("accurate", 31)
       .put("settle", 121);
@@ -119,8 +119,8 @@ TEST(ModelLimits, EveryWordArrivesWhereItBelongs) {
   EXPECT_EQ(got.acquisition.stuck_samples, 100U);
   EXPECT_EQ(got.thermal.derivative.decay.raw(), 1001);
   EXPECT_EQ(got.thermal.derivative.rate_gain.raw(), 2002);
-  EXPECT_EQ(got.thermal.least.raw(), -40 * kOneDegree);
-  EXPECT_EQ(got.thermal.most.raw(), 60 * kOneDegree);
+  EXPECT_EQ(got.thermal.min.raw(), -40 * kOneDegree);
+  EXPECT_EQ(got.thermal.max.raw(), 60 * kOneDegree);
   EXPECT_EQ(got.policy.hold_blocks, 61U);
   EXPECT_EQ(got.policy.accurate_blocks, 31U);
   EXPECT_EQ(got.policy.settle_blocks, 121U);
@@ -138,7 +138,7 @@ TEST(ModelLimits, EveryWordArrivesWhereItBelongs) {
   EXPECT_EQ(lagged.signal, fog::NetworkInput::lagged_temperature);
   EXPECT_EQ(lagged.decay.raw(), 55);
   EXPECT_EQ(lagged.centre, 62);
-  EXPECT_EQ(lagged.reach, 1055);
+  EXPECT_EQ(lagged.half_range, 1055);
   EXPECT_EQ(lagged.shift, 5);
   EXPECT_EQ(got.network.hidden_shift, 1);
   EXPECT_EQ(got.network.output_shift, 2);
@@ -203,7 +203,7 @@ TEST(ModelLimits, TheUsualFlagsAlwaysMakeARateNotValidAndOthersMayBeChosen) {
 TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
   const struct {
     const char* name;
-    std::int32_t least, most;
+    std::int32_t min, max;
   } limits[] = {
       {"period", 1, INT32_MAX},
       {"block", 1, INT32_MAX},
@@ -214,8 +214,8 @@ TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
       {"stuck", 0, INT32_MAX},
       {"decay", 1, INT32_MAX},
       {"gain", 1, INT32_MAX},
-      {"least", -70 * kOneDegree, 60 * kOneDegree},
-      {"most", -40 * kOneDegree, 130 * kOneDegree},
+      {"min", -70 * kOneDegree, 60 * kOneDegree},
+      {"max", -40 * kOneDegree, 130 * kOneDegree},
       {"hold", 0, INT32_MAX},
       {"accurate", 0, INT32_MAX},
       {"settle", 0, INT32_MAX},
@@ -238,13 +238,13 @@ TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
       table[limit.name] = value;
       return table.read();
     };
-    EXPECT_EQ(read_with(limit.least), ModelError::none) << limit.name;
-    EXPECT_EQ(read_with(limit.most), ModelError::none) << limit.name;
-    if (limit.least > INT32_MIN) {
-      EXPECT_EQ(read_with(limit.least - 1), ModelError::out_of_range) << limit.name;
+    EXPECT_EQ(read_with(limit.min), ModelError::none) << limit.name;
+    EXPECT_EQ(read_with(limit.max), ModelError::none) << limit.name;
+    if (limit.min > INT32_MIN) {
+      EXPECT_EQ(read_with(limit.min - 1), ModelError::out_of_range) << limit.name;
     }
-    if (limit.most < INT32_MAX) {
-      EXPECT_EQ(read_with(limit.most + 1), ModelError::out_of_range) << limit.name;
+    if (limit.max < INT32_MAX) {
+      EXPECT_EQ(read_with(limit.max + 1), ModelError::out_of_range) << limit.name;
     }
   }
   Table table = good_table();
@@ -363,14 +363,14 @@ TEST(ModelLimits, ATableIsExactlyAsLongAsItsSections) {
     while (cut.size() > at) cut.erase(cut.size() - 2);
     EXPECT_EQ(cut.read(), ModelError::out_of_range) << at;
   }
-  for (const std::size_t size : {std::size_t{4}, fog::kMostModelWords + 1}) {
+  for (const std::size_t size : {std::size_t{4}, fog::kMaxModelWords + 1}) {
     Table table = good_table();
     while (table.size() > size) table.erase(table.size() - 2);
     while (table.size() < size) table.insert(table.size() - 1);
     EXPECT_EQ(table.read(), ModelError::not_a_model) << size;
   }
   Table longest = good_table();
-  while (longest.size() < fog::kMostModelWords) longest.insert(longest.size() - 1);
+  while (longest.size() < fog::kMaxModelWords) longest.insert(longest.size() - 1);
   EXPECT_EQ(longest.read(), ModelError::out_of_range);
 }
 

@@ -13,9 +13,9 @@ namespace {
 using fog::ModelError;
 
 ModelError read(const std::vector<std::int32_t>& words,
-                const fog::ModelShape& room = fog::kAnyModel) {
+                const fog::ModelShape& capacity = fog::kAnyModel) {
   fog::ModelParameters parameters;
-  return fog::read_model({words.data(), words.size()}, room, parameters);
+  return fog::read_model({words.data(), words.size()}, capacity, parameters);
 }
 
 std::vector<std::int32_t> good_words() {

@@ -34,7 +34,7 @@ struct LargestTable {
     for (std::size_t i = 0; i < coefficients.size(); ++i) {
       coefficients[i] = (signs >> i) % 2U == 0U ? INT32_MAX : INT32_MIN;
     }
-    parameters.coefficient_fraction = kLeastCoefficientFraction;
+    parameters.coefficient_fraction = kMinCoefficientFraction;
     parameters.by_id[17] = {constants.data(), {&coefficients[0], 1}};
     parameters.by_id[10] = {&constants[0], {&coefficients[1], 3}};
     parameters.by_id[18] = {&constants[2], {&coefficients[4], 4}};
@@ -48,7 +48,7 @@ struct LargestTable {
 TEST(RateEffects, OfAnyTableStayInRangeAtAnyRate) {
   const Rate::Raw rates[] = {INT32_MIN, INT32_MIN + 1, -123456789, -3600, 0,
                              1,         123456789,     INT32_MAX};
-  BoardNumbers::RateDrift most{};
+  BoardNumbers::RateDrift max{};
   for (std::uint32_t signs = 0; signs < 512; ++signs) {
     const LargestTable table(signs);
     EffectBank<kRateEffects> bank(table.parameters);
@@ -58,13 +58,13 @@ TEST(RateEffects, OfAnyTableStayInRangeAtAnyRate) {
       bank.set(signals);
       for (const Rate::Raw rate : rates) {
         const auto drift = bank.at(Rate::from_raw(rate), {});
-        most = std::max(most, drift);
+        max = std::max(max, drift);
       }
     }
   }
   // Less than the highest rate, so that beside the drift of a block there is room for it.
-  EXPECT_GT(std::ldexp(most.raw(), -41), 0.8 * 0x1p21);
-  EXPECT_LT(std::ldexp(most.raw(), -41), 0x1p21);
+  EXPECT_GT(std::ldexp(max.raw(), -41), 0.8 * 0x1p21);
+  EXPECT_LT(std::ldexp(max.raw(), -41), 0x1p21);
   EXPECT_EQ(test::overflows(), 0U);
 }
 

@@ -63,11 +63,11 @@ TEST(WaveletTransform, IsReversibleForAnyLengthLevelAndExtension) {
 }
 
 TEST(WaveletTransform, AllowsTheLevelsThatTheLengthCarries) {
-  EXPECT_EQ(most_levels(1, 16), 0);
-  EXPECT_EQ(most_levels(29, 16), 0);
-  EXPECT_EQ(most_levels(30, 16), 1);
-  EXPECT_EQ(most_levels(480, 16), 5);
-  EXPECT_EQ(most_levels(1024, 2), 10);
+  EXPECT_EQ(max_levels(1, 16), 0);
+  EXPECT_EQ(max_levels(29, 16), 0);
+  EXPECT_EQ(max_levels(30, 16), 1);
+  EXPECT_EQ(max_levels(480, 16), 5);
+  EXPECT_EQ(max_levels(1024, 2), 10);
 }
 
 TEST(OfflineDenoise, LeavesAConstantAsItIs) {

@@ -41,7 +41,7 @@ class CandidateFindingTest : public testing::Test {
                                      double excess) const {
     return find_of_candidates(evidence_, hypotheses, excess, made_.series(), made_.fit());
   }
-  double gain() const { return evidence_.space.gain({evidence_.library[1][1]}); }
+  double chi2_drop() const { return evidence_.space.chi2_drop({evidence_.regressors[1][1]}); }
 
   fog::test::MadeEvidence made_;
   EvidenceSpace evidence_;
@@ -51,7 +51,7 @@ class CandidateFindingTest : public testing::Test {
 TEST_F(CandidateFindingTest, ProbabilitiesAreSumsOverTheSetsThatHaveIt) {
   const auto findings = find(
       {hypothesis({{1, 1}}, 0.5), hypothesis({{0, 0}, {1, 1}}, 0.3), hypothesis({{0, 0}}, 0.2)},
-      gain());
+      chi2_drop());
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[1].effect, "thermal_hysteresis");
   EXPECT_DOUBLE_EQ(findings[1].probability, 0.8);
@@ -61,7 +61,7 @@ TEST_F(CandidateFindingTest, ProbabilitiesAreSumsOverTheSetsThatHaveIt) {
 }
 
 TEST_F(CandidateFindingTest, ExplainsItsGainLessWhatItsColumnsWouldByChance) {
-  const double own = gain() - 1;
+  const double own = chi2_drop() - 1;
   EXPECT_NEAR(find({}, own)[1].explained_fraction, 1, 1e-9);
   EXPECT_NEAR(find({}, 2 * own)[1].explained_fraction, 0.5, 1e-9);
   EXPECT_EQ(find({}, own / 2)[1].explained_fraction, 1);
@@ -70,7 +70,7 @@ TEST_F(CandidateFindingTest, ExplainsItsGainLessWhatItsColumnsWouldByChance) {
 
 // Refitted with it the model is the gyro: its coefficient, and a rms of noise.
 TEST_F(CandidateFindingTest, CompletesTheModel) {
-  const CandidateFinding finding = find({}, gain())[1];
+  const CandidateFinding finding = find({}, chi2_drop())[1];
   EXPECT_EQ(finding.term().name, "thermal_hysteresis");
   EXPECT_EQ(finding.term().parameters[0], 5);
   EXPECT_NEAR(finding.term().coefficients_dph[0], kMissing_dph / 5, 0.1 * kMissing_dph / 5);
@@ -83,11 +83,11 @@ TEST_F(CandidateFindingTest, CompletesTheModel) {
 // that explain as much.
 TEST_F(CandidateFindingTest, TakesTheShapeOfItsLikeliestSet) {
   const CandidateFinding finding =
-      find({hypothesis({{1, 0}}, 0.6), hypothesis({{1, 1}}, 0.4)}, gain())[1];
+      find({hypothesis({{1, 0}}, 0.6), hypothesis({{1, 1}}, 0.4)}, chi2_drop())[1];
   EXPECT_EQ(finding.term().parameters[0], 1);
   ASSERT_EQ(finding.possible.size(), 2U);
   EXPECT_EQ(finding.possible[1].parameters[0], 5);
-  EXPECT_EQ(find({}, gain())[1].possible.size(), 1U);
+  EXPECT_EQ(find({}, chi2_drop())[1].possible.size(), 1U);
 }
 
 CandidateFinding finding(const std::string& effect, double lead, double probability,

@@ -41,9 +41,9 @@ TEST(EvidenceSpace, WithoutAHypothesisIsAtRightAnglesToItsEffects) {
     EXPECT_LT((basis.transpose() * left).norm(), 1e-6 * size);
   }
   EXPECT_LT((evidence.smooth.all.transpose() * left).norm(), 1e-6 * size);
-  std::vector<series::ColumnRange> all = ranges_of(evidence.library, hypothesis);
+  std::vector<series::ColumnRange> all = ranges_of(evidence.regressors, hypothesis);
   all.push_back(evidence.structure);
-  EXPECT_NEAR(evidence.residual().squaredNorm() - left.squaredNorm(), evidence.space.gain(all),
+  EXPECT_NEAR(evidence.residual().squaredNorm() - left.squaredNorm(), evidence.space.chi2_drop(all),
               1e-6 * size * size);
 }
 
@@ -59,15 +59,15 @@ TEST(EvidenceSpace, HoldsEveryShapeOfEveryCandidate) {
       make_evidence_space(data, fit, [&](double share) { done = std::max(done, share); });
   EXPECT_GT(done, 0.5);
   EXPECT_LE(done, 1);
-  ASSERT_EQ(evidence.library.size(), evidence.candidates.size());
+  ASSERT_EQ(evidence.regressors.size(), evidence.candidates.size());
   ASSERT_GT(evidence.candidates.size(), 4U);
   for (std::size_t i = 0; i < evidence.candidates.size(); ++i) {
     const auto& shapes = evidence.candidates[i].shapes;
-    ASSERT_EQ(evidence.library[i].size(), shapes.size());
+    ASSERT_EQ(evidence.regressors[i].size(), shapes.size());
     for (std::size_t s = 0; s < shapes.size(); ++s) {
-      const auto [first, count] = evidence.library[i][s];
-      const Eigen::VectorXd along = shapes[s].basis.transpose() * evidence.residual();
-      EXPECT_LT((evidence.space.along().segment(first, count) - along).norm(), 1e-9)
+      const auto [first, count] = evidence.regressors[i][s];
+      const Eigen::VectorXd projection = shapes[s].basis.transpose() * evidence.residual();
+      EXPECT_LT((evidence.space.projection().segment(first, count) - projection).norm(), 1e-9)
           << evidence.candidates[i].effect;
       EXPECT_LT((evidence.space.gram().block(first, first, count, count) -
                  Eigen::MatrixXd::Identity(count, count))

@@ -75,7 +75,7 @@ TEST(FastFinding, IsTwoLevelsWhereTheBiasJumpsToAndFro) {
   ASSERT_EQ(finding.kind, FastKind::two_levels);
   EXPECT_EQ(finding.log_p, -finding.jumps.log_odds);
   EXPECT_NEAR(finding.jumps.height_dph, kHeight_dph, 0.2 * kHeight_dph);
-  EXPECT_EQ(finding.excess, finding.jumps.gain);
+  EXPECT_EQ(finding.excess, finding.jumps.chi2_drop);
 }
 
 }  // namespace

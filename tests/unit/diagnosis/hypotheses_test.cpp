@@ -18,21 +18,21 @@ std::vector<Hypothesis> hypotheses_of(const std::array<const char*, 3>& effects)
   const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(50, 3);
   fit::ExplainedSpace space(axes * Eigen::Vector3d(60, 40, 40));
   std::vector<Candidate> candidates;
-  Library library;
+  RegressorBasis regressors;
   for (const char* effect : effects) {
     const model::EffectTerm term = model::parse_effects(effect)[0];
     const Eigen::MatrixXd basis = axes.col(static_cast<Eigen::Index>(candidates.size()));
     candidates.push_back({term.name, {{term, basis}}});
-    library.push_back({space.add(basis)});
+    regressors.push_back({space.add(basis)});
   }
   space.finish();
-  return find_hypotheses(space, candidates, library);
+  return find_hypotheses(space, candidates, regressors);
 }
 
 // Can the set of all three be bent to imitate?
 bool are_pliable(const std::array<const char*, 3>& effects) {
   for (const Hypothesis& h : hypotheses_of(effects)) {
-    if (h.effects() == 3) return h.pliable;
+    if (h.effects() == 3) return h.free_shape;
   }
   ADD_FAILURE() << "no set of three";
   return false;
@@ -66,26 +66,26 @@ class Directions {
   void add(const std::string& effect, const std::vector<Eigen::VectorXd>& shapes) {
     const model::EffectTerm term = model::parse_effects(effect)[0];
     candidates_.push_back({term.name, {}});
-    library_.emplace_back();
+    regressors_.emplace_back();
     for (const Eigen::VectorXd& shape : shapes) {
       candidates_.back().shapes.push_back({term, shape.normalized()});
-      library_.back().push_back(space_.add(shape.normalized()));
+      regressors_.back().push_back(space_.add(shape.normalized()));
     }
   }
   Eigen::VectorXd axis(Eigen::Index i) const { return Eigen::VectorXd::Unit(size_, i); }
 
   std::vector<Hypothesis> found() {
     space_.finish();
-    return find_hypotheses(space_, candidates_, library_);
+    return find_hypotheses(space_, candidates_, regressors_);
   }
   const fit::ExplainedSpace& space() const { return space_; }
-  const Library& library() const { return library_; }
+  const RegressorBasis& regressors() const { return regressors_; }
 
  private:
   Eigen::Index size_;
   fit::ExplainedSpace space_;
   std::vector<Candidate> candidates_;
-  Library library_;
+  RegressorBasis regressors_;
 };
 
 Eigen::VectorXd residual_of(std::initializer_list<double> first, Eigen::Index size = 40) {
@@ -110,9 +110,9 @@ TEST(Hypotheses, NameTheSetThatExplainsWhatIsThere) {
   const auto hypotheses = two.found();
   ASSERT_FALSE(hypotheses.empty());
   EXPECT_EQ(candidates_of(hypotheses[0]), (std::vector<std::size_t>{0, 1}));
-  EXPECT_NEAR(hypotheses[0].gain, 625, 1e-3);
+  EXPECT_NEAR(hypotheses[0].chi2_drop, 625, 1e-3);
   EXPECT_GT(hypotheses[0].probability, 0.9);
-  EXPECT_EQ(leading_candidate(two.space(), two.library(), hypotheses[0]), 0U);
+  EXPECT_EQ(leading_candidate(two.space(), two.regressors(), hypotheses[0]), 0U);
   double sum = 0;
   double last = 1;
   for (const Hypothesis& h : hypotheses) {
@@ -139,13 +139,13 @@ TEST(Hypotheses, TakeTheShapeThatExplainsMostAndCountThatOthersWereTried) {
   ASSERT_FALSE(hypotheses.empty());
   ASSERT_EQ(hypotheses[0].parts.size(), 1U);
   EXPECT_EQ(hypotheses[0].parts[0].shape, 2U);
-  EXPECT_NEAR(hypotheses[0].gain, 21 * 21 / 2.0, 1e-6);
-  EXPECT_LT(hypotheses[0].log_evidence, fit::log_evidence(hypotheses[0].gain, 1));
+  EXPECT_NEAR(hypotheses[0].chi2_drop, 21 * 21 / 2.0, 1e-6);
+  EXPECT_LT(hypotheses[0].log_evidence, fit::log_evidence(hypotheses[0].chi2_drop, 1));
 }
 
 TEST(Hypotheses, BelieveAnEventOnlyWithFarMoreThanNoiseBrings) {
   for (const double sigmas : {0.9, 1.1}) {
-    Directions step(residual_of({sigmas * std::sqrt(rules::kMinStepGain)}));
+    Directions step(residual_of({sigmas * std::sqrt(rules::kMinStepChi2Drop)}));
     step.add("bias_step", {step.axis(0)});
     EXPECT_EQ(step.found().size(), sigmas > 1 ? 1U : 0U);
   }
@@ -157,7 +157,7 @@ TEST(Hypotheses, OfNothingAreFinite) {
   nothing.add("thermal_lag", {nothing.axis(1), nothing.axis(2)});
   for (const Hypothesis& h : nothing.found()) {
     EXPECT_TRUE(std::isfinite(h.probability) && std::isfinite(h.log_evidence));
-    EXPECT_EQ(h.gain, 0);
+    EXPECT_EQ(h.chi2_drop, 0);
   }
 }
 

@@ -45,7 +45,7 @@ TEST(Ladder, AddsNoMoreThanItMayAndSaysWhatAStepBrought) {
     EXPECT_LE(done, 1);
     progress = done;
   };
-  const Ladder ladder = walk_ladder(model, data, runs, 1, settings);
+  const Ladder ladder = stepwise_selection(model, data, runs, 1, settings);
   ASSERT_EQ(ladder.steps.size(), 1U);
   const Ladder::Step& step = ladder.steps[0];
   EXPECT_EQ(ladder.added(), Names{effect_to_add(ladder.first)});

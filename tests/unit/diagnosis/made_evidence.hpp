@@ -25,27 +25,27 @@ class MadeEvidence {
   /// `candidates`: per effect its shapes, as in "thermal_hysteresis:radius=5".
   fogcomp::diagnosis::EvidenceSpace evidence(
       const std::vector<std::vector<std::string>>& candidates = {}) const {
-    fogcomp::diagnosis::ModelRemover remover(series_.rows(), fit_);
-    fogcomp::diagnosis::VisibleStructure smooth = visible_structure(series_.rows(), remover);
-    fogcomp::fit::ExplainedSpace space(remover.residual());
+    fogcomp::diagnosis::Residualizer residualizer(series_.rows(), fit_);
+    fogcomp::diagnosis::VisibleStructure smooth = visible_structure(series_.rows(), residualizer);
+    fogcomp::fit::ExplainedSpace space(residualizer.residual());
     std::vector<fogcomp::diagnosis::Candidate> all;
-    fogcomp::diagnosis::Library library;
+    fogcomp::diagnosis::RegressorBasis regressors;
     for (const std::vector<std::string>& shapes : candidates) {
       all.emplace_back();
-      library.emplace_back();
+      regressors.emplace_back();
       for (const std::string& shape : shapes) {
         const fogcomp::model::EffectTerm term = fogcomp::model::parse_effects(shape)[0];
         const Eigen::MatrixXd basis =
-            fogcomp::orthonormal(remover(series_.regressors(term)).columns);
+            fogcomp::orthonormal(residualizer(series_.regressors(term)).columns);
         all.back().effect = term.name;
         all.back().shapes.push_back({term, basis, 0});
-        library.back().push_back(space.add(basis));
+        regressors.back().push_back(space.add(basis));
       }
     }
     const fogcomp::series::ColumnRange structure = space.add(smooth.all);
     space.finish();
-    return {std::move(remover), std::move(all),     {},        std::move(smooth),
-            std::move(space),   std::move(library), structure, {}};
+    return {std::move(residualizer), std::move(all),        {},        std::move(smooth),
+            std::move(space),        std::move(regressors), structure, {}};
   }
 
   const fogcomp::series::SignalSeries& series() const { return series_; }

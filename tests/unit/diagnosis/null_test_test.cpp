@@ -28,33 +28,33 @@ Eigen::MatrixXd noise_columns(Eigen::Index columns, std::uint64_t seed) {
 // functions.
 NullTest tested(const Eigen::VectorXd& residual, std::size_t effects = 5, std::uint64_t seed = 1) {
   ExplainedSpace space(residual);
-  Library library;
+  RegressorBasis regressors;
   for (std::size_t effect = 0; effect < effects; ++effect) {
-    library.emplace_back();
+    regressors.emplace_back();
     const Eigen::MatrixXd base =
         noise_columns(1 + static_cast<Eigen::Index>(effect) % 2, 100 + effect);
     for (std::uint64_t shape = 0; shape < 4; ++shape) {
       const Eigen::MatrixXd other = noise_columns(base.cols(), 1000 + 10 * effect + shape);
-      library.back().push_back(space.add(orthonormal(base + other)));
+      regressors.back().push_back(space.add(orthonormal(base + other)));
     }
   }
   const ColumnRange structure = space.add(orthonormal(noise_columns(6, 99)));
   space.finish();
-  return test_against_noise(space, library, structure, kFreedom, seed);
+  return test_against_noise(space, regressors, structure, kFreedom, seed);
 }
 
 TEST(NullTest, IsPassedByNoiseAsOftenAsItSays) {
-  std::vector<double> library;
+  std::vector<double> regressors;
   std::vector<double> structure;
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     const NullTest test = tested(noise_columns(1, 5000 + seed), 5, seed);
-    library.push_back(std::exp(test.library_log_p));
+    regressors.push_back(std::exp(test.library_log_p));
     structure.push_back(std::exp(test.structure_log_p));
   }
-  fog::test::expect_chances_are_true(library);
+  fog::test::expect_chances_are_true(regressors);
   fog::test::expect_chances_are_true(structure);
   // And not by much more: half of the chances are below a half, three of four at the most above.
-  for (const auto& chances : {library, structure}) {
+  for (const auto& chances : {regressors, structure}) {
     const auto large =
         std::count_if(chances.begin(), chances.end(), [](double p) { return p > 0.5; });
     EXPECT_LT(large, 90);  // of a right test once in 10^7 times

@@ -97,8 +97,8 @@ TEST(Structure, BehindAModelIsOrthonormalAndNothingThatTheModelDoes) {
   series::SignalSeries series(model, series::Phase::zero);
   series.add(series::make_blocks(fog::test::recording_of(model, fog::test::kQuietNoise, 1)));
   const auto fit = fit::fit_rows(series, model.terms, Eigen::MatrixXd(series.rows().size(), 0));
-  const ModelRemover remover(series.rows(), fit);
-  const VisibleStructure structure = visible_structure(series.rows(), remover);
+  const Residualizer residualizer(series.rows(), fit);
+  const VisibleStructure structure = visible_structure(series.rows(), residualizer);
   ASSERT_EQ(structure.variables.size(), structure.groups.size());
   std::vector<Eigen::MatrixXd> bases = structure.groups;
   bases.push_back(structure.all);
@@ -110,7 +110,7 @@ TEST(Structure, BehindAModelIsOrthonormalAndNothingThatTheModelDoes) {
         1e-6);
   }
   for (const model::EffectTerm& term : model.terms) {
-    const Eigen::MatrixXd own = remover.whitening().apply(series.regressors(term));
+    const Eigen::MatrixXd own = residualizer.whitening().apply(series.regressors(term));
     const Eigen::MatrixXd seen = structure.all.topRows(own.rows()).transpose() * own;
     EXPECT_LT(seen.norm(), 0.05 * own.norm()) << term.name;
   }

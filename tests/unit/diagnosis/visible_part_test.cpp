@@ -25,7 +25,7 @@ class Fitted : public testing::Test {
   model::Model model_ = fog::test::truth();
   series::SignalSeries series_;
   fit::NoiseWeightedFit fit_;
-  std::optional<ModelRemover> remover_;
+  std::optional<Residualizer> remover_;
 };
 using VisiblePartTest = Fitted;
 

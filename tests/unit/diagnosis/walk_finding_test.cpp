@@ -36,14 +36,14 @@ class WalkingRows {
     EvidenceSpace evidence = made.evidence();
     evidence.space = fit::ExplainedSpace(residual_);
     evidence.candidates.clear();
-    evidence.library.clear();
+    evidence.regressors.clear();
     Eigen::Index axis = 0;
     for (const char* const effect : {"temperature_rate", "thermal_hysteresis:radius=5", "aging",
                                      "polarization_ripple:period=9"}) {
       const model::EffectTerm term = model::parse_effects(effect)[0];
       const Eigen::MatrixXd basis = axes_.col(axis++);
       evidence.candidates.push_back({term.name, {{term, basis, 0}}});
-      evidence.library.push_back({evidence.space.add(basis)});
+      evidence.regressors.push_back({evidence.space.add(basis)});
     }
     evidence.structure = evidence.space.add(axes_.middleCols(4, 2));
     Eigen::MatrixXd modes = axes_.middleCols(6, kModes);
@@ -51,8 +51,9 @@ class WalkingRows {
       modes.col(k) *= 30 / kWalk / static_cast<double>(k + 1);
     evidence.walk = fit::add_walk(evidence.space, modes);
     evidence.space.finish();
-    return weigh_walk(
-        evidence, find_hypotheses(evidence.space, evidence.candidates, evidence.library), noise, 1);
+    return weigh_walk(evidence,
+                      find_hypotheses(evidence.space, evidence.candidates, evidence.regressors),
+                      noise, 1);
   }
 
  private:
@@ -64,7 +65,7 @@ class WalkingRows {
 NoiseModel quiet_noise() {
   NoiseModel noise;
   noise.from_quiet_parts = true;
-  noise.freedom = 200;
+  noise.degrees_of_freedom = 200;
   noise.white_variance = 1;
   noise.walks = {{kWalk / 16, 0}, {kWalk, 0}, {kWalk * 16, 0}};
   return noise;

@@ -34,9 +34,9 @@ TEST(MinAndMax, KeepsEveryColumnsExtremesAndTheSpikeOfAnyLongRun) {
   const double at_s = curves.x[static_cast<std::size_t>(spike - curves.y[0].begin())];
   EXPECT_NEAR(at_s, run.time_s[Long::kSpike], run.time_s.back() / kColumns);
   for (std::size_t i = 0; i + 2 < curves.x.size(); i += 2) {
-    const auto [least, most] = std::minmax(curves.y[0][i], curves.y[0][i + 1]);
-    EXPECT_LT(least, -0.99999);
-    EXPECT_GT(most, 0.99999);
+    const auto [min, max] = std::minmax(curves.y[0][i], curves.y[0][i + 1]);
+    EXPECT_LT(min, -0.99999);
+    EXPECT_GT(max, 0.99999);
   }
 }
 

@@ -87,7 +87,7 @@ TEST(EffectChange, TakesOtherBoundsOfAParameterThatIsIdentified) {
       fogcomp::model::parse_effects("bias,polarization_ripple");
   const auto change = fogcomp::fit::change_effect(terms, "polarization_ripple:period=?[2,10]");
   const fogcomp::model::EffectTerm& changed = change.terms[change.changed.at(0)];
-  EXPECT_EQ(changed.bounds[0].most, 10);
+  EXPECT_EQ(changed.bounds[0].max, 10);
   EXPECT_LE(changed.parameters[0], 10);  // 13 was outside
   EXPECT_THROW(fogcomp::fit::change_effect(terms, "polarization_ripple:period=?"),
                fogcomp::InputError);
@@ -120,7 +120,7 @@ TEST(AddEffect, RefusesWhatHoldsOnlyForTheTrainingRun) {
   const Addition result =
       add("bias,bias_temperature:order=3", "temperature_rate", truth(), {1}, {run_of(other, 2)});
   EXPECT_FALSE(result.accepted);
-  EXPECT_LT(result.out_of_sample->gain, 0);
+  EXPECT_LT(result.out_of_sample->chi2_drop, 0);
 }
 
 TEST(AddEffect, LeavesEachOfThreeRunsOutOnce) {
@@ -184,7 +184,7 @@ TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
       fogcomp::fit::change_effect(model.terms, "temperature_rate");
   const Addition result = add_effect(model, change, runs_of(truth(), {1}), {}, {});
   EXPECT_TRUE(result.accepted);
-  EXPECT_FALSE(result.model.network.present()) << "gain " << result.fit.network_judged->gain;
+  EXPECT_FALSE(result.model.network.present()) << "gain " << result.fit.network_judged->chi2_drop;
 }
 
 TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {

@@ -24,8 +24,8 @@ TEST(ExplainedSpace, GainsWhatLeastSquaresGains) {
   const auto in_b = space.add(b);
   space.finish();
   const double left = solve_linear(side_by_side({a, b}, 200), residual).residual.squaredNorm();
-  EXPECT_NEAR(space.gain({in_a, in_b}), residual.squaredNorm() - left, 1e-6);
-  EXPECT_NEAR(space.gain({in_b, in_a}), space.gain({in_a, in_b}), 1e-9);
+  EXPECT_NEAR(space.chi2_drop({in_a, in_b}), residual.squaredNorm() - left, 1e-6);
+  EXPECT_NEAR(space.chi2_drop({in_b, in_a}), space.chi2_drop({in_a, in_b}), 1e-9);
 }
 
 TEST(ExplainedSpace, CountsAColumnThatIsThereTwiceOnce) {
@@ -35,7 +35,7 @@ TEST(ExplainedSpace, CountsAColumnThatIsThereTwiceOnce) {
   const auto first = space.add(a);
   const auto second = space.add(a);
   space.finish();
-  EXPECT_NEAR(space.gain({first, second}), space.gain({first}), 1e-5);
+  EXPECT_NEAR(space.chi2_drop({first, second}), space.chi2_drop({first}), 1e-5);
 }
 
 TEST(LogEvidence, AsksForMoreThanOneUnitAColumn) {

@@ -64,8 +64,8 @@ TEST(Identify, KeepsWhatTheRecordingsCoverOfTheirInputs) {
   identify(model, series);
   const auto& range = model.input_ranges[extension_number(fog::Input::supply)];
   ASSERT_TRUE(range.has_value());
-  EXPECT_EQ(range->range.least, 4.875);
-  EXPECT_EQ(range->range.most, 5.5);
+  EXPECT_EQ(range->range.min, 4.875);
+  EXPECT_EQ(range->range.max, 5.5);
   EXPECT_EQ(range->step, 0.25);
   EXPECT_FALSE(model.input_ranges[extension_number(fog::Input::magnetic)].has_value());
 }
@@ -189,8 +189,8 @@ TEST(EffectList, TakesAQuestionMarkAndItsBounds) {
   ASSERT_EQ(terms.size(), 3U);
   EXPECT_FALSE(terms[1].identified[0]);
   EXPECT_TRUE(terms[1].identified[1]);
-  EXPECT_EQ(terms[1].bounds[1].least, 5);
-  EXPECT_EQ(terms[1].bounds[1].most, 20);
+  EXPECT_EQ(terms[1].bounds[1].min, 5);
+  EXPECT_EQ(terms[1].bounds[1].max, 20);
   EXPECT_GE(terms[1].parameters[1], 5);
   EXPECT_LE(terms[1].parameters[1], 20);
   for (const char* wrong :

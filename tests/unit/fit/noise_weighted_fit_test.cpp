@@ -58,7 +58,7 @@ TEST(NoiseWeightedFit, IsExactWithoutNoise) {
 TEST(NoiseWeightedFit, LeavesWhitenedRowsOfVarianceOne) {
   const Gyro gyro(kWhite);
   const auto fit = fit_rows(gyro.series(), gyro.model().terms, gyro.no_nuisance());
-  EXPECT_NEAR(fit.misfit(), 1, 0.05);
+  EXPECT_NEAR(fit.birge_ratio(), 1, 0.05);
   EXPECT_NEAR(fit.noise.white_dph(), kWhite.white_dph, 0.1 * kWhite.white_dph);
 }
 

@@ -27,12 +27,12 @@ TEST_P(EveryTrainer, LearnsASmoothSurface) {
   const TrainedNetwork network = train_network(task, settings_for(GetParam()));
   EXPECT_GT(network.rms_before_dph, 0.3);
   // The noise is 0.029 rms; in so few epochs gradient descent is not there yet.
-  const double most = GetParam() == "lm" ? 0.035 : 0.1;
-  EXPECT_LT(network.rms_after_dph, most);
+  const double max = GetParam() == "lm" ? 0.035 : 0.1;
+  EXPECT_LT(network.rms_after_dph, max);
   const NetworkTask fresh = fog::test::smooth_task(600, 0, 2);
   const double error =
       (fresh.target_dph - network.drift_dph(fresh.inputs)).norm() / std::sqrt(600.0);
-  EXPECT_LT(error, most);
+  EXPECT_LT(error, max);
 }
 
 TEST_P(EveryTrainer, GivesTheSameWeightsForTheSameSeed) {
@@ -76,8 +76,8 @@ TEST_P(EveryTrainer, StopsWhereTheHeldOutRunIsPredictedBest) {
   const double stopped = held_out_error(train_network(task, settings));
   const double alone = held_out_error(train_network(noisy, settings));
   // lm's regularisation finds the same place by itself.
-  const double most = GetParam() == "lm" ? 1.02 * alone : 0.8 * alone;
-  EXPECT_LE(stopped, most) << "held-out rms, against " << alone;
+  const double max = GetParam() == "lm" ? 1.02 * alone : 0.8 * alone;
+  EXPECT_LE(stopped, max) << "held-out rms, against " << alone;
 }
 
 INSTANTIATE_TEST_SUITE_P(Training, EveryTrainer, testing::ValuesIn(trainer_names()),

@@ -15,7 +15,7 @@ TEST(EffectList, BlanksMeanNothing) {
     EXPECT_EQ(blanks[i].parameters, plain[i].parameters);
     EXPECT_EQ(blanks[i].identified, plain[i].identified);
   }
-  EXPECT_EQ(blanks[2].bounds[0].most, 900);
+  EXPECT_EQ(blanks[2].bounds[0].max, 900);
 }
 
 }  // namespace

@@ -67,8 +67,8 @@ TEST(ModelFile, KeepsTheWholeHistory) {
   const std::string text = model_text(model);
   const Model read = parse_model(text, "gyro.model");
   EXPECT_EQ(model_text(read), text);
-  EXPECT_EQ(read.rate_range_degc_per_min->most, 0.9);
-  EXPECT_EQ(read.time_range_s->least, 5);
+  EXPECT_EQ(read.rate_range_degc_per_min->max, 0.9);
+  EXPECT_EQ(read.time_range_s->min, 5);
   ASSERT_EQ(read.history.size(), 2U);
   EXPECT_FALSE(read.history[0].noise_floor_dph.has_value());
   EXPECT_EQ(read.history[1].action, "add thermal_lag:tau=300");
@@ -114,7 +114,7 @@ TEST(ModelFile, KeepsExpressions) {
   const std::string text = model_text(model);
   const Model read = parse_model(text, "gyro.model");
   EXPECT_EQ(model_text(read), text);
-  EXPECT_EQ(read.terms.back().expression->ranges[4].most, 110);
+  EXPECT_EQ(read.terms.back().expression->ranges[4].max, 110);
   EXPECT_EQ(read.terms.back().expression->scale_log2, model.terms.back().expression->scale_log2);
 }
 
@@ -173,7 +173,7 @@ TEST(ModelFile, RefusesValuesThatNoFitGives) {
        "tau is 0, outside 5 to 20000"},
       {"bias", [&](auto& m) { term(m, "bias").coefficients_dph[0] = 1e300; }, "1e+300 is outside"},
       {"history", [](auto& m) { m.history[0].rms_after_dph = 1e308; }, "1e+308 is outside"},
-      {"range", [](auto& m) { m.most_degc = 1e300; }, "no gyro is so cold or hot"},
+      {"range", [](auto& m) { m.max_degc = 1e300; }, "no gyro is so cold or hot"},
       {"rows", [](auto& m) { m.average_s = 1e9; }, "1e+09 is outside"},
       {"weight", [](auto& m) { m.network.hidden.weights(0, 0) = -1e300; }, "-1e+300 is outside"},
       {"drift", [](auto& m) { m.network.amplitude_dph = 1e300; }, "1e+300 is outside"},

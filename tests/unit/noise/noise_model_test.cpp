@@ -67,7 +67,7 @@ TEST(NoiseModel, TakesSlowNoiseOfFewPeriodsForUncertain) {
   for (const double tau_rows : {10.0, 60.0}) {
     double sum = 0;
     double squares = 0;
-    std::vector<double> freedom;
+    std::vector<double> degrees_of_freedom;
     for (std::uint64_t gyro = 1; gyro <= kGyros; ++gyro) {
       std::vector<VectorXd> quiet;
       for (std::uint64_t soak = 0; soak < 4; ++soak) {
@@ -77,13 +77,13 @@ TEST(NoiseModel, TakesSlowNoiseOfFewPeriodsForUncertain) {
       const double power = density(model, 2 * M_PI * 4 * 10 / kRun_s);
       sum += power;
       squares += power * power;
-      freedom.push_back(model.freedom);
+      degrees_of_freedom.push_back(model.degrees_of_freedom);
     }
     const double mean = sum / kGyros;
     const double scatters_as = 2 * mean * mean / (squares / kGyros - mean * mean);
-    std::sort(freedom.begin(), freedom.end());
-    EXPECT_LT(freedom[kGyros / 2], 15 * scatters_as) << tau_rows;
-    EXPECT_GT(freedom[kGyros / 2], scatters_as) << tau_rows;
+    std::sort(degrees_of_freedom.begin(), degrees_of_freedom.end());
+    EXPECT_LT(degrees_of_freedom[kGyros / 2], 15 * scatters_as) << tau_rows;
+    EXPECT_GT(degrees_of_freedom[kGyros / 2], scatters_as) << tau_rows;
   }
 }
 

@@ -19,7 +19,7 @@ TEST(DataHash, ChangesWithEveryColumnThatAFitCanDependOn) {
     return data_hash(recording, fog::kCrc32Initial);
   };
   std::set<std::uint32_t> hashes{hash(plain)};
-  for (const auto& [column, name, decimals, least, most] : kColumns) {
+  for (const auto& [column, name, decimals, min, max] : kColumns) {
     Recording recording = plain;
     recording[column] = {1, 2, 4};
     EXPECT_TRUE(hashes.insert(hash(recording)).second) << name;

@@ -29,7 +29,7 @@ Recording rows_from(std::size_t first, std::size_t count) {
 
 Recording means_of_parts(std::size_t parts, std::size_t part_rows, std::string& said) {
   const ReadOptions options = heard_in(said);
-  LongRecording recording(options, kMostRows + 1);
+  LongRecording recording(options, kMaxRows + 1);
   LineNumbers lines;
   for (std::size_t i = 0; i < parts; ++i) {
     Recording part = rows_from(i * part_rows, part_rows);
@@ -62,7 +62,7 @@ TEST(LongRecording, OfAPipeIsThatOfTheFile) {
   std::string said;
   const ReadOptions options = heard_in(said);
   LongRecording from_pipe(options, 0);
-  LongRecording from_file(options, kMostRows + 1);
+  LongRecording from_file(options, kMaxRows + 1);
   const std::size_t rows = 2 * rules::kPartRows + 1000;
   Recording whole = rows_from(0, rows);
   whole.labels = {{0, "soak"}, {rules::kPartRows + 10, "ramp"}};
@@ -93,7 +93,7 @@ TEST(LongRecording, OfAPipeIsThatOfTheFile) {
 
 TEST(LongRecording, TakesNoMeanAcrossAGapOrTheEndOfASegment) {
   const ReadOptions options;
-  LongRecording recording(options, kMostRows + 1);
+  LongRecording recording(options, kMaxRows + 1);
   LineNumbers lines;
   Recording part = rows_from(0, rules::kMaxMeanRows + 2);
   for (std::size_t row = 1001; row < part.rows(); ++row) part.time_s[row] += 500;
@@ -113,7 +113,7 @@ TEST(LongRecording, TakesNoMeanAcrossAGapOrTheEndOfASegment) {
 TEST(LongRecording, LeavesOutWhatTheBoardWouldRefuseBeforeItTakesMeans) {
   std::string said;
   const ReadOptions options = heard_in(said);
-  LongRecording recording(options, kMostRows + 1);
+  LongRecording recording(options, kMaxRows + 1);
   LineNumbers lines;
   Recording part = rows_from(0, rules::kPartRows);
   part.temperature_degc[5000] = 85;
@@ -128,8 +128,8 @@ TEST(LongRecording, LeavesOutWhatTheBoardWouldRefuseBeforeItTakesMeans) {
 
 TEST(LongRecording, BeginsWithMeansOnlyWhereTheFileIsSurelyTooLong) {
   const ReadOptions options;
-  EXPECT_FALSE(LongRecording(options, kMostRows).begun());
-  EXPECT_TRUE(LongRecording(options, kMostRows + 1).begun());
+  EXPECT_FALSE(LongRecording(options, kMaxRows).begun());
+  EXPECT_TRUE(LongRecording(options, kMaxRows + 1).begun());
   // Found to be too long on the way: the rows so far become means.
   LongRecording recording(options, 0);
   Recording part = rows_from(0, rules::kMaxMeanRows + 2);
@@ -142,8 +142,8 @@ TEST(LongRecording, BeginsWithMeansOnlyWhereTheFileIsSurelyTooLong) {
 TEST(LongRecording, IsRefusedWhereEveryRowIsNeeded) {
   ReadOptions options;
   options.every_row = true;
-  LongRecording recording(options, 10 * kMostRows);
-  EXPECT_EQ(recording.part_rows(), kMostRows);
+  LongRecording recording(options, 10 * kMaxRows);
+  EXPECT_EQ(recording.part_rows(), kMaxRows);
   Recording part = rows_from(0, 10);
   LineNumbers lines;
   EXPECT_THROW(recording.take(part, lines, "long.csv:11"), InputError);

@@ -22,9 +22,9 @@ constexpr std::uint32_t kAllFlags = 0x3DU << 22U;
 
 // The frames of a sample, both selected. A byte at 921600 baud lasts 1,563 cycles of 144 MHz, a
 // poll takes at least 5: twice the time that the buffer needs.
-[[gnu::section(".dma_buffers")]] std::array<std::uint8_t, kMostOutputBytes> outgoing;
+[[gnu::section(".dma_buffers")]] std::array<std::uint8_t, kMaxOutputBytes> outgoing;
 constexpr std::uint32_t kPolls = 50'000;
-static_assert(kPolls >= 2 * kMostOutputBytes * 1563 / 5);
+static_assert(kPolls >= 2 * kMaxOutputBytes * 1563 / 5);
 
 DmaStream& stream() {
   return dma2().stream[kStream];

@@ -102,7 +102,7 @@ void reset(std::uint32_t held_ms, ResetCause cause = ResetCause::reset_pin) {
   board.now_ms = 100;
   pipeline().~Compensator();
   const auto& parameters = fog::app::model().parameters;
-  new (&pipeline()) fog::app::Pipeline(parameters, fog::ImageProof::not_needed());
+  new (&pipeline()) fog::app::Pipeline(parameters, fog::IntegrityToken::not_needed());
   fog::app::resume_state(cause);
 }
 
@@ -130,14 +130,14 @@ TEST_F(KeptStateWithAClock, AHeldResetPinIsAGapLikeAnyOther) {
   reset(30'000);
   const OutputSample last = run(200 * 10);
   EXPECT_NEAR(degph(last), expected, 0.005);
-  EXPECT_TRUE(any(last.status, Status::thermal_settling)) << "three times as long as the gap";
-  EXPECT_FALSE(any(run(200 * 90).status, Status::thermal_settling));
+  EXPECT_TRUE(has_any(last.status, Status::thermal_settling)) << "three times as long as the gap";
+  EXPECT_FALSE(has_any(run(200 * 90).status, Status::thermal_settling));
 
   settle();
   board.clock_known = false;
   reset(30'000);
   EXPECT_GT(std::abs(degph(run(200 * 10)) - expected), 0.05) << "without the clock: anew";
-  EXPECT_TRUE(any(run(200 * 90).status, Status::thermal_settling));
+  EXPECT_TRUE(has_any(run(200 * 90).status, Status::thermal_settling));
 }
 
 TEST_F(KeptStateWithAClock, AClockThatIsNotKnownAtEitherEndIsNone) {
@@ -145,25 +145,25 @@ TEST_F(KeptStateWithAClock, AClockThatIsNotKnownAtEitherEndIsNone) {
   run(400);  // written without
   board.clock_known = true;
   reset(1'000);
-  EXPECT_TRUE(any(run(200 * 20).status, Status::thermal_settling));
+  EXPECT_TRUE(has_any(run(200 * 20).status, Status::thermal_settling));
 }
 
 // 65,536 samples are 328 s: by their numbers alone this one were half a second.
 TEST_F(KeptStateWithAClock, AGapOfAWholeRoundOfTheNumbersIsNotTakenForAShortOne) {
   reset(65'536 * kPeriodMs + 500);
-  EXPECT_TRUE(any(run(200 * 40).status, Status::thermal_settling)) << "it started anew";
+  EXPECT_TRUE(has_any(run(200 * 40).status, Status::thermal_settling)) << "it started anew";
 }
 
 TEST_F(KeptStateWithAClock, ADemodulatorThatWasResetAsWellIsNotBelievedHowLongItWas) {
   board.first_number = static_cast<std::uint16_t>(20'000 - board.samples);
   reset(2'000);
-  EXPECT_FALSE(any(run(200 * 12).status, Status::thermal_settling)) << "a gap of 2 s, over";
+  EXPECT_FALSE(has_any(run(200 * 12).status, Status::thermal_settling)) << "a gap of 2 s, over";
 }
 
 TEST_F(KeptStateWithAClock, NothingOutlivesTheLossOfPower) {
   reset(100, ResetCause::power_on);
   const OutputSample first = next_sample();
-  EXPECT_TRUE(any(first.status, Status::drift_given_up));
+  EXPECT_TRUE(has_any(first.status, Status::drift_given_up));
 }
 
 }  // namespace

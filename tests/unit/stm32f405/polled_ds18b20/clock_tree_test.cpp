@@ -22,13 +22,13 @@ constexpr std::uint32_t kFullHz = 144'000'000;
 constexpr std::uint32_t kInternalHz = 16'000'000;
 
 // Twice ten waits of 100,000 polls, and what is written in between.
-constexpr std::uint64_t kMostAccesses = 2'100'000;
+constexpr std::uint64_t kMaxAccesses = 2'100'000;
 
 void expect_consistent(const Stm32F405Model& board) {
   EXPECT_EQ(clock_tree().core_hz, board.core_hz());
   EXPECT_EQ(clock_tree().apb1_hz, board.bus_hz(1));
   EXPECT_EQ(clock_tree().apb2_hz, board.bus_hz(2));
-  EXPECT_LT(board.accesses(), kMostAccesses);
+  EXPECT_LT(board.accesses(), kMaxAccesses);
   for (const std::string& violation : board.violations()) ADD_FAILURE() << violation;
 }
 

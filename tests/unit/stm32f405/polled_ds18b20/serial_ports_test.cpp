@@ -61,10 +61,10 @@ TEST(SerialPorts, HaveTheirBitRatesOnEveryClock) {
     const auto off = [&](int usart, std::uint32_t baud) {
       return std::abs(double{1} * board.baud(usart) / baud - 1);
     };
-    const double most = combination == 2 ? 0.025 : 0.002;  // of 16 MHz nothing better comes
-    EXPECT_LT(off(kSensor, fog::platform::kSensorBaud), most) << combination;
-    EXPECT_LT(off(kOutput, fog::platform::kOutputBaud), most) << combination;
-    EXPECT_LT(off(kConsole, fog::platform::kConsoleBaud), most) << combination;
+    const double max = combination == 2 ? 0.025 : 0.002;  // of 16 MHz nothing better comes
+    EXPECT_LT(off(kSensor, fog::platform::kSensorBaud), max) << combination;
+    EXPECT_LT(off(kOutput, fog::platform::kOutputBaud), max) << combination;
+    EXPECT_LT(off(kConsole, fog::platform::kConsoleBaud), max) << combination;
     expect_no_violations(board);
   }
 }

@@ -65,13 +65,13 @@ TEST_F(LastingClock, GoesOnWhileTheResetPinIsHeld) {
 
 TEST_F(LastingClock, NeverSaysLessThanWhatPassed) {
   run_until_known();
-  double most_over = 0;
+  double max_over = 0;
   for (int day = 0; day < 800; ++day) {
     const double over = ms_over([&] { board_.let_pass_s(86'000); }) - 86'000'000.0;
     EXPECT_GT(over, -4.5) << day;
-    most_over = over > most_over ? over : most_over;
+    max_over = over > max_over ? over : max_over;
   }
-  EXPECT_NEAR(most_over, 3 * 86'400'000.0, 5) << "February counts as 31 days";
+  EXPECT_NEAR(max_over, 3 * 86'400'000.0, 5) << "February counts as 31 days";
 }
 
 TEST_F(LastingClock, IsUnknownForAMomentAfterAResetAndThenWhereItsCrystalIsDead) {

@@ -6,31 +6,31 @@
 
 namespace fog {
 
-/// The CRC that the last check of the image came to, with an end to its worth. It is used up sample
-/// by sample; after so many, the one that was given meanwhile takes its place, and with none there
-/// is no proof. So a check that has stopped, or whose result never arrives, is found by code that
-/// the check has no part in. It is kept twice, for two uses that must not share a load or an
+/// Result of the latest check of the image, with a limited life: each sample uses up a part of it.
+/// When it has ended, the result published meanwhile takes its place; if there is none, the token
+/// is bad. So code that has no part in the check notices a check that has stopped or whose result
+/// never arrives. The result is kept twice, for two uses that must not share a load or an
 /// operation: one flipped bit in the code can make a bad CRC look good once, not twice.
-class ImageProof {
+class IntegrityToken {
  public:
-  /// A given CRC lasts `samples` (>= 1).
-  explicit ImageProof(std::uint32_t samples) : samples_(samples) {}
+  /// A published CRC lasts for `samples` (>= 1).
+  explicit IntegrityToken(std::uint32_t samples) : samples_(samples) {}
 
   /// For a computer that has no image to check: always kIntactImage.
-  static ImageProof not_needed() {
-    ImageProof proof(kForEver);
-    proof.give(kIntactImage, kIntactImage);
-    return proof;
+  static IntegrityToken not_needed() {
+    IntegrityToken token(kForEver);
+    token.publish(kIntactImage, kIntactImage);
+    return token;
   }
 
-  /// What a check came to, good or bad, read twice.
-  void give(std::uint32_t for_status, std::uint32_t for_frames) {
+  /// The CRC that a check has computed, good or bad, read twice.
+  void publish(std::uint32_t for_status, std::uint32_t for_frames) {
     next_status_ = for_status;
     next_frames_ = for_frames;
   }
 
   /// Before the next sample.
-  void take() {
+  void consume() {
     if (left_ == 0) {
       status_ = next_status_;
       frames_ = next_frames_;
@@ -40,7 +40,7 @@ class ImageProof {
     if (samples_ != kForEver) --left_;
   }
 
-  /// kIntactImage only if a check came to that, and lately.
+  /// kIntactImage only if the CRC of a recent check equals it.
   std::uint32_t for_status() const { return status_; }
   std::uint32_t for_frames() const { return frames_; }
 
