@@ -16,7 +16,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 using Pipeline = fog::Compensator<fog::kAnyModel.effects, fog::kAnyModel.expressions,
-                                  fog::kAnyModel.network_inputs, fog::kAnyTaps, fog::kMostLevels>;
+                                  fog::kAnyModel.network_inputs, fog::kAnyTaps, fog::kMaxLevels>;
 
 constexpr int kSamples = 1300;
 constexpr std::int32_t kDegree = 65536;
@@ -125,7 +125,7 @@ void print_hex(const char* mark, const std::uint8_t* bytes, std::size_t size) {
 void feed(Pipeline& pipeline, const Bytes& bytes) {
   print_hex(">", bytes.data(), bytes.size());
   for (const std::uint8_t byte : bytes) {
-    std::uint8_t out[fog::kMostOutputBytes];
+    std::uint8_t out[fog::kMaxOutputBytes];
     const std::size_t size = pipeline.feed(byte, out);
     if (size > 0) print_hex("<", out, size);
   }
@@ -150,7 +150,7 @@ int main() {
       "# The table is %s.\n",
       fog::describe(error));
   print_table(table);
-  const auto pipeline = std::make_unique<Pipeline>(parameters, fog::ImageProof::not_needed());
+  const auto pipeline = std::make_unique<Pipeline>(parameters, fog::IntegrityToken::not_needed());
   Random random;
   Bytes older;
   for (int i = 0; i < kSamples; ++i) {
