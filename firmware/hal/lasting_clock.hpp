@@ -10,7 +10,7 @@ namespace fog::hal {
 /// Differences of less than a day are good to 4 ms and 100 ppm, and never shorter than the true
 /// time.
 struct LastingTime {
-  bool known;        ///< the clock runs, and has not been set since it started
+  bool known;        ///< the clock runs and was not set since then
   std::uint64_t ms;  ///< since an arbitrary time
 };
 

@@ -9,7 +9,7 @@ namespace fog::hal {
 
 struct OwnTemperature {
   std::int32_t temperature_q16;  ///< degC, LSB 2^-16
-  bool valid;                    ///< measured within the last seconds by a sensor that works
+  bool valid;                    ///< measured within the last seconds by a working sensor
 };
 
 /// To be called once, after start_board().

@@ -9,8 +9,8 @@ struct BoardDescription {
   const char* name;
   std::uint32_t core_clock_hz;
   const char* clock_source;
-  bool clock_is_fallback;  ///< neither the clock nor the speed that the board is meant to have
-  bool restarts_when_power_dips;  ///< the brown-out reset is on, so far as the board can tell
+  bool clock_is_fallback;         ///< not the intended clock source or speed
+  bool restarts_when_power_dips;  ///< the brown-out reset is enabled, as far as known
 };
 
 /// Starts clocks, ports and the millisecond tick; afterwards everything in hal/ works. Call once;

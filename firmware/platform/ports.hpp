@@ -6,7 +6,7 @@ namespace fog::platform {
 /// the clock of their bit rates is final.
 void open_sensor_port();
 void open_output_port();
-void open_request_port();  ///< the other direction of the output port, after it
+void open_request_port();  ///< receiver of the output port; open that first
 void open_console_port();
 
 /// Interrupt handlers of the ports: take the received byte.

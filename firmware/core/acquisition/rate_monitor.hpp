@@ -13,7 +13,7 @@ using RateStep = Fixed<std::int32_t, Rate::fractional_bits - 1>;
 /// Limits of the gyro and of the vehicle.
 struct RateLimits {
   Rate range = Rate::highest();         ///< full scale, > 0
-  RateStep step = RateStep::highest();  ///< the largest angular acceleration, in a sample; > 0
+  RateStep step = RateStep::highest();  ///< largest change of the rate per sample; > 0
 };
 
 /// Finds rates that the gyro cannot have measured: too near its full scale, folded, or reached

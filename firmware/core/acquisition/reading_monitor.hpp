@@ -41,8 +41,8 @@ struct CoilLimits {
 
 /// Limits of an extension input, from the model table.
 struct InputLimits {
-  ExtensionValue min{};   ///< what is below it cannot be
-  ExtensionValue max{};   ///< ... above it
+  ExtensionValue min{};   ///< lowest possible value
+  ExtensionValue max{};   ///< highest possible value
   ExtensionValue step{};  ///< a larger change has to be confirmed
   bool has_thermal_mass = false;
 };

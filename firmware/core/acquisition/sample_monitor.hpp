@@ -19,9 +19,9 @@ constexpr std::uint32_t kConfirmUs = 500'000;
 
 /// Limits of what a working gyro and its temperature sensor can send.
 struct AcquisitionParameters {
-  std::uint32_t sample_period_us = 5000;  ///< without a model, too, silence is answered
+  std::uint32_t sample_period_us = 5000;  ///< used without a model, too, when samples stop
   RateLimits rate;
-  std::uint32_t stuck_samples = 0;        ///< counts in a row within an LSB: a stuck gyro; 0: never
+  std::uint32_t stuck_samples = 0;  ///< consecutive counts within an LSB of a stuck gyro; 0: never
   Span<const std::int32_t> input_limits;  ///< of the extension inputs that the model needs
 };
 
@@ -30,7 +30,7 @@ class SampleMonitor {
  public:
   struct Verdict : SequenceMonitor::Verdict {
     ReadingUse temperature = ReadingUse::none;
-    bool temperature_confirmed = false;  ///< there was a reading that can be trusted
+    bool temperature_confirmed = false;  ///< a reading has been confirmed
   };
 
   explicit SampleMonitor(const AcquisitionParameters& parameters)

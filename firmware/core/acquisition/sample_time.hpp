@@ -8,7 +8,7 @@ namespace fog {
 /// samples do not arrive in real time (replay).
 struct SampleTime {
   bool known = false;
-  std::uint32_t ms = 0;  ///< wraps: only differences mean anything
+  std::uint32_t ms = 0;  ///< wraps: use only differences
 };
 
 /// Clock of a pipeline without a clock.

@@ -17,7 +17,7 @@ namespace fog {
 struct DriftPolicy {
   std::uint32_t hold_blocks = 0;      ///< last drift is used for at most this many
   std::uint32_t accurate_blocks = 0;  ///< ... and is as good as the model for this many
-  std::uint32_t settle_blocks = 0;  ///< after a (re)start the lags are not yet where they would be
+  std::uint32_t settle_blocks = 0;    ///< time that the lags need after a (re)start
 };
 
 /// After a hold, the drift counts as unsure for kUnsureHolds times the length of the hold. The
@@ -30,10 +30,10 @@ constexpr std::uint32_t kUnsureHolds = 3;
 template <bool kFollowsRate>
 struct DriftNow {
   Rate drift{};
-  BoardNumbers::RateDrift of_block{};  ///< of all that stands for the block, and half an LSB
+  BoardNumbers::RateDrift of_block{};  ///< drift of the block part, plus half an LSB
   Signals<BoardNumbers> signals{};     ///< of the block
-  bool is_new = false;                 ///< the effects that follow the rate have not seen them yet
-  Rate of_sample{};                    ///< the drift of the last sample
+  bool is_new = false;                 ///< not yet passed to the effects that follow the rate
+  Rate of_sample{};                    ///< drift of the last sample, from these effects
 };
 template <>
 struct DriftNow<false> {
@@ -118,6 +118,16 @@ class DriftModel {
   void update_rate(Rate measured) {
     if constexpr (Effects::follows_rate) {
       update_rate_effects(BoardNumbers::saturating_difference(measured, course_.now.of_sample));
+      course_.now.of_sample = course_.now.drift;
+    }
+  }
+
+  /// Replaces update_rate() for a sample without a valid rate: a new block's drift is taken over at
+  /// the block's mean rate, so that an image without these effects sends the same bytes.
+  void update_without_rate() {
+    if constexpr (Effects::follows_rate) {
+      if (!course_.now.is_new) return;
+      update_rate_effects(course_.now.signals.block.input_rate);
       course_.now.of_sample = course_.now.drift;
     }
   }

@@ -13,12 +13,12 @@ enum class ThresholdMode : std::int32_t { soft = 0, hard = 1 };
 enum class ThresholdRule : std::int32_t {
   fixed = 0,     ///< the table's
   sqtwolog = 1,  ///< the table's times the noise found / the noise expected
-  heursure = 2,  ///< likewise, and lower where a level's latest details hold a strong signal
+  heursure = 2,  ///< likewise, and lower where a level's details contain a strong signal
 };
 
 constexpr std::size_t kMaxTaps = 30;            ///< coif5
 constexpr std::size_t kAnyTaps = kMaxTaps + 1;  ///< as a template argument: chosen at run time
-constexpr std::size_t kOrNone = 64;             ///< added to it: or without a denoiser
+constexpr std::size_t kOrNone = 64;  ///< added to a number of taps: or without a denoiser
 
 /// Bit n: filters of 2 n taps. Bit 0: no denoiser.
 using FilterMask = std::uint32_t;

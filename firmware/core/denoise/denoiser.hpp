@@ -18,7 +18,7 @@ constexpr std::size_t denoise_line_length(std::size_t taps, std::size_t levels) 
 
 struct DenoiserOutput {
   Rate rate{};
-  bool valid = false;  ///< whether the sample that it stands for was
+  bool valid = false;  ///< whether the sample of this output was valid
 };
 
 /// Streaming wavelet denoiser: one sample in, one sample out, late by delay() samples.

@@ -17,7 +17,7 @@ struct BankLevel {
   /// Newest first: coarser noise in the lower half of a word, removed detail in the upper half.
   std::array<std::uint32_t, kTaps / 2> noise{};
   LevelThreshold threshold;
-  std::int16_t waiting_noise = 0;  ///< the odd one of the last pair
+  std::int16_t waiting_noise = 0;  ///< second value of the last pair
 };
 
 /// Slots for removed details that wait for coarser levels: for every level but the finest, the
@@ -32,7 +32,7 @@ constexpr std::size_t denoise_waiting(std::size_t taps, std::size_t levels) {
 /// levels.
 template <std::size_t kTaps>
 struct CoarserLevel : BankLevel<kTaps> {
-  std::array<std::int32_t, kTaps + 1> inputs{};  ///< newest first; last, the one without a pair yet
+  std::array<std::int32_t, kTaps + 1> inputs{};  ///< newest first; the last one waits for its pair
   std::int16_t* removed_first = nullptr;  ///< ring of removed details in memory that somebody else
   std::int16_t* removed_end = nullptr;    ///< owns: as many as pairs to wait, and one
   std::int16_t* removed_next = nullptr;
@@ -49,7 +49,7 @@ struct CoarserLevel : BankLevel<kTaps> {
 template <std::size_t kTaps>
 struct BankMemory {
   std::int32_t* line = nullptr;            ///< SampleLine::memory(delay + 1, kTaps) values
-  CoarserLevel<kTaps>* coarser = nullptr;  ///< one less than there are levels
+  CoarserLevel<kTaps>* coarser = nullptr;  ///< one less than the levels
   std::int16_t* waiting = nullptr;         ///< denoise_waiting() slots
 };
 

@@ -48,7 +48,7 @@ namespace fog {
 struct EffectDescription {
   const char* name;   ///< as on the command line
   std::uint8_t id;    ///< its number in the model table: never reused, never changed
-  const char* title;  ///< what it is called in the literature
+  const char* title;  ///< name in the literature
   const char* equation;
   const char* typical;  ///< magnitude in a tactical or navigation gyro
   /// Example for documents and tests, "tau=120 K=1": the shape parameters and all coefficients that
@@ -77,13 +77,13 @@ constexpr bool follows_input_rate(InputMask needs) {
 enum class Scale : std::uint8_t {
   linear,
   logarithmic,  ///< both bounds are positive
-  frequency,    ///< that of 1 / value, of a period: what counts is how many turns the data hold
-  whole,        ///< whole numbers, which are given and never searched for
+  frequency,    ///< linear in 1 / value: for a period, turns within the data
+  whole,        ///< whole numbers: given, never searched for
 };
 
 /// Value of a shape parameter that the user does not give.
 enum class NotGiven : std::uint8_t {
-  identified,  ///< searched for, from its default on
+  identified,  ///< searched for, starting at its default
   kept,        ///< its default
   /// 0, its default: the effect has no second part. Where the parameter before it is searched for,
   /// so is this one.
@@ -113,7 +113,7 @@ struct ParameterDescription {
 /// The quantity that a coefficient multiplies.
 enum class Multiplies : std::uint8_t {
   level,
-  temperature_rate,  ///< comes and goes with dT/dt, and is as late as its lags
+  temperature_rate,  ///< follows dT/dt, with the delay of its lags
 };
 
 /// The coefficient of one regressor. regressor = signal in the denominator of `unit` /

@@ -17,7 +17,8 @@ struct ExtensionRecord {
 };
 
 constexpr std::size_t kExtensionFrameBytes = 10;
-constexpr std::uint8_t kExtensionSync1 = 0xC3;  ///< after kSensorSync0; four bits off kSensorSync1
+constexpr std::uint8_t kExtensionSync1 =
+    0xC3;  ///< after kSensorSync0; differs from kSensorSync1 in four bits
 using ExtensionFrame = std::array<std::uint8_t, kExtensionFrameBytes>;
 
 /// Encodes a record: 10 bytes, CRC included.

@@ -10,21 +10,21 @@ namespace fog {
 
 /// Words of a health record in their order in the frame.
 enum class HealthWord : std::uint8_t {
-  model,            ///< CRC-32 of the model file that the weights come from
-  image,            ///< the seal of the image, by which it is known: no two images have the same
-  samples,          ///< answered since the start, modulo 2^32, as all counts
-  invalid_rates,    ///< of these, without a valid undelayed rate
-  sequence_gaps,    ///< of these, after lost samples, late, or repeated
-  status_last,      ///< Status of the last sample
-  status_seen,      ///< of all samples together
-  discarded_bytes,  ///< of the sensor stream: part of no good frame
-  image_passes,     ///< checks of the whole image since the start
-  memory_passes,    ///< tests of the whole memory since the start
-  stack,            ///< bytes of it; from bit 16 on, of these never written since the start
-  version,          ///< of the firmware: 1.2.3 is 010203
-  sources,          ///< 32 bits of the SHA-256 of what the image was built from, but for the model
-  processor,        ///< three words: the number that no other processor has, or 0
-  serial = processor + 3,  ///< four: that of the gyro, ASCII, padded with 0, at least one
+  model,                   ///< CRC-32 of the model file that the weights come from
+  image,                   ///< seal of the image, unique to it
+  samples,                 ///< answered since the start, modulo 2^32, as all counts
+  invalid_rates,           ///< of these, without a valid undelayed rate
+  sequence_gaps,           ///< of these, after lost samples, late, or repeated
+  status_last,             ///< Status of the last sample
+  status_seen,             ///< of all samples together
+  discarded_bytes,         ///< of the sensor stream: part of no good frame
+  image_passes,            ///< checks of the whole image since the start
+  memory_passes,           ///< tests of the whole memory since the start
+  stack,                   ///< size in bytes; from bit 16 on: bytes never written since the start
+  version,                 ///< of the firmware: 1.2.3 is 010203
+  sources,                 ///< 32 bits of the SHA-256 of the image's sources, without the model
+  processor,               ///< three words: unique number of the processor, or 0
+  serial = processor + 3,  ///< four: of the gyro; ASCII, padded with at least one 0
   count = serial + 4
 };
 
@@ -48,7 +48,7 @@ struct SampleCounts {
 
 /// State of a board for diagnosis (SPEC.md, "Health record").
 struct HealthRecord {
-  bool image_intact = false;     ///< at the start; what is found later ends in a restart
+  bool image_intact = false;     ///< at the start; later failures cause a restart
   bool memory_good = false;      ///< likewise
   std::uint8_t model_error = 0;  ///< a ModelError
   std::array<std::uint32_t, static_cast<std::size_t>(HealthWord::count)> words{};

@@ -10,9 +10,9 @@ namespace fog {
 // "Loading a table"): each message is answered before the next one is sent.
 
 enum class LoadStep : std::uint8_t {
-  begin,  ///< the first words of the slot: whether the rest may come; erases
+  begin,  ///< first words of the slot: asks whether the rest may come; erases
   block,  ///< the next words
-  end,    ///< all have come: verifies them, and makes them a slot
+  end,    ///< verifies the words and makes the slot valid
 };
 
 /// Reasons for which a board refuses a step. Numbers up to other_board are those of ModelError.
@@ -24,10 +24,10 @@ enum class LoadRefusal : std::uint8_t {
   out_of_range,
   not_in_image,
   other_board,
-  other_gyro,    ///< the table in use is of another one
+  other_gyro,    ///< the table in use belongs to another gyro
   not_newer,     ///< than the table in use: it would not be used
-  strap_open,    ///< nobody has closed the board's service strap
-  flash_failed,  ///< does not hold what is written to it
+  strap_open,    ///< the board's service strap is open
+  flash_failed,  ///< does not keep what is written to it
   not_expected,  ///< a step that does not follow the last one
 };
 

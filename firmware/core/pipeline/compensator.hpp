@@ -190,7 +190,11 @@ class Compensator {
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = prepare_drift_model(verdict, temperature, measured);
-    if (!has_any(verdict.status, kRateInvalid)) drift_model_.update_rate(measured);
+    if (has_any(verdict.status, kRateInvalid)) {
+      drift_model_.update_without_rate();
+    } else {
+      drift_model_.update_rate(measured);
+    }
 
     OutputSample& result = last_;
     result.sequence = sample.sequence;

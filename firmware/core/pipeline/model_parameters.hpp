@@ -72,7 +72,7 @@ inline bool is_bound_elsewhere(const std::int32_t* bound,
 struct ModelParameters {
   ModelParameters();  // not inline: saves 130 bytes of flash
 
-  Status fault = Status::model_refused;  ///< goes into the status of every sample
+  Status fault = Status::model_refused;  ///< part of the status of every sample
   std::uint32_t provenance = 0;          ///< CRC-32 of the model file that it was made from
   std::uint32_t samples_per_block = 1;
   CalibrationParameters calibration;
@@ -85,7 +85,7 @@ struct ModelParameters {
   DenoiseParameters denoise;
   OutputSelection output = OutputSelection::kvh;
   OutputOptions output_options = 0;
-  Status invalidating = kRateInvalid;  ///< any of these makes a rate not valid
+  Status invalidating = kRateInvalid;  ///< any of these flags makes a rate invalid
 
   /// Inputs that the model needs beside the coil temperature.
   InputMask needs() const {

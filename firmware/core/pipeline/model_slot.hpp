@@ -32,8 +32,8 @@ using SlotMemory = Span<const std::int32_t>;  ///< kSlotBytes
 struct SlotContents {
   ModelError error = ModelError::not_a_model;  ///< of the slot alone; none: it is intact
   std::uint32_t sequence = 0;                  ///< the higher, the newer; wraps
-  Span<const std::int32_t> table;              ///< where it is intact
-  Span<const std::uint8_t> sealed;             ///< all of it, with its seal
+  Span<const std::int32_t> table;              ///< empty unless intact
+  Span<const std::uint8_t> sealed;             ///< the whole slot, with its seal
 };
 SlotContents read_slot(SlotMemory memory);
 /// The same for a slot whose first word has not been written yet; at least kSlotHeaderWords words.
@@ -41,12 +41,13 @@ SlotContents read_slot_behind_magic(SlotMemory memory);
 
 /// Result of the choice between the slots.
 struct SlotChoice {
-  ModelError error = ModelError::not_a_model;  ///< none: `slot` is used; else why the newest is not
+  ModelError error =
+      ModelError::not_a_model;  ///< none: `slot` is used; else the error of the newest
   std::size_t slot = kModelSlots;
   /// Contents of each slot, with the error of its model, if that was checked.
   std::array<SlotContents, kModelSlots> slots;
 
-  const SlotContents& used() const { return slots[slot % kModelSlots]; }  ///< where one is
+  const SlotContents& used() const { return slots[slot % kModelSlots]; }  ///< if one is used
 };
 
 /// Chooses the newest intact slot whose model an image of this `capacity` on this processor can

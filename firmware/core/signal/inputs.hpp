@@ -15,7 +15,7 @@ enum class Input : std::uint8_t {
   temperature,       ///< coil sensor, in the trained range
   temperature_rate,  ///< its filtered derivative
   elapsed,           ///< time since power-on
-  input_rate,        ///< about the axis; on the board, what the gyro itself measures
+  input_rate,        ///< about the axis; on the board, the rate that the gyro measures
   // From here on extension records carry the inputs, numbered from 0.
   temperature2,  ///< a second sensor
   magnetic,      ///< the field along the sensitive direction
@@ -37,8 +37,8 @@ struct InputSwing {
 /// numbers are in thousandths, because the core has only integers.
 struct InputDescription {
   Input input;
-  const char* name;    ///< in lists: `fit --inputs`, `simulate --columns`
-  const char* column;  ///< of a recording, with the unit at its end; "": in no recording
+  const char* name;    ///< in option values: `fit --inputs`, `simulate --columns`
+  const char* column;  ///< of a recording, ends with the unit; "": in no recording
   const char* symbol;  ///< in an expression
   const char* title;
   const char* unit;

@@ -10,7 +10,7 @@ struct ClockTree {
   std::uint32_t apb2_hz;
   const char* source;
   bool is_fallback;     ///< not the crystal at full speed
-  bool has_full_speed;  ///< 144 MHz, from whatever
+  bool has_full_speed;  ///< 144 MHz, from either source
 };
 
 /// Brings the core to 144 MHz from any state: from the crystal (or an external clock at its pin) if

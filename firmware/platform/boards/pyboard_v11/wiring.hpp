@@ -9,7 +9,7 @@
 namespace fog::platform {
 
 constexpr std::uint32_t kCrystalHz = 12'000'000;
-constexpr bool kCrystalIsOscillator = false;  ///< OSC_IN is driven: there is nothing to excite
+constexpr bool kCrystalIsOscillator = false;  ///< true: an external clock drives OSC_IN
 constexpr bool kHasClockCrystal = true;       ///< 32,768 Hz at PC14 and PC15: FOG_RESET_CLOCK=lse
 
 constexpr UsartPort kOutputUsart = kUsart6;
