@@ -12,8 +12,8 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// How probable the candidate is among the hypotheses; returns its shape in the likeliest of them
-// that has it, or else `alone`.
+// Sets the candidate's probability among the hypotheses. Returns its shape in the most probable
+// hypothesis that contains it, or else `alone`.
 std::size_t weigh(std::size_t candidate, std::size_t alone, const EvidenceSpace& evidence,
                   const std::vector<Hypothesis>& hypotheses, CandidateFinding& finding) {
   std::size_t shape = alone;
@@ -82,7 +82,8 @@ void believe_less(std::vector<CandidateFinding>& findings, double chance_of_walk
   }
 }
 
-// What differs by rounding alone is equal: of such the catalogue's own comes first.
+// Order by probability of being the largest; differences by rounding count as equal, and then
+// effects of the catalogue come before expressions.
 void sort_by_lead(std::vector<CandidateFinding>& findings) {
   const auto rank = [](const CandidateFinding& finding) {
     const auto rounded = [](double value) { return std::round(1e9 * value); };

@@ -9,11 +9,12 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Of a lag: from what a block hardly shows to what a programme of hours still shows.
+// Bounds of a lag: from barely visible in a block to still visible in a programme of hours.
 const std::string kLagBounds = "?tau[60,6000]";
-// A kink at the very end of a range is none.
+// Distance of a kink from the ends of the range.
 constexpr double kKinkMargin = 0.1;
-// Of a sine, of the range: a tenth is as fast as its noise lets be seen, twice is nearly a square.
+// Period of a sine, in units of the range: shorter ones are lost in noise, longer ones look like a
+// square.
 constexpr double kMinPeriod = 0.1;
 constexpr double kMaxPeriod = 2;
 
@@ -36,7 +37,7 @@ struct VaryingSignal {
   bool has_zero;  ///< 0 degC is no special temperature
 
   double span() const { return range.max - range.min; }
-  /// A value of it, searched for.
+  /// Placeholder of a value to be fitted.
   std::string somewhere() const {
     const double margin = kKinkMargin * span();
     return format("?c[%.6g,%.6g]", range.min + margin, range.max - margin);
@@ -59,8 +60,8 @@ std::string lag_of(const std::string& text) {
   return "lag(" + text + "," + kLagBounds + ")";
 }
 
-// Of one signal. Powers of the temperature are bias_temperature's, a period in it is
-// polarization_ripple's, and what follows its rate with a lag is thermal_lag's.
+// Forms of one signal. Not for what the catalogue has: powers of the temperature
+// (bias_temperature), periods in it (polarization_ripple), its rate with a lag (thermal_lag).
 void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
   const std::string& x = signal.symbol;
   const model::SignalRange& range = signal.range;
@@ -83,7 +84,7 @@ void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
   formulas.add(x + "_kink", "max(" + x + "-" + signal.somewhere() + ",0)");
 }
 
-// Products of two signals, of three factors at most.
+// Products of two signals, of at most three factors.
 void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSignal& b) {
   const std::string& x = a.symbol;
   const std::string& y = b.symbol;

@@ -9,7 +9,7 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// One effect of the library is as likely to be missing as none.
+// Prior: an effect of the basis is as probable as none.
 std::vector<fit::Explanatory> explanatory(const std::vector<Hypothesis>& hypotheses,
                                           const RegressorBasis& regressors) {
   const double each = -std::log(static_cast<double>(regressors.size()));

@@ -24,8 +24,8 @@ auto segment(Eigen::VectorXd& values, const recording::RowRange& range) {
                         static_cast<Eigen::Index>(range.size()));
 }
 
-// The residuals of both, a row each, as no fit has seen them. `weights`: 0 for rows that do not
-// count.
+// Residuals of both models on rows that were not fitted, one value per row. `weights`: 0 for
+// excluded rows.
 OutOfSample judge(const series::Rows& rows, const Eigen::VectorXd& before,
                   const Eigen::VectorXd& after, const noise::NoiseModel& noise,
                   const Eigen::VectorXd& weights) {
@@ -49,7 +49,7 @@ OutOfSample judge(const series::Rows& rows, const Eigen::VectorXd& before,
   return result;
 }
 
-// The longest that the noise remembers in any part that counts.
+// Longest memory of the noise in any significant component.
 double noise_memory_s(const noise::NoiseModel& noise) {
   double total = noise.white_variance;
   for (const noise::NoiseModel::Component& component : noise.components)
@@ -64,7 +64,7 @@ double noise_memory_s(const noise::NoiseModel& noise) {
 
 using Part = std::vector<recording::RowRange>;  // left out together
 
-// How many stretches of a run tell something of their own. `residual`: as fitted.
+// Number of independent stretches of a run. `residual`: of the fit.
 double stretches_of(const series::Rows& rows, const std::vector<double>& residual,
                     const noise::NoiseModel& noise) {
   const double residual_s = rows.row_s * noise::correlated_values(residual, rows.runs());
@@ -74,8 +74,8 @@ double stretches_of(const series::Rows& rows, const std::vector<double>& residua
                     rules::kMaxStretches);
 }
 
-// Stretches of time in turns: every part has some of each phase of the run, so that what is left
-// out lies between what is known and not beyond it.
+// Assigns stretches of time to the parts in turn. Every part contains some of each phase of the
+// run, so that it is interpolated, not extrapolated.
 std::vector<Part> parts_of(const series::Rows& rows, double count) {
   constexpr std::size_t kParts = 5;
   const auto size = static_cast<std::size_t>(rows.size());
@@ -92,11 +92,11 @@ std::string how_of(const std::vector<Part>& parts, const series::Rows& rows) {
                 static_cast<double>(parts[0][0].size()) * rows.row_s / kSecondsPerHour);
 }
 
-// What one set of effects leaves in all rows when identified without those of `left_out`.
+// Residual in all rows of a set of effects that was identified without the rows of `left_out`.
 struct Fold {
   Eigen::VectorXd residual_dph;
   bool determined = false;    // the other rows determine every coefficient
-  Eigen::VectorXd sigma_dph;  // of the coefficients, where they do
+  Eigen::VectorXd sigma_dph;  // of the coefficients, if determined
 };
 
 Fold leave_out(const series::SignalSeries& series, const std::vector<model::EffectTerm>& terms,
@@ -124,8 +124,8 @@ Fold leave_out(const series::SignalSeries& series, const std::vector<model::Effe
   return fold;
 }
 
-// Whether the rows of `fold` tell some coefficients about as well as all rows do. A run in which an
-// effect was never excited cannot speak for the one in which it was.
+// Whether the rows of `fold` determine some coefficients about as well as all rows do. A run that
+// did not excite an effect cannot judge a run that did.
 bool tells(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::Index count,
            double much_worse) {
   if (!fold.determined || !all.determined) return false;
@@ -137,7 +137,7 @@ bool tells_all(const Fold& fold, const Fold& all) {
   return tells(fold, all, 0, all.sigma_dph.size(), rules::kFarWorse);
 }
 
-// Every shape stays but those of one term.
+// Fixes all shapes but those of one term.
 std::vector<model::EffectTerm> shapes_kept(std::vector<model::EffectTerm> terms,
                                            const std::vector<std::size_t>& free) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -150,8 +150,8 @@ std::vector<model::EffectTerm> shapes_kept(std::vector<model::EffectTerm> terms,
 struct Residuals {
   Eigen::VectorXd before;
   Eigen::VectorXd after;
-  std::vector<Fold> given;  // of the set `before`, one for each part left out
-  std::vector<Fold> added;  // of the set `after`
+  std::vector<Fold> given;  // of `before`, one for each part left out
+  std::vector<Fold> added;  // of `after`
 };
 
 Residuals leave_each_out(const series::SignalSeries& series,
@@ -173,7 +173,7 @@ Residuals leave_each_out(const series::SignalSeries& series,
   return residuals;
 }
 
-// Whether every fold tells the coefficients of some terms.
+// Whether every fold determines the coefficients of some terms.
 bool tell_terms(const std::vector<Fold>& folds, const series::SignalSeries& series,
                 const std::vector<model::EffectTerm>& terms, const std::vector<std::size_t>& asked,
                 const JudgedWith& with) {
@@ -190,9 +190,8 @@ bool tell_terms(const std::vector<Fold>& folds, const series::SignalSeries& seri
   return true;
 }
 
-// A part without which even the effects that are given cannot be told, as a warm-up without the
-// start of its run, says nothing of those that are added: its rows do not count, unless that leaves
-// none.
+// Rows of a part without which even `before` is undetermined (a warm-up without the start of its
+// run) get weight 0, unless no rows remain.
 Eigen::VectorXd weights_of_judged(const std::vector<Fold>& given, const std::vector<Part>& parts,
                                   const Fold& all, const Eigen::VectorXd& row_weights) {
   Eigen::VectorXd weights = row_weights;
@@ -215,7 +214,7 @@ Eigen::VectorXd residual_on(const model::Model& model,
                                            static_cast<Eigen::Index>(residual.size()));
 }
 
-// As fitted, in the rows of the fit.
+// Residual of the fit in its rows.
 std::vector<double> fitted_residual(const series::SignalSeries& series,
                                     const std::vector<model::EffectTerm>& terms) {
   Eigen::VectorXd residual = series.rows().drift_dph;
@@ -249,7 +248,7 @@ OutOfSample cross_validate(const series::SignalSeries& series,
   const std::vector<model::EffectTerm> fixed_before = shapes_kept(before, {});
   const std::vector<model::EffectTerm> fixed_after = shapes_kept(after, changed);
   const std::vector<recording::RowRange> runs = rows.runs();
-  // A run's own offset cannot be known without the run.
+  // The offset of a run that is left out is unknown.
   if (runs.size() >= rules::kEnoughRuns && !with.run_offsets) {
     std::vector<Part> parts;
     for (const recording::RowRange& run : runs) parts.push_back({run});

@@ -14,9 +14,9 @@
 namespace fogcomp::fit {
 namespace {
 
-// What a column of a fit's matrix stands for.
+// Meaning of a column of a fit's matrix.
 struct Unknown {
-  std::size_t term = 0;  // one beyond the last: not of a term
+  std::size_t term = 0;  // number of terms: belongs to no term
   std::string name;
   bool is_shape = false;
 };
@@ -61,7 +61,7 @@ double span_of(const series::Rows& rows, const Value& value) {
   return max - min;
 }
 
-// What the rows lack that a term feeds on; "" where nothing stands out.
+// Property of the rows because of which a term is undetermined; "" if none is obvious.
 std::string known_reason(const model::EffectTerm& term, const series::Rows& rows) {
   const fog::InputMask needs = model::info_of(term).needs;
   for (const fog::Input input : model::kOptionalInputs) {
@@ -81,7 +81,7 @@ std::string known_reason(const model::EffectTerm& term, const series::Rows& rows
   return "";
 }
 
-// What is said of the unknowns of one term.
+// Undetermined unknowns of one term, for the message.
 struct Blame {
   std::vector<std::string> coefficients;
   std::vector<std::string> shapes;

@@ -53,7 +53,7 @@ double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& al
 
 namespace {
 
-// Orthonormal directions of whitened columns that `basis` cannot do itself.
+// Orthonormal directions of whitened columns outside the span of `basis`.
 Eigen::MatrixXd what_is_new(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis,
                             const noise::Whitening& whitening) {
   const Eigen::MatrixXd white = whitening.apply(columns);
