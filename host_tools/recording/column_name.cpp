@@ -18,7 +18,7 @@ bool is_lower(char c) {
   return std::islower(static_cast<unsigned char>(c)) != 0;
 }
 
-// "TimeUS", "coilTemp": parted where a capital follows a small letter.
+// Splits at a capital after a small letter: "TimeUS", "coilTemp".
 std::string parted(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -41,7 +41,7 @@ std::vector<std::string> words_of(std::string_view text) {
   return words;
 }
 
-// "ms", "seconds", "deg/s"; but "T", "d" or "h" is a name.
+// "ms", "seconds", "deg/s" are units; "T", "d" and "h" are names.
 bool is_unit_alone(const std::string& key) {
   return is_telling(key) || key == "s" || key == "ms" || key == "us" || key == "ns";
 }
@@ -88,7 +88,7 @@ ColumnName::ColumnName(std::string_view name, std::string_view from_units_row)
     unit_text = text;
   } else {
     take_bracket();
-    // "coil_degC" before "TimeUS".
+    // "coil_degC" before "TimeUS"
     if (!unit && unknown_unit.empty()) take_tail(text);
     if (!unit && unknown_unit.empty()) take_tail(parted(text));
   }
@@ -125,7 +125,7 @@ void ColumnName::take_bracket() {
   words = words_of(parted(stem));
 }
 
-// The longest end of the name that is a unit: of "gyro_deg_s" the "deg_s".
+// Takes the longest suffix that is a unit: "deg_s" of "gyro_deg_s".
 void ColumnName::take_tail(const std::string& name) {
   constexpr std::string_view kSeparators = "_ ,:;.-/";
   for (std::size_t at = name.find_first_of(kSeparators); at != std::string::npos;
@@ -176,7 +176,7 @@ bool ColumnName::is_rate() const {
          (!words.empty() && (words[0] == "wx" || words[0] == "wy" || words[0] == "wz"));
 }
 
-// Those beside time, temperature and rate go by their own names alone, and want a unit.
+// Columns other than time, temperature and rate need their own names and a unit.
 std::optional<std::size_t> ColumnName::optional_slot() const {
   if (!unit || unit_alone) return std::nullopt;
   if (unit->quantity == Quantity::rate && has_word({"input"}))

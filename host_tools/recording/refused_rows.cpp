@@ -16,7 +16,7 @@
 namespace fogcomp::recording {
 namespace {
 
-/// What the messages say, while the rows are still there.
+/// Texts of the messages; made while the rows still exist.
 class Words {
  public:
   Words(const Recording& recording, const LineNumbers& lines, const GyroLimits& limits,
@@ -75,7 +75,7 @@ class Words {
                               [](RefusedRow a, RefusedRow b) { return a.row < b.row; });
   }
 
-  // From the row before it that is kept, or else the one after it.
+  // Relative to the last kept row, or else to the next one.
   double jump_degc(std::size_t row) const {
     std::size_t kept = row;
     while (kept > 0 && is_refused(kept)) --kept;
