@@ -61,7 +61,7 @@ std::vector<Comparison::VaryingInput> varying(const series::Rows& rows) {
 
 struct WeightedMoments {
   double mean = 0;
-  double deviation = 0;  // n - 1 in the denominator
+  double deviation = 0;  // with n - 1 in the denominator
   double rms = 0;
 };
 

@@ -20,7 +20,7 @@ double last_time_s(const BlockSeries& series) {
   return block.time_s + (block.samples - 1) * series.period_s / 2;
 }
 
-// Whether `next` goes on where `run` ends.
+// Whether `next` continues where `run` ends.
 bool goes_on(const BlockSeries& run, const BlockSeries& next) {
   constexpr double kSamePeriod = 0.01;
   if (run.blocks.empty() || next.blocks.empty() || run.inputs != next.inputs ||
@@ -45,7 +45,7 @@ void append(BlockSeries& run, const BlockSeries& next) {
   run.rounding_dph = std::max(run.rounding_dph, next.rounding_dph);
 }
 
-// A soak that the files share is one; other names become unique.
+// Joins a soak that both files contain; makes other names unique.
 void append(std::vector<recording::Segment>& segments, std::vector<recording::Segment> next) {
   for (recording::Segment& segment : next) {
     const std::string name = segment.name;

@@ -25,7 +25,7 @@ constexpr const char* kNetworkName = "network";
 /// than one effect, an unknown one, or if nothing would change.
 EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const std::string& effect);
 
-/// Several effects, one after the other; at least one, none twice. Or a network by itself.
+/// Several effects, one after the other; at least one, none twice. Or only a network.
 EffectChange change_effects(const std::vector<model::EffectTerm>& terms,
                             const std::vector<std::string>& effects);
 

@@ -35,7 +35,7 @@ void divide(Means& sum, double samples) {
   for (double& value : sum.extension) value /= samples;
 }
 
-// A recording whose time begins before power-on has another time than that.
+// A recording whose time starts before power-on has no time since power-on.
 fog::InputMask inputs_of(const recording::Recording& recording) {
   fog::InputMask inputs = 0;
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
@@ -46,7 +46,7 @@ fog::InputMask inputs_of(const recording::Recording& recording) {
   return inputs;
 }
 
-// A gap may hide any change.
+// Changes across a gap are not used.
 model::InputRanges input_ranges_of(const recording::Recording& recording) {
   model::InputRanges ranges{};
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
@@ -102,7 +102,7 @@ BlockSeries make_blocks(const recording::Recording& recording) {
   series.inputs = inputs_of(recording);
   series.input_ranges = input_ranges_of(recording);
   series.rounding_dph = recording::rate_resolution(recording).rounding_dph();
-  // Blocks that had passed since power-on when the recording began.
+  // Blocks between power-on and the start of the recording.
   const double earlier = recording.time_s[0] / series.block_s;
   series.first = means_of_row(recording, 0);
   series.first.elapsed = earlier;

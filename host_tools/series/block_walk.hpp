@@ -14,13 +14,12 @@ inline std::uint32_t hold_blocks(double block_s) {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(recording::kHoldSeconds / block_s)));
 }
 
-/// Leads a model (start(means), step(means), see_rate(mean input rate)) through a recording as the
-/// board leads its own: started by the first sample; a block's means count from the next block on;
-/// a gap is bridged by the board's own rule, or, longer than the board holds its drift, starts the
-/// model anew. Calls visit(block) for every block in which the drift is valid, before the block's
-/// own means have moved the model; of these it has seen the input rate, which the board has at
-/// every sample. `first` and `means_of(i)`: what stands for the first sample and for the means of
-/// block i.
+/// Runs a model (start(means), step(means), see_rate(mean input rate)) over a recording like the
+/// board: the first sample starts it; a block's means act from the next block on; a gap is bridged
+/// by the board's own rule or, if longer than the board holds its drift, restarts the model. Calls
+/// visit(block) for every block with a valid drift, before that block's means are used; its input
+/// rate has been passed already, because the board has it at every sample. `first` and
+/// `means_of(i)`: values for the first sample and the means of block i.
 template <class DriftModel, class MeansOf, class Visit>
 void walk_blocks(const BlockSeries& series, const fog::BlockMeans<model::RealNumbers>& first,
                  const MeansOf& means_of, DriftModel& model, Visit visit) {
@@ -45,7 +44,7 @@ void walk_blocks(const BlockSeries& series, const fog::BlockMeans<model::RealNum
   }
 }
 
-/// The same with the means as measured.
+/// The same with the measured means.
 template <class DriftModel, class Visit>
 void walk_blocks(const BlockSeries& series, DriftModel& model, Visit visit) {
   const auto measured = [&](std::size_t i) -> const fog::BlockMeans<model::RealNumbers>& {

@@ -5,8 +5,7 @@
 namespace fogcomp::series {
 namespace {
 
-// Where rows are as far apart as the board's blocks this is fog::FirstOrderLag; but rows may lie
-// apart by any time.
+// Equals fog::FirstOrderLag for rows spaced like the board's blocks; handles any spacing.
 void step(const Rows& rows, double tau_s, Eigen::Index from, Eigen::Index to,
           Eigen::VectorXd& values) {
   const double elapsed_s = std::abs(rows.time_s[static_cast<std::size_t>(to)] -

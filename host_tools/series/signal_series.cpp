@@ -14,7 +14,7 @@
 namespace fogcomp::series {
 namespace {
 
-// As with a sensor of less noise. The temperatures alone are kept: the blocks are much more.
+// Smoothed temperatures. Only these are kept: the blocks need much more memory.
 template <class DriftModel>
 void walk_smoothed(const BlockSeries& series, double tau_s, DriftModel& model) {
   const std::vector<double> temperatures = smooth_temperatures(series, tau_s);
@@ -45,7 +45,7 @@ double SignalSeries::Run::input_rate_dph(std::size_t block) const {
   return input_rate.empty() ? 0 : input_rate[block].dph;
 }
 
-// Not clamped, the temperature of the signals is that of their block.
+// The unclamped temperature of the signals is that of their block.
 SignalSeries::Signals SignalSeries::Run::signals(std::size_t block, Reading reading) const {
   const Block& kept = blocks[block];
   const bool smooth = reading == Reading::smoothed && !smoothed.empty();
@@ -58,8 +58,8 @@ SignalSeries::Signals SignalSeries::Run::signals(std::size_t block, Reading read
   return signals;
 }
 
-// Stands where walk_blocks expects a drift model, and keeps what one would see by calling
-// keep(signals, whether it starts anew).
+// Stands for the drift model in walk_blocks and passes its inputs to keep(signals, whether the
+// model restarts).
 template <class Keep>
 class SignalSeries::Recorder {
  public:
