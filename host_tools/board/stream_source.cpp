@@ -11,7 +11,7 @@ namespace fogcomp::board {
 
 namespace {
 
-// The board counts from its first sample: it cannot know of the time before a recording.
+// The board counts time from its first sample: it does not know the time before a recording.
 void warn_of_late_start(const recording::Recording& recording, const recording::ReadWatch& watch) {
   if (recording.time_s[0] <= recording.period_s) return;
   watch.say(recording.file,

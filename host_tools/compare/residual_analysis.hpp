@@ -14,9 +14,9 @@ struct LagCorrelation {
   double correlation = 0;  ///< -1..1
 };
 
-/// What is still in the residual of a run, and on what it depends.
+/// What is left in the residual of a run, and on what it depends.
 struct ResidualAnalysis {
-  /// rms^2 - floor^2, (deg/h)^2: what a better model could remove. Nothing where it is within four
+  /// rms^2 - floor^2, (deg/h)^2: what a better model could remove. Nothing if it is within four
   /// standard errors of the floor's estimate (0.6/sqrt(rows), relative), or no floor is known.
   std::optional<double> excess_dph2;
   double offset_sigma_dph = 0;     ///< standard error of the residual's mean
@@ -39,8 +39,8 @@ struct ResidualAnalysis {
 /// Four standard errors of a noise floor estimated from so many rows, relative to it.
 double floor_uncertainty(std::size_t rows);
 
-/// Shares of different variables overlap: in one chamber cycle, temperature, rate, time and history
-/// go together.
+/// Shares of different variables overlap: in one chamber cycle temperature, rate, time and history
+/// are correlated.
 ResidualAnalysis analyse_residual(const Comparison& comparison);
 
 }  // namespace fogcomp::compare
