@@ -28,11 +28,11 @@ struct ResidualAnalysis {
   Loop history;
   std::vector<LagCorrelation> autocorrelation;
   double white_band = 0;  ///< +-2/sqrt(rows): where 95 % of them lie for white noise
-  /// In soaks only; empty where none is long enough. Same times and uncertainties for both.
+  /// Only in soaks; empty if none is long enough. Same times and uncertainties for both.
   std::vector<noise::AllanPoint> raw_allan;
   std::vector<noise::AllanPoint> residual_allan;
 
-  /// Of the excess, the part that a class test explains, 0..1; nothing where no excess is known.
+  /// Fraction of the excess that a class test explains, 0..1; nothing if no excess is known.
   std::optional<double> share_of_excess(const ClassTest& test) const;
 };
 

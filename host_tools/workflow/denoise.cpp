@@ -21,7 +21,7 @@ DenoiseOutcome::MeanAndStd statistics(const std::vector<double>& values,
   return result;
 }
 
-// Between its gaps, each part by itself.
+// Denoises the parts between gaps separately.
 denoise::DenoiseReport denoise_bias(const recording::Recording& recording,
                                     const denoise::DenoiseMethod& method,
                                     std::vector<double>& bias) {

@@ -21,7 +21,7 @@ std::uint32_t data_hash(const model::Model& model) {
   return model.history.empty() ? 0 : model.history.back().data_hash;
 }
 
-// What the board does without, a sentence each.
+// Parts of the model that the board cannot use, one sentence each.
 std::vector<std::string> left_out(const model::Model& model,
                                   const fog::ModelParameters& parameters) {
   std::vector<std::string> notes;

@@ -26,7 +26,7 @@ std::uint32_t saturating_sum(std::uint32_t a, std::uint32_t b) {
   return b < kLongestUs - a ? a + b : kLongestUs;
 }
 
-// a - b|; exact for any two.
+// |a - b|; exact for any two.
 std::uint32_t distance(Temperature a, Temperature b) {
   const auto raw_a = static_cast<std::uint32_t>(a.raw());
   const auto raw_b = static_cast<std::uint32_t>(b.raw());

@@ -6,7 +6,7 @@ namespace fog {
 
 // Numbers that share a word, and words that share 64 bits. Only upper_word() rounds.
 
-/// value|, unsigned, so that it also holds the magnitude of the lowest value.
+/// |value|, unsigned, so that it also holds the magnitude of the lowest value.
 constexpr std::uint32_t magnitude_of(std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);
   return value < 0 ? 0U - bits : bits;

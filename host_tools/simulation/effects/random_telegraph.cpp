@@ -6,7 +6,7 @@
 namespace fogcomp::simulation {
 namespace {
 
-// A loose contact or a source that hops between two modes: two states, each kept for a random time.
+// A loose contact or a source that hops between two modes: two states with random dwell times.
 class RandomTelegraph : public Effect {
  public:
   RandomTelegraph(const Parameters& parameters, const EffectContext& context)

@@ -3,7 +3,7 @@
 namespace fogcomp::simulation {
 namespace {
 
-// The thermo-optic part of the coil integral: zero as soon as the whole coil warms alike.
+// Thermo-optic part of the coil integral: zero if the whole coil warms uniformly.
 class Shupe : public Effect {
  public:
   Shupe(const Parameters& parameters, const EffectContext& context)
