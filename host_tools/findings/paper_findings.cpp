@@ -93,7 +93,7 @@ void add_table_3(Document& document, const research::Study& study) {
   document.table(std::move(table));
 }
 
-// Rows of one segment follow each other; "20~-40" is a ramp.
+// Rows of one segment are consecutive; "20~-40" is a ramp.
 std::vector<recording::Segment> study_segments(const research::Study& study,
                                                const std::vector<double>& degc) {
   const std::vector<std::string>& names = study.run.segments;

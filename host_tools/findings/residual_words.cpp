@@ -12,7 +12,7 @@
 namespace fogcomp::findings {
 namespace {
 
-constexpr double kSlowCycle_s = 7200;  // no machine of a laboratory is that slow
+constexpr double kSlowCycle_s = 7200;  // no laboratory machine is that slow
 
 }  // namespace
 
@@ -74,7 +74,7 @@ std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
   return "";
 }
 
-// Far beyond the draws of the test the tail of their distribution is a guess.
+// Far beyond the draws of the test, the probability is an extrapolation.
 std::string chance_words(double chance) {
   constexpr double kTiny = 1e-6;
   return "chance that noise alone looks like this: " +
@@ -82,8 +82,8 @@ std::string chance_words(double chance) {
 }
 
 std::string network_words(const diagnosis::Diagnosis& diagnosis) {
-  constexpr double kSaysNothing = 0.05;   // difference of shares that says nothing
-  constexpr double kNextToNothing = 0.1;  // of the noise floor
+  constexpr double kSaysNothing = 0.05;   // insignificant difference of shares
+  constexpr double kNextToNothing = 0.1;  // relative to the noise floor
   if (!diagnosis.network) return "";
   const diagnosis::NetworkLearnt& network = *diagnosis.network;
   std::string text = format("the network, left out here, adds %.4g deg/h rms", network.rms_dph);
@@ -97,7 +97,7 @@ std::string network_words(const diagnosis::Diagnosis& diagnosis) {
     return text + " (at most " + percent(network.effects[0].share) + ", " +
            network.effects[0].term.name + ")";
   }
-  // Of those that explain it alike, the one that the verdict names.
+  // If several explain it equally well, the one of the verdict.
   diagnosis::NetworkLearnt::Share best = network.effects[0];
   for (const diagnosis::NetworkLearnt::Share& share : network.effects) {
     const bool as_well = share.share > network.effects[0].share - kSaysNothing;

@@ -45,7 +45,7 @@ class ScaleFactorAsymmetry {
     constants[1] = 1 / (2 * constants[0]);
   }
   static bool constants_valid(const typename N::Constant* constants) {
-    // W| / 2d is at most 1/2 within the dead band; with constants that do not match each other it
+    // |W| / 2d is at most 1/2 within the dead band; with constants that do not match each other it
     // must stay below 1.
     return constants[0] > 0 && constants[1] > 0 &&
            std::int64_t{constants[0]} * constants[1] <=
