@@ -13,7 +13,7 @@ struct Limit {
   bool is_max = true;  ///< else a lower limit
   double value = 0;
 
-  bool keeps(double figure_value) const {
+  bool meets(double figure_value) const {
     return is_max ? figure_value <= value : figure_value >= value;
   }
 };

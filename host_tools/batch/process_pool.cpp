@@ -78,7 +78,7 @@ std::string death_of(const Running& running, int status, double time_limit_s) {
                   strsignal(WTERMSIG(status)));
   }
   return WEXITSTATUS(status) == 0 ? ""
-                                  : format("its process ended with code %d", WEXITSTATUS(status));
+                                  : format("its process exited with code %d", WEXITSTATUS(status));
 }
 
 // The running processes.
@@ -104,7 +104,7 @@ class Children {
   }
 
   // Reports processes that have ended, and kills those above the time limit.
-  void look_after(const PoolEvents& events) {
+  void supervise(const PoolEvents& events) {
     for (std::size_t i = 0; i < running_.size();) {
       int status = 0;
       if (::waitpid(running_[i].process, &status, WNOHANG) == 0) {
@@ -151,7 +151,7 @@ int run_in_processes(std::size_t jobs, const PoolSettings& settings,
       children.end_all();
       return asked_to_end;
     }
-    children.look_after(events);
+    children.supervise(events);
     events.tick();
   }
   return 0;

@@ -87,7 +87,7 @@ class Compiler {
   Value in_format(Value value, int fraction) {
     const int dropped = value.fraction - fraction;
     if (dropped == 0) return value;
-    if (dropped < -31 || dropped > 62) refuse("sizes that are too far apart meet");
+    if (dropped < -31 || dropped > 62) refuse("operands differ too much in size");
     emit(Op::shift, dropped);
     if (dropped > 0) value.error += half_lsb(fraction);
     value.fraction = fraction;
@@ -160,7 +160,7 @@ class Compiler {
   Value multiplied(Value result, int exact_fraction) {
     checked(result);
     result.fraction = std::min(fraction_for(result.size()), exact_fraction);
-    if (exact_fraction - result.fraction > 62) refuse("sizes that are too far apart meet");
+    if (exact_fraction - result.fraction > 62) refuse("operands differ too much in size");
     emit(Op::multiply, exact_fraction - result.fraction);
     result.error += half_lsb(result.fraction);
     return result;

@@ -57,7 +57,7 @@ int weight_fraction(const Eigen::MatrixXd& weights, const Eigen::VectorXd& biase
 // Returns the remaining factor for this input's weights.
 double write_input(TableWriter& out, const model::RealInput& input, double block_s) {
   const std::string lag = input.tau_s > 0 ? format(" (tau %g s)", input.tau_s) : "";
-  out.note(format("input %s%s: (x - %.9g) / %.9g %s; signal, decay, centre, reach, shift",
+  out.note(format("input %s%s: (x - %.9g) / %.9g %s; signal, decay, centre, half range, shift",
                   model::name_of(input.signal), lag.c_str(), input.centre, input.half_range,
                   description_of(input_of(input.signal)).unit));
   out.integer(static_cast<std::int32_t>(input.signal), "input signal");

@@ -29,7 +29,7 @@ StreamSource::StreamSource(const std::string& path, const recording::ReadOptions
   auto file = std::make_unique<recording::InputFile>(path, options.watch.progress);
   if (recording::find_output_frames(file->peek())) {
     throw InputError(path,
-                     "is what a board has sent; give what a board is sent: a recording of the "
+                     "is the output of a board; give its input: a recording of the "
                      "gyro or a capture of the sensor stream");
   }
   if (recording::is_sensor_stream(file->peek())) {

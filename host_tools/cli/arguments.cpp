@@ -23,7 +23,7 @@ bool is_model_or_header(const std::string& path) {
 }
 
 // Standard input.
-bool is_dash(const std::string& word) {
+bool is_standard_input(const std::string& word) {
   return word == "-";
 }
 
@@ -198,7 +198,8 @@ std::vector<Fault> absent_inputs(const Command& command) {
     const std::string& word = command.arguments[i];
     const bool effect = !command.words.empty() && i == 1 && !has_replacement(command);
     std::error_code error;
-    if (!reads_positionals(command) || effect || is_word(command, word) || is_dash(word)) continue;
+    if (!reads_positionals(command) || effect || is_word(command, word) || is_standard_input(word))
+      continue;
     if (!std::filesystem::exists(word, error)) absent.push_back({word, "does not exist"});
   }
   return absent;

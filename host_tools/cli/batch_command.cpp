@@ -150,9 +150,9 @@ std::vector<GyroFolder> find_work(const Batch& batch, Work& work) {
 }
 
 // After a signal: says how to continue with the same command.
-void end_by(int signal_number, std::size_t done, std::size_t gyros) {
+void exit_by_signal(int signal_number, std::size_t done, std::size_t gyros) {
   if (signal_number == 0) return;
-  std::fprintf(stderr, "\ninterrupted: %zu of %s done; the same command goes on there\n", done,
+  std::fprintf(stderr, "\ninterrupted: %zu of %s done; the same command continues there\n", done,
                counted(gyros, "gyro").c_str());
   std::signal(signal_number, SIG_DFL);
   std::raise(signal_number);
@@ -179,7 +179,7 @@ Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
   };
   const int signal_number = batch::run_in_processes(
       to_do.size(), settings, [&](std::size_t job) { calibrate_alone(batch, to_do[job]); }, events);
-  end_by(signal_number, work.already + work.done, batch.gyros.size());
+  exit_by_signal(signal_number, work.already + work.done, batch.gyros.size());
   return work;
 }
 
@@ -256,7 +256,7 @@ void diagnose_failing(const Batch& batch, const batch::PoolSettings& settings,
         diagnose_alone(batch, batch.gyros[to_do[job]], fingerprint(to_do[job]));
       },
       events);
-  end_by(signal_number, summary.gyros.size() - to_do.size() + done, summary.gyros.size());
+  exit_by_signal(signal_number, summary.gyros.size() - to_do.size() + done, summary.gyros.size());
 }
 
 batch::Summary write_table(const Batch& batch, const Work& work,

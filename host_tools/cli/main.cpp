@@ -66,8 +66,8 @@ int main(int argc, char** argv) {
     const int code = run(std::vector<std::string>(argv + 1, argv + argc));
     // An earlier failure leaves no data to flush, but sets the error flag.
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-      throw fogcomp::InputError(
-          "standard output", "cannot be written; what is there is not complete; is the disk full?");
+      throw fogcomp::InputError("standard output",
+                                "cannot be written completely; is the disk full?");
     }
     return code;
   } catch (const fogcomp::InputError& error) {

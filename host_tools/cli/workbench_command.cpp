@@ -75,7 +75,7 @@ std::string shortened(WorkbenchSetup& setup, const std::string& path,
 WorkbenchSetup WorkbenchCommand::setup() const {
   WorkbenchSetup setup;
   const workflow::Observer observer = on_stderr();
-  const recording::ReadOptions reading = observer.heard(recording.value());
+  const recording::ReadOptions reading = observer.with_observer(recording.value());
   std::vector<std::string> runs = arguments;
   if (!runs.empty() && is_model(runs[0])) {
     setup.model = name_in_page(setup, runs[0]);

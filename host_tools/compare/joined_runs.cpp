@@ -21,7 +21,7 @@ double last_time_s(const BlockSeries& series) {
 }
 
 // Whether `next` continues where `run` ends.
-bool goes_on(const BlockSeries& run, const BlockSeries& next) {
+bool continues(const BlockSeries& run, const BlockSeries& next) {
   constexpr double kSamePeriod = 0.01;
   if (run.blocks.empty() || next.blocks.empty() || run.inputs != next.inputs ||
       run.samples_per_block != next.samples_per_block ||
@@ -93,7 +93,7 @@ std::vector<RunInBlocks> join_continued(std::vector<RunInBlocks> runs,
                                         std::vector<std::string>& notes) {
   for (std::size_t i = 0; i < runs.size();) {
     const auto next = std::find_if(runs.begin(), runs.end(), [&](const RunInBlocks& run) {
-      return &run != &runs[i] && goes_on(runs[i].blocks, run.blocks);
+      return &run != &runs[i] && continues(runs[i].blocks, run.blocks);
     });
     if (next == runs.end()) {
       ++i;

@@ -53,7 +53,7 @@ std::vector<std::string> long_row_notes(const recording::Recording& recording,
 }  // namespace
 
 RunInBlocks run_in_blocks(const recording::Recording& recording, double average_s) {
-  recording::require_moving_rate(recording);
+  recording::require_varying_rate(recording);
   RunInBlocks run;
   run.file = recording.file;
   run.files = {recording.file};

@@ -32,7 +32,7 @@ std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
 
 /// For a diagnosis whose tests find only noise: limits each effect's probability to what its own
 /// evidence supports and to what a random walk does not explain.
-void believe_less(std::vector<CandidateFinding>& findings, double chance_of_walk);
+void limit_to_own_evidence(std::vector<CandidateFinding>& findings, double chance_of_walk);
 
 /// Sorts into the order in which all outputs list the findings.
 void sort_by_lead(std::vector<CandidateFinding>& findings);

@@ -24,11 +24,12 @@ constexpr double kMinRegressor = 1e-6;
 constexpr double kAlike = 0.85;
 constexpr double kTheSame = 0.98;
 constexpr double kRank = 1e-8;
-constexpr int kFirstPlaces = 7;
-constexpr std::size_t kMaxPlaces = 72;  // grid points of one parameter
-constexpr double kEdge = 0.02;  // resolution, in units of the range, of the limit of visibility
+constexpr int kFirstGridPoints = 7;
+constexpr std::size_t kMaxGridPoints = 72;  // grid points of one parameter
+constexpr double kEdgeResolution =
+    0.02;  // resolution, in units of the range, of the limit of visibility
 constexpr std::array<double, 3> kOtherPlaces{0.2, 0.5, 0.8};
-constexpr std::size_t kLaidOut =
+constexpr std::size_t kGridParameters =
     3;  // parameters with a grid; further ones of an expression stay in the middle
 
 // Columns of an effect beyond those that the model already has.
@@ -64,7 +65,7 @@ class ShapeMaker {
 };
 
 // Mean fraction of a's directions that b explains; 1 for the same subspace.
-double likeness(const Candidate::Shape& a, const Candidate::Shape& b) {
+double overlap(const Candidate::Shape& a, const Candidate::Shape& b) {
   return (a.basis.transpose() * b.basis).squaredNorm() /
          static_cast<double>(std::max(a.basis.cols(), b.basis.cols()));
 }
@@ -80,8 +81,8 @@ std::size_t best_of(const std::vector<Candidate::Shape>& shapes, const Eigen::Ve
 // Half the distance to the nearest grid point of a parameter, downwards (-1) or upwards (+1), in
 // units of its range; 0 if there is none, because shapes beyond it belong to a simpler effect or
 // are invisible.
-double half_gap(const std::vector<Candidate::Shape>& shapes, const model::ShapeParameter& parameter,
-                double unit, int direction) {
+double half_distance(const std::vector<Candidate::Shape>& shapes,
+                     const model::ShapeParameter& parameter, double unit, int direction) {
   double gap = 0;
   for (const Candidate::Shape& shape : shapes) {
     const double other = parameter.to_unit(shape.term.parameters[parameter.index]);
@@ -92,8 +93,8 @@ double half_gap(const std::vector<Candidate::Shape>& shapes, const model::ShapeP
 }
 
 // Makes the grid of one parameter; the others keep their values in `term`.
-void lay_out(const ShapeMaker& make, model::EffectTerm term, const model::ShapeParameter& parameter,
-             std::vector<Candidate::Shape>& shapes) {
+void add_grid(const ShapeMaker& make, model::EffectTerm term,
+              const model::ShapeParameter& parameter, std::vector<Candidate::Shape>& shapes) {
   struct Place {
     double unit;
     std::optional<Candidate::Shape> shape;
@@ -104,18 +105,18 @@ void lay_out(const ShapeMaker& make, model::EffectTerm term, const model::ShapeP
     return Place{unit, make(term)};
   };
   const auto differ = [](const Place& a, const Place& b) {
-    if (a.shape.has_value() != b.shape.has_value()) return b.unit - a.unit > kEdge;
-    return a.shape.has_value() && likeness(*a.shape, *b.shape) < kAlike;
+    if (a.shape.has_value() != b.shape.has_value()) return b.unit - a.unit > kEdgeResolution;
+    return a.shape.has_value() && overlap(*a.shape, *b.shape) < kAlike;
   };
   std::vector<Place> places;
-  for (int i = 0; i < kFirstPlaces; ++i) {
-    places.push_back(at(static_cast<double>(i) / (kFirstPlaces - 1)));
+  for (int i = 0; i < kFirstGridPoints; ++i) {
+    places.push_back(at(static_cast<double>(i) / (kFirstGridPoints - 1)));
   }
-  for (bool halved = true; halved && places.size() < kMaxPlaces;) {
+  for (bool halved = true; halved && places.size() < kMaxGridPoints;) {
     halved = false;
     std::vector<Place> finer;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const bool more = i + 1 < places.size() && finer.size() + places.size() - i < kMaxPlaces;
+      const bool more = i + 1 < places.size() && finer.size() + places.size() - i < kMaxGridPoints;
       const double left = places[i].unit;
       const bool different = more && !places[i].as_the_next && differ(places[i], places[i + 1]);
       places[i].as_the_next = more && !different;
@@ -141,7 +142,7 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const model::Ef
     return shapes;
   }
   std::vector<model::EffectTerm> starts{term};
-  for (std::size_t i = 1; i < std::min(kLaidOut, parameters.size()); ++i) {
+  for (std::size_t i = 1; i < std::min(kGridParameters, parameters.size()); ++i) {
     std::vector<model::EffectTerm> more;
     for (const model::EffectTerm& start : starts) {
       for (const double place : kOtherPlaces) {
@@ -151,7 +152,7 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const model::Ef
     }
     starts = std::move(more);
   }
-  for (const model::EffectTerm& start : starts) lay_out(make, start, parameters[0], shapes);
+  for (const model::EffectTerm& start : starts) add_grid(make, start, parameters[0], shapes);
   return shapes;
 }
 
@@ -184,7 +185,7 @@ std::string missing_input(const model::CatalogueEntry& entry, fog::InputMask inp
 }
 
 // Recording that would show an effect that is invisible although its inputs are present.
-std::string what_would_show(const model::CatalogueEntry& entry) {
+std::string remedy_for_invisible(const model::CatalogueEntry& entry) {
   for (const fog::InputDescription& input : fog::kInputTable) {
     if (!has(entry.description.needs, input.input)) continue;
     if (input.input == fog::Input::elapsed) return "a recording that begins at power-on";
@@ -205,7 +206,7 @@ std::size_t count_of(const Candidate::Shape& shape) {
 // lag. Removes effects that on these recordings equal another one of the same inputs with fewer
 // regressors, such as a nonlinearity at two rates. Expressions do not replace effects of the
 // catalogue.
-void leave_to_simpler(std::vector<Candidate>& candidates) {
+void remove_equivalents_of_simpler(std::vector<Candidate>& candidates) {
   std::vector<const Candidate*> simple;
   for (const Candidate& candidate : candidates) {
     if (candidate.is_expression()) continue;
@@ -219,7 +220,7 @@ void leave_to_simpler(std::vector<Candidate>& candidates) {
         const Candidate::Shape& simpler = other->shapes[0];
         const bool fewer = candidate.has_free_shape() || (needs_of(simpler) == needs_of(shape) &&
                                                           count_of(simpler) < count_of(shape));
-        return fewer && likeness(shape, simpler) > kTheSame;
+        return fewer && overlap(shape, simpler) > kTheSame;
       });
     };
     auto& shapes = candidate.shapes;
@@ -251,16 +252,16 @@ void add_expressions(const series::SignalSeries& series,
 }
 
 // Moves one shape to the optimum, at most half way to its neighbours.
-void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes, std::size_t index,
-                  const Eigen::VectorXd& residual) {
+void optimise_shape(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes,
+                    std::size_t index, const Eigen::VectorXd& residual) {
   Candidate::Shape& shape = shapes[index];
   double chi2_drop = shape.chi2_drop(residual);
   for (const model::ShapeParameter& parameter : model::shape_parameters({shape.term})) {
     // The shape itself changes below.
     const auto place = [&] { return parameter.to_unit(shape.term.parameters[parameter.index]); };
     const double start = place();
-    const double down = half_gap(shapes, parameter, start, -1);
-    const double up = half_gap(shapes, parameter, start, +1);
+    const double down = half_distance(shapes, parameter, start, -1);
+    const double up = half_distance(shapes, parameter, start, +1);
     for (double share = 0.5; share > 0.05; share /= 2) {
       const double middle = place();
       for (const double unit : {middle - share * down, middle + share * up}) {
@@ -302,7 +303,7 @@ void refine_shape_parameters(std::vector<Candidate>& candidates, const series::S
       move_steps(series.rows(), project_out_model, candidates[i].shapes, residual);
       continue;
     }
-    move_to_best({series, project_out_model, 0}, candidates[i].shapes, best[i], residual);
+    optimise_shape({series, project_out_model, 0}, candidates[i].shapes, best[i], residual);
   }
 }
 
@@ -333,8 +334,8 @@ CandidateList find_candidates(const series::SignalSeries& series,
       list.untestable.push_back({name, missing});
       continue;
     }
-    if (fit::stands_still(entry.description.needs, series.rows())) {
-      list.untestable.push_back({name, what_would_show(entry)});
+    if (fit::has_constant_input_rate(entry.description.needs, series.rows())) {
+      list.untestable.push_back({name, remedy_for_invisible(entry)});
       continue;
     }
     const auto own = std::find_if(terms.begin(), terms.end(),
@@ -353,11 +354,11 @@ CandidateList find_candidates(const series::SignalSeries& series,
     if (!candidate.shapes.empty()) {
       list.testable.push_back(std::move(candidate));
     } else if (own == terms.end()) {
-      list.untestable.push_back({name, what_would_show(entry)});
+      list.untestable.push_back({name, remedy_for_invisible(entry)});
     }
   }
   add_expressions(series, terms, offered, project_out_model, list);
-  leave_to_simpler(list.testable);
+  remove_equivalents_of_simpler(list.testable);
   return list;
 }
 

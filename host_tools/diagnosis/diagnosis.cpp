@@ -102,7 +102,7 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   diagnosis.chance = std::exp(std::min({test.library_log_p, test.structure_log_p, fast.log_p}));
 
   bool slow = test.finds_something();
-  if (slow) diagnosis.walk = weigh_walk(evidence, hypotheses, fit.noise, seed);
+  if (slow) diagnosis.walk = assess_walk(evidence, hypotheses, fit.noise, seed);
   const double small = rules::kSmallExcess * static_cast<double>(diagnosis.rows);
   if (slow && explanation.excess < small && diagnosis.walk.may_be_all()) {
     slow = false;
@@ -110,7 +110,7 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   }
   const bool something = slow || fast.kind != FastKind::none;
   diagnosis.candidates = find_of_candidates(evidence, hypotheses, explanation.excess, series, fit);
-  if (!something) believe_less(diagnosis.candidates, diagnosis.walk.chance);
+  if (!something) limit_to_own_evidence(diagnosis.candidates, diagnosis.walk.chance);
   sort_by_lead(diagnosis.candidates);
   diagnosis.explanations = likeliest_sets(evidence, hypotheses, explanation.excess);
   if (!something) return;

@@ -15,7 +15,7 @@ namespace {
 
 // Limit for sets of effects of temperature and time alone if the catalogue does not explain the
 // residual: on one programme three of them can imitate nearly everything.
-constexpr std::size_t kMaxPliable = 2;
+constexpr std::size_t kMaxWithoutOwnInput = 2;
 constexpr std::size_t kMaxTried = 6;  // descriptions; each needs a fit and a cross-validation
 
 // The argument for `fogcomp add`, including the changed parameter if the effect is already in the
@@ -98,7 +98,7 @@ std::string objection_to(const model::Model& grown, bool has_holdouts) {
   if (has_holdouts || is_worth_adding(step.rms_before_dph, step.rms_after_dph, fitted_dph)) {
     return "";
   }
-  return "it would bring so little more that it may be the inexactness of what is there: let a run "
+  return "its gain is so small that it may only correct inexact terms of the model: let a run "
          "that was not fitted decide, with --holdout";
 }
 
@@ -220,7 +220,7 @@ void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
     });
     if (may_be_walk && is_around) continue;
     const bool is_pliable =
-        set.effects.size() > kMaxPliable && has_no_own_input(diagnosis, set.effects);
+        set.effects.size() > kMaxWithoutOwnInput && has_no_own_input(diagnosis, set.effects);
     if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;
     if (auto request = request_of(diagnosis, set.effects)) {
       descriptions.push_back({std::move(*request), set.explained_fraction, false, set.effects});

@@ -8,7 +8,7 @@ namespace fogcomp::diagnosis {
 /// A bias that switches between two levels at random times (random telegraph noise).
 struct TwoLevels {
   double height_dph = 0;  ///< of the upper level above the lower
-  double dwell_s = 0;     ///< how long a level lasts, on average
+  double dwell_s = 0;     ///< mean duration of a level
   /// ln of the odds against a Gaussian random process, whose spectrum can be the same, so that a
   /// noise model cannot tell them apart. 0 unless the bias returns: two visits to a level begin and
   /// end within a stretch and last four rows, or one change up and one down have an eighth of their

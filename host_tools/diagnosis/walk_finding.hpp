@@ -21,7 +21,7 @@ struct WalkFinding {
 /// Probability that everything slow is a random walk of the bias: no effect and no smooth structure
 /// exceeds noise that includes a walk, and none is more probable. {} without quiet parts: then the
 /// slow noise is unknown, and anything could be a walk.
-WalkFinding weigh_walk(const EvidenceSpace& evidence, const std::vector<Hypothesis>& hypotheses,
-                       const noise::NoiseModel& noise, std::uint64_t seed);
+WalkFinding assess_walk(const EvidenceSpace& evidence, const std::vector<Hypothesis>& hypotheses,
+                        const noise::NoiseModel& noise, std::uint64_t seed);
 
 }  // namespace fogcomp::diagnosis

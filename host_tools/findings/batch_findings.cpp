@@ -156,7 +156,7 @@ std::vector<Place> places_of(const Summary& summary, const std::string& figure) 
     if (!value) continue;
     const bool breaks = std::any_of(
         summary.limits.begin(), summary.limits.end(),
-        [&](const Limit& limit) { return limit.figure == figure && !limit.keeps(*value); });
+        [&](const Limit& limit) { return limit.figure == figure && !limit.meets(*value); });
     const auto& outliers = summary.lot.outliers;
     const bool is_off =
         std::any_of(outliers.begin(), outliers.end(), [&](const batch::Outlier& outlier) {

@@ -45,7 +45,7 @@ Text probability_text(double probability) {
 
 // Several effects together may be missing.
 void add_explanations(Document& document, const diagnosis::Diagnosis& diagnosis) {
-  document.heading("What together explains it", Shown::on_page);
+  document.heading("Sets of effects that explain it", Shown::on_page);
   Table table;
   table.caption = "sets of effects that compete to be all that is missing";
   table.columns = {"set", {"probability", "residual"}, "explains"};
@@ -333,7 +333,7 @@ void add_run(Document& document, const Run& run, const diagnosis::Ladder& ladder
   Plot residual = time_plot("Residual, the model refitted.", "residual, deg/h", axis, residuals);
   if (!taken_out.empty()) {
     residual.caption =
-        "On top, what " + verbatim(effect) + " would take out, all coefficients solved for anew.";
+        "On top, what " + verbatim(effect) + " would remove, with all coefficients refitted.";
   }
   document.plot(residual);
   document.plot(temperature_plot(axis, run.temperature_degc));

@@ -207,7 +207,7 @@ BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::
 
 std::string end_words(const diagnosis::Ladder& ladder) {
   if (!ladder.left_alone.empty()) {
-    return ladder.left_alone + " holds out of sample and leaves more in these rows: not added";
+    return ladder.left_alone + " helps out of sample but leaves more in these rows: not added";
   }
   const auto [verdict, certainty] = verdict_words(ladder.last);
   std::string text = "at the end: " + verdict + (certainty.empty() ? "" : "; " + certainty);

@@ -85,7 +85,7 @@ void add_extent(Document& document, const recording::Recording& recording) {
         words(counted(recording.refused_rows, "row") + " left out by the board's rules"));
   }
   if (recording.capture) document.sentence(words(recording::describe(*recording.capture)));
-  if (recording.rows() > 1 && !recording::rate_resolution(recording).moves()) {
+  if (recording.rows() > 1 && !recording::rate_resolution(recording).varies()) {
     document.sentence("note: the rate does not move; is the gyro on and connected?");
   }
 }

@@ -172,7 +172,7 @@ void add_medians(Document& document, const std::vector<research::Study>& studies
       "drift: without the noise floor, error: against the noise-free truth; on the run that a "
       "model "
       "was fitted to and on programmes that it never saw; noise alone: what a fit would leave that "
-      "knew the course of every effect and had but their sizes to find";
+      "knew the time course of every effect and estimated only their sizes";
   for (const std::string& profile : research::kHeldOutProfiles) {
     table.columns.emplace_back(verbatim(profile) + ": drift");
     table.columns.emplace_back("error");

@@ -67,7 +67,7 @@ std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
                     diagnosis.fast.band_period_s, 100 * diagnosis.fast.band_excess);
     case diagnosis::FastKind::two_levels:
       return format(
-          "the bias jumps to and fro between two levels %.3g deg/h apart, each held for %.2g s on "
+          "the bias switches between two levels %.3g deg/h apart, each held for %.2g s on "
           "average: look at light source, detector and electronics",
           diagnosis.jumps.height_dph, diagnosis.jumps.dwell_s);
   }

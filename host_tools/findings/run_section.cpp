@@ -180,7 +180,7 @@ void add_parts(Document& document, const compare::ModelOnRuns& model, std::size_
   table.caption = "what each part of the model does";
   table.columns = {"part", "share of the raw variance", "std, deg/h", "mean, deg/h"};
   table.notes =
-      "share: what comes back when a part alone is left out; parts that go together share, so the "
+      "share: rise of the residual without this part alone; correlated parts share it, so the "
       "shares need not add up to 100 %";
   for (const compare::EffectShare& effect : comparison.effects) {
     table.rows.push_back({verbatim(effect.name), words(format("%.1f %%", 100 * effect.share)),

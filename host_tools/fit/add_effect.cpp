@@ -292,7 +292,7 @@ RiseTest compare_on_runs(const model::Model& before,
 
 // Every fit searches for steps anew and moves them behind all other terms. Accepts one more than
 // `before` had.
-void take_up_steps(const std::string& name, const model::Model& before, Addition& result) {
+void accept_steps(const std::string& name, const model::Model& before, Addition& result) {
   const std::vector<FoundStep>& steps = result.fit.identified.steps;
   const auto has_name = [&](const model::EffectTerm& term) { return term.name == name; };
   const auto known = std::count_if(before.terms.begin(), before.terms.end(), has_name);
@@ -369,7 +369,7 @@ Addition add_effect(const model::Model& model, const EffectChange& change,
   const bool is_event =
       !change.changed.empty() && searches_steps({change.terms[change.changed.front()]});
   if (is_event) {
-    take_up_steps(change.terms[change.changed.front()].name, before, result);
+    accept_steps(change.terms[change.changed.front()].name, before, result);
   } else if (change.network_hidden > 0) {
     judge_network(holdouts, settings.run_offsets, result);
   } else {

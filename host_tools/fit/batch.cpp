@@ -90,9 +90,9 @@ Values slopes(fog::Activation activation, const Array& y) {
 }
 
 // Evaluates the network over the rows, chunk by chunk.
-class Walk {
+class ChunkLoop {
  public:
-  Walk(const Perceptron& shape, const VectorXd& w, const ArrayXXd& inputs)
+  ChunkLoop(const Perceptron& shape, const VectorXd& w, const ArrayXXd& inputs)
       : shape_(shape), w_(w), inputs_(inputs) {}
 
   // The chunk's part of a vector with one value per row.
@@ -162,7 +162,7 @@ Batch::Batch(const MatrixXd& inputs, const VectorXd& target, const VectorXd& wei
 
 double Batch::mean_square(const Perceptron& shape, const VectorXd& weights) const {
   double cost = 0;
-  for (Walk walk(shape, weights, inputs_); walk.next();) {
+  for (ChunkLoop walk(shape, weights, inputs_); walk.next();) {
     const Values error = walk.part(target_) - walk.output();
     cost += (walk.part(weights_) * error.square()).sum();
   }
@@ -173,7 +173,7 @@ double Batch::mean_square(const Perceptron& shape, const VectorXd& weights,
                           VectorXd& gradient) const {
   double cost = 0;
   gradient.setZero(shape.size());
-  for (Walk walk(shape, weights, inputs_); walk.next();) {
+  for (ChunkLoop walk(shape, weights, inputs_); walk.next();) {
     const Values error = walk.part(target_) - walk.output();
     cost += (walk.part(weights_) * error.square()).sum();
     walk.each_derivative(-2 * walk.part(weights_) * error, [&](Index weight, const auto& values) {
@@ -189,7 +189,7 @@ void Batch::errors(const Perceptron& shape, const VectorXd& weights, VectorXd& e
   const ArrayXd roots = whitens() ? ArrayXd::Ones(rows()) : ArrayXd(weights_.sqrt());
   errors.resize(rows());
   if (jacobian != nullptr) jacobian->resize(rows(), shape.size());
-  for (Walk walk(shape, weights, inputs_); walk.next();) {
+  for (ChunkLoop walk(shape, weights, inputs_); walk.next();) {
     walk.part(errors) = walk.part(roots) * (walk.part(target_) - walk.output());
     if (jacobian == nullptr) continue;
     walk.each_derivative(-walk.part(roots), [&](Index weight, const auto& values) {

@@ -98,7 +98,7 @@ SlowModes slow_modes(const series::Rows& rows, const noise::NoiseModel& noise) {
 
 // Statistics of the residual: squares within the modes and outside, and the expected squares within
 // the modes for white noise and each kind of unit amount.
-struct Shown {
+struct ResidualStatistics {
   Eigen::ArrayXd squares;
   double fast_square = 0;  // of the rows that count, without bridged ones
   double fast_rows = 0;
@@ -106,8 +106,9 @@ struct Shown {
   Eigen::MatrixXd slow;  // modes x kinds
 };
 
-Shown shown_by(const series::Rows& rows, const NoiseWeightedFit& fit, const SlowModes& modes,
-               const Eigen::MatrixXd& of_modes, double mean_variance) {
+ResidualStatistics shown_by(const series::Rows& rows, const NoiseWeightedFit& fit,
+                            const SlowModes& modes, const Eigen::MatrixXd& of_modes,
+                            double mean_variance) {
   const Eigen::ArrayXd counted = (fit.row_weights.array() > 0).cast<double>();
   const Eigen::VectorXd residual = noise::bridged(rows, fit.residual_dph, counted.matrix());
   // Response of the residual in all modes to a unit amplitude in each mode.
@@ -115,15 +116,15 @@ Shown shown_by(const series::Rows& rows, const NoiseWeightedFit& fit, const Slow
       Eigen::MatrixXd::Identity(modes.cosines.cols(), modes.cosines.cols()) -
       (modes.cosines.transpose() * fit.columns) * of_modes.topRows(fit.columns.cols());
   const Eigen::MatrixXd share = left.cwiseAbs2();
-  Shown shown;
+  ResidualStatistics statistics;
   const Eigen::VectorXd projection = modes.cosines.transpose() * residual;
   const Eigen::ArrayXd beside = (residual - modes.cosines * projection).array();
-  shown.squares = projection.array().square();
-  shown.fast_rows = counted.sum() - static_cast<double>(modes.cosines.cols());
-  shown.fast_square = (beside.square() * counted).sum() / mean_variance;
-  shown.white = mean_variance * share.rowwise().sum().array() + 1e-3 * mean_variance;
-  shown.slow = mean_variance * (share * modes.powers);
-  return shown;
+  statistics.squares = projection.array().square();
+  statistics.fast_rows = counted.sum() - static_cast<double>(modes.cosines.cols());
+  statistics.fast_square = (beside.square() * counted).sum() / mean_variance;
+  statistics.white = mean_variance * share.rowwise().sum().array() + 1e-3 * mean_variance;
+  statistics.slow = mean_variance * (share * modes.powers);
+  return statistics;
 }
 
 // Amounts of all kinds and their probability.
@@ -134,11 +135,11 @@ struct Level {
 };
 
 // With the most probable white level.
-void judge_by_residual(const Shown& shown, Level& level) {
-  const Eigen::VectorXd slow = shown.slow * level.amounts;
-  const Eigen::ArrayXd expected = shown.white + slow.array();
-  const double squares = (shown.squares / expected).sum() + shown.fast_square;
-  const double count = static_cast<double>(shown.squares.size()) + shown.fast_rows;
+void judge_by_residual(const ResidualStatistics& statistics, Level& level) {
+  const Eigen::VectorXd slow = statistics.slow * level.amounts;
+  const Eigen::ArrayXd expected = statistics.white + slow.array();
+  const double squares = (statistics.squares / expected).sum() + statistics.fast_square;
+  const double count = static_cast<double>(statistics.squares.size()) + statistics.fast_rows;
   level.white = std::max(squares / count, std::numeric_limits<double>::min());
   level.log_probability -= (expected.log().sum() + count * std::log(level.white)) / 2;
 }
@@ -156,7 +157,7 @@ Eigen::MatrixXd quiet_densities(const noise::NoiseModel& noise, double first_ang
 
 // Prior: every fourth gyro has flicker beyond its quiet parts, every fourth a random walk, and
 // every fourth model lacks an effect.
-std::vector<Level> levels_of(const Shown& shown, const noise::NoiseModel& noise,
+std::vector<Level> levels_of(const ResidualStatistics& statistics, const noise::NoiseModel& noise,
                              double first_angle) {
   std::vector<double> ratios{0};
   for (int i = 0; i < kRatios; ++i) ratios.push_back(kMinRatio * std::pow(kRatioStep, i));
@@ -166,7 +167,7 @@ std::vector<Level> levels_of(const Shown& shown, const noise::NoiseModel& noise,
   const auto add = [&](Level level, Kind lacking, double amount) {
     level.amounts[lacking] = amount;
     if (amount > 0) level.log_probability += any - std::log(2.0);
-    judge_by_residual(shown, level);
+    judge_by_residual(statistics, level);
     levels.push_back(level);
   };
   for (const double quiet : {0.0, 0.5, 1.0, 2.0}) {
@@ -191,7 +192,7 @@ std::vector<Level> levels_of(const Shown& shown, const noise::NoiseModel& noise,
 
 // Half-width of the interval about 0 that contains 95 % of a mixture of normal distributions, over
 // 1.96.
-double mixed_sigma(const Eigen::ArrayXd& probabilities, const Eigen::ArrayXd& variances) {
+double mixture_sigma(const Eigen::ArrayXd& probabilities, const Eigen::ArrayXd& variances) {
   constexpr double kOutside = 0.05;
   constexpr double kNormal95 = 1.959964;
   constexpr int kHalvings = 40;
@@ -268,7 +269,7 @@ Eigen::MatrixXd coefficient_covariance(const series::Rows& rows, const NoiseWeig
   Eigen::VectorXd scale(covariance.rows());
   for (Eigen::Index i = 0; i < scale.size(); ++i) {
     scale[i] =
-        mixed_sigma(probabilities, variances.row(i).transpose()) / std::sqrt(covariance(i, i));
+        mixture_sigma(probabilities, variances.row(i).transpose()) / std::sqrt(covariance(i, i));
   }
   return scale.asDiagonal() * covariance * scale.asDiagonal();
 }

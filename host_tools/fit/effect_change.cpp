@@ -91,10 +91,11 @@ EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const st
   const bool has_bounds = effect.find('[') != std::string::npos;
   if (!has_bounds && changed.parameters == old->parameters &&
       changed.identified == old->identified) {
-    throw InputError("effect '" + effect + "'",
-                     effect.find(':') == std::string::npos
-                         ? "is in the model already; name a parameter to change, or another effect"
-                         : "is in the model just so already; give another value or ?[min,max]");
+    throw InputError(
+        "effect '" + effect + "'",
+        effect.find(':') == std::string::npos
+            ? "is in the model already; name a parameter to change, or another effect"
+            : "is in the model with this value already; give another value or ?[min,max]");
   }
   change.terms[place] = changed;
   return change;

@@ -215,7 +215,7 @@ Identification identify(model::Model& model, const series::SignalSeries& series,
                         const IdentifySettings& settings) {
   const series::Rows& rows = series.rows();
   const SoughtSteps sought = take_out_steps(model.terms, settings.max_new_steps);
-  require_moving_input_rate(model.terms, rows);
+  require_varying_input_rate(model.terms, rows);
   set_references(model.terms, series);
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);

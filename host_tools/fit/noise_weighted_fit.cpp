@@ -54,9 +54,9 @@ void set_noise(const series::Rows& rows, const std::vector<recording::RowRange>&
 
 // A shape search is not repeated for a slightly better noise estimate if it changed nothing; for a
 // term that no fit has found before it is repeated once.
-std::vector<bool> to_search_again(const std::vector<model::EffectTerm>& terms,
-                                  const std::vector<model::ShapeParameter>& shapes,
-                                  std::vector<bool> elsewhere, int round) {
+std::vector<bool> shapes_to_search_again(const std::vector<model::EffectTerm>& terms,
+                                         const std::vector<model::ShapeParameter>& shapes,
+                                         std::vector<bool> elsewhere, int round) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const bool is_new = terms[shapes[i].term].coefficients_dph.empty();
     elsewhere[i] = elsewhere[i] || (is_new && round == 0);
@@ -98,8 +98,8 @@ NoiseWeightedFit fit_rows(const series::SignalSeries& series,
     const auto progress = [&](double done) {
       if (settings.progress) settings.progress((round + done) / kRounds);
     };
-    ranges = to_search_again(terms, fit.shapes,
-                             search_shapes(problem, fit.shapes, ranges, progress), round);
+    ranges = shapes_to_search_again(terms, fit.shapes,
+                                    search_shapes(problem, fit.shapes, ranges, progress), round);
     fit.terms = problem.terms();
     const LinearFit solved = problem.solve();
     fit.coefficients = solved.coefficients;

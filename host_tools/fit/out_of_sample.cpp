@@ -126,20 +126,20 @@ Fold leave_out(const series::SignalSeries& series, const std::vector<model::Effe
 
 // Whether the rows of `fold` determine some coefficients about as well as all rows do. A run that
 // did not excite an effect cannot judge a run that did.
-bool tells(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::Index count,
-           double much_worse) {
+bool determines(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::Index count,
+                double much_worse) {
   if (!fold.determined || !all.determined) return false;
   return (fold.sigma_dph.segment(first, count).array() <=
           much_worse * all.sigma_dph.segment(first, count).array())
       .all();
 }
 bool tells_all(const Fold& fold, const Fold& all) {
-  return tells(fold, all, 0, all.sigma_dph.size(), rules::kFarWorse);
+  return determines(fold, all, 0, all.sigma_dph.size(), rules::kFarWorse);
 }
 
 // Fixes all shapes but those of one term.
-std::vector<model::EffectTerm> shapes_kept(std::vector<model::EffectTerm> terms,
-                                           const std::vector<std::size_t>& free) {
+std::vector<model::EffectTerm> with_fixed_shapes(std::vector<model::EffectTerm> terms,
+                                                 const std::vector<std::size_t>& free) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
     if (std::find(free.begin(), free.end(), i) == free.end())
       std::fill(terms[i].identified.begin(), terms[i].identified.end(), false);
@@ -174,15 +174,15 @@ Residuals leave_each_out(const series::SignalSeries& series,
 }
 
 // Whether every fold determines the coefficients of some terms.
-bool tell_terms(const std::vector<Fold>& folds, const series::SignalSeries& series,
-                const std::vector<model::EffectTerm>& terms, const std::vector<std::size_t>& asked,
-                const JudgedWith& with) {
+bool determine_terms(const std::vector<Fold>& folds, const series::SignalSeries& series,
+                     const std::vector<model::EffectTerm>& terms,
+                     const std::vector<std::size_t>& asked, const JudgedWith& with) {
   const Fold all = leave_out(series, terms, {}, with);
   Eigen::Index first = 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const Eigen::Index count = series.regressors(terms[i]).cols();
     const bool told = std::all_of(folds.begin(), folds.end(), [&](const Fold& fold) {
-      return tells(fold, all, first, count, rules::kMuchWorse);
+      return determines(fold, all, first, count, rules::kMuchWorse);
     });
     if (!told && std::find(asked.begin(), asked.end(), i) != asked.end()) return false;
     first += count;
@@ -245,15 +245,15 @@ OutOfSample cross_validate(const series::SignalSeries& series,
                            const std::vector<model::EffectTerm>& after,
                            const std::vector<std::size_t>& changed, const JudgedWith& with) {
   const series::Rows& rows = series.rows();
-  const std::vector<model::EffectTerm> fixed_before = shapes_kept(before, {});
-  const std::vector<model::EffectTerm> fixed_after = shapes_kept(after, changed);
+  const std::vector<model::EffectTerm> fixed_before = with_fixed_shapes(before, {});
+  const std::vector<model::EffectTerm> fixed_after = with_fixed_shapes(after, changed);
   const std::vector<recording::RowRange> runs = rows.runs();
   // The offset of a run that is left out is unknown.
   if (runs.size() >= rules::kEnoughRuns && !with.run_offsets) {
     std::vector<Part> parts;
     for (const recording::RowRange& run : runs) parts.push_back({run});
     const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
-    if (tell_terms(left.added, series, fixed_after, changed, with)) {
+    if (determine_terms(left.added, series, fixed_after, changed, with)) {
       OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
       result.how = "on " + counted(runs.size(), "run") + ", each left out once";
       return result;
@@ -299,12 +299,12 @@ std::vector<HalfTest> judge_halves(const series::SignalSeries& series,
     first.push_back({run.first, middle});
     second.push_back({middle, run.end});
   }
-  const Fold all = leave_out(series, shapes_kept(after, {}), {}, with);
+  const Fold all = leave_out(series, with_fixed_shapes(after, {}), {}, with);
   std::vector<HalfTest> tests;
   for (const bool on_first : {true, false}) {
     const Part& judged = on_first ? second : first;
-    const Fold without = leave_out(series, shapes_kept(before, {}), judged, with);
-    const Fold added = leave_out(series, shapes_kept(after, changed), judged, with);
+    const Fold without = leave_out(series, with_fixed_shapes(before, {}), judged, with);
+    const Fold added = leave_out(series, with_fixed_shapes(after, changed), judged, with);
     HalfTest test;
     test.identified_on = on_first ? "first" : "second";
     test.determined = without.determined && tells_all(added, all);

@@ -17,7 +17,7 @@ namespace {
 series::BlockSeries without_network(const model::Model& model, series::BlockSeries blocks) {
   model::RealDriftModel drift(model, blocks.block_s);
   std::vector<double> network_dph(blocks.blocks.size(), 0);
-  series::walk_blocks(blocks, drift, [&](const series::BlockSeries::Block& block) {
+  series::run_blocks(blocks, drift, [&](const series::BlockSeries::Block& block) {
     network_dph[static_cast<std::size_t>(&block - blocks.blocks.data())] = drift.network_dph();
   });
   for (std::size_t i = 0; i < network_dph.size(); ++i) blocks.blocks[i].rate_dph -= network_dph[i];

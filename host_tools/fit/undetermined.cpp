@@ -130,15 +130,15 @@ std::map<std::size_t, Blame> blames_of(const NoiseWeightedFit& fit, const series
 
 }  // namespace
 
-bool stands_still(fog::InputMask needs, const series::Rows& rows) {
+bool has_constant_input_rate(fog::InputMask needs, const series::Rows& rows) {
   return needs == bit_of(fog::Input::input_rate) &&
          span_of(rows, [](const auto& signals) { return signals.block.input_rate; }) == 0;
 }
 
-void require_moving_input_rate(const std::vector<model::EffectTerm>& terms,
-                               const series::Rows& rows) {
+void require_varying_input_rate(const std::vector<model::EffectTerm>& terms,
+                                const series::Rows& rows) {
   for (const model::EffectTerm& term : terms) {
-    if (term.expression || !stands_still(model::info_of(term).needs, rows)) continue;
+    if (term.expression || !has_constant_input_rate(model::info_of(term).needs, rows)) continue;
     throw InputError(term.name,
                      "these recordings do not determine it (input_rate_dph never "
                      "changes: the input rate does not move); leave the effect out");

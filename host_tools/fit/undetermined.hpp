@@ -11,11 +11,11 @@ bool is_determined(const NoiseWeightedFit& fit);
 
 /// Whether an effect with these needs depends on an input rate that is constant in the rows: it
 /// would describe the bias or its temperature dependence.
-bool stands_still(fog::InputMask needs, const series::Rows& rows);
+bool has_constant_input_rate(fog::InputMask needs, const series::Rows& rows);
 
 /// Throws InputError for the first such term.
-void require_moving_input_rate(const std::vector<model::EffectTerm>& terms,
-                               const series::Rows& rows);
+void require_varying_input_rate(const std::vector<model::EffectTerm>& terms,
+                                const series::Rows& rows);
 
 /// Throws InputError that names each effect, coefficient and parameter that a fit's rows do not
 /// determine, the reason if the rows show it (a constant temperature, a time that is not since

@@ -11,7 +11,7 @@ const double kMaxRegressor = std::ldexp(1, 31 - fog::Regressor::fractional_bits)
 
 // The rounded limit that the board clamps to: half an LSB, with a scale factor of 300 ppm/degC at
 // 280 deg/s, makes 0.002 deg/h.
-double as_on_board(double degc) {
+double rounded_for_board(double degc) {
   return std::ldexp(std::round(std::ldexp(degc, fog::Temperature::fractional_bits)),
                     -fog::Temperature::fractional_bits);
 }
@@ -31,7 +31,9 @@ RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block) {
 
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
   const double decay = RealNumbers::decay(block_s / model.derivative_tau_s);
-  return {{decay, decay * 60 / block_s}, as_on_board(model.min_degc), as_on_board(model.max_degc)};
+  return {{decay, decay * 60 / block_s},
+          rounded_for_board(model.min_degc),
+          rounded_for_board(model.max_degc)};
 }
 
 bool follows_input_rate(const EffectTerm& term) {

@@ -249,8 +249,7 @@ class Parser {
       node.signal = one.input;
       return add(node, place);
     }
-    fail_at(place,
-            "there is no signal '" + word + "'; there are " + list + "and ?name[least,most]");
+    fail_at(place, "there is no signal '" + word + "'; there are " + list + "and ?name[min,max]");
   }
   std::size_t function(const std::string& word, std::size_t place) {
     const auto* const found =

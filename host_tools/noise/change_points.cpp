@@ -61,7 +61,7 @@ Steps steps_of(const Whitening& whitening, const series::Rows& rows,
 
 // Sets the possible rows of a step and the uncertainty of its time. Each row around the best has
 // the probability exp(chi^2 / 2) of a normal likelihood.
-void set_place(const series::Rows& rows, const Eigen::VectorXd& chi_square, ChangePoint& found) {
+void set_position(const series::Rows& rows, const Eigen::VectorXd& chi_square, ChangePoint& found) {
   const double unit = std::max(1.0, found.chi_square_left);
   double total = 0;
   double mean_s = 0;
@@ -98,7 +98,7 @@ std::optional<ChangePoint> find_change_point(const Whitening& whitening, const s
   found.size_sigma_dph = 1 / std::sqrt(steps.square[found.row]);
   found.chi_square_left =
       (steps.residual.squaredNorm() - found.chi_square) / steps.degrees_of_freedom;
-  set_place(rows, steps.chi_square, found);
+  set_position(rows, steps.chi_square, found);
   return found;
 }
 

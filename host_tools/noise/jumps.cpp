@@ -101,7 +101,7 @@ class Jumps {
 
 }  // namespace
 
-std::vector<Eigen::VectorXd> parted_at_jumps(const std::vector<Eigen::VectorXd>& stretches) {
+std::vector<Eigen::VectorXd> split_at_jumps(const std::vector<Eigen::VectorXd>& stretches) {
   const Jumps jumps(stretches);
   std::vector<Eigen::VectorXd> parts;
   for (std::size_t i = 0; i < stretches.size(); ++i) {

@@ -127,7 +127,7 @@ std::vector<Fit> plausible_fits(const AllanModel& model, const Points& points) {
 }
 
 /// The value of the best fit, with an interval that covers those of all fits.
-std::optional<NoiseCoefficient> agreed(const std::vector<Fit>& fits, AllanModel::Term term) {
+std::optional<NoiseCoefficient> consensus(const std::vector<Fit>& fits, AllanModel::Term term) {
   if (fits.empty()) return std::nullopt;
   NoiseCoefficient result{std::sqrt(fits.front().squares[term]), 0};
   for (const Fit& fit : fits) {
@@ -148,9 +148,9 @@ NoiseCoefficients fit_noise_coefficients(const std::vector<AllanPoint>& allan) {
                                         [](const AllanPoint& point) { return point.sigma > 0; });
   if (allan.empty() || !all_positive) return {};
   const std::vector<Fit> fits = plausible_fits(AllanModel(allan), points_of(allan));
-  return {agreed(fits, AllanModel::kQuantization), agreed(fits, AllanModel::kAngleWalk),
-          agreed(fits, AllanModel::kInstability), agreed(fits, AllanModel::kRateWalk),
-          agreed(fits, AllanModel::kRamp)};
+  return {consensus(fits, AllanModel::kQuantization), consensus(fits, AllanModel::kAngleWalk),
+          consensus(fits, AllanModel::kInstability), consensus(fits, AllanModel::kRateWalk),
+          consensus(fits, AllanModel::kRamp)};
 }
 
 }  // namespace fogcomp::noise

@@ -84,8 +84,9 @@ Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
 
 // Removes from the differences the part explained by differences of the columns. Differences beyond
 // the cut (flanks of steps, spikes) are not used for the fit.
-void take_out(const Eigen::MatrixXd& columns, const std::vector<recording::RowRange>& stretches,
-              std::size_t samples, std::vector<double>& differences) {
+void project_out_columns(const Eigen::MatrixXd& columns,
+                         const std::vector<recording::RowRange>& stretches, std::size_t samples,
+                         std::vector<double>& differences) {
   constexpr int kRounds = 4;
   const auto rows = static_cast<Eigen::Index>(differences.size());
   Eigen::MatrixXd basis(rows, columns.cols());
@@ -123,7 +124,7 @@ std::optional<double> noise_floor_dph(const recording::Recording& recording, dou
                                                      as_vector(recording.temperature_degc));
   const auto count = static_cast<std::size_t>(columns.cols());
   if (count > 0 && recording.rows() > rules::kMeansPerColumn * samples * count) {
-    take_out(columns, stretches, samples, differences);
+    project_out_columns(columns, stretches, samples, differences);
   }
   return white * robust_deviation(differences);
 }

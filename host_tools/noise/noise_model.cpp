@@ -213,7 +213,7 @@ double NoiseModel::slow_density(double angle) const {
 
 std::vector<NoiseSample> noise_samples(const std::vector<Eigen::VectorXd>& stretches) {
   std::vector<NoiseSample> samples;
-  for (Eigen::VectorXd& part : parted_at_jumps(stretches)) samples.push_back({std::move(part)});
+  for (Eigen::VectorXd& part : split_at_jumps(stretches)) samples.push_back({std::move(part)});
   return samples;
 }
 

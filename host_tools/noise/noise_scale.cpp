@@ -56,7 +56,7 @@ Windows windows_of(const series::Rows& rows, const Eigen::VectorXd& distance) {
 
 // Fraction of a window's difference from the typical one that is real, by empirical Bayes; 0 if the
 // windows scatter no more than with equal noise.
-double share_beyond_chance(const Windows& windows, double typical) {
+double shrinkage_factor(const Windows& windows, double typical) {
   double square = 0;
   double count = 0;
   double sampling = 0;
@@ -86,7 +86,7 @@ Eigen::VectorXd noise_scale(const series::Rows& rows, const Eigen::VectorXd& res
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(rows.size());
   if (known.empty()) return scale;
   const double typical = median(known);
-  const double share = share_beyond_chance(windows, typical);
+  const double share = shrinkage_factor(windows, typical);
   for (std::size_t i = 0; i < windows.ranges.size(); ++i) {
     if (!std::isfinite(windows.log_sigma[i])) continue;
     const recording::RowRange& range = windows.ranges[i];

@@ -39,7 +39,7 @@ double sigma_of_bends(std::vector<double> bends) {
 }
 
 // Chauvenet's criterion: noise alone is expected to exceed it in half a row.
-double sigmas_allowed(std::size_t rows) {
+double max_sigmas(std::size_t rows) {
   double low = rules::kMinOutlierSigmas;
   double high = rules::kMaxOutlierSigmas;
   while (high - low > 1e-3) {
@@ -87,7 +87,7 @@ class OutlierSearch {
       for (std::size_t i = stretch.first + 1; i + 1 < stretch.end; ++i) bends.push_back(bend(i));
     }
     sigma_ = sigma_of_bends(std::move(bends));
-    sigmas_ = sigmas_allowed(rows.values.size());
+    sigmas_ = max_sigmas(rows.values.size());
   }
 
   // Rows of one event are found one after the other, because each hides the next.

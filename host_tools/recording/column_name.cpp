@@ -19,7 +19,7 @@ bool is_lower(char c) {
 }
 
 // Splits at a capital after a small letter: "TimeUS", "coilTemp".
-std::string parted(const std::string& text) {
+std::string split_camel_case(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (i > 0 && is_upper(text[i]) && is_lower(text[i - 1])) result += '_';
@@ -43,7 +43,7 @@ std::vector<std::string> words_of(std::string_view text) {
 
 // "ms", "seconds", "deg/s" are units; "T", "d" and "h" are names.
 bool is_unit_alone(const std::string& key) {
-  return is_telling(key) || key == "s" || key == "ms" || key == "us" || key == "ns";
+  return is_unambiguous(key) || key == "s" || key == "ms" || key == "us" || key == "ns";
 }
 
 bool begins_with(const std::string& word, std::string_view beginning) {
@@ -90,10 +90,10 @@ ColumnName::ColumnName(std::string_view name, std::string_view from_units_row)
     take_bracket();
     // "coil_degC" before "TimeUS"
     if (!unit && unknown_unit.empty()) take_tail(text);
-    if (!unit && unknown_unit.empty()) take_tail(parted(text));
+    if (!unit && unknown_unit.empty()) take_tail(split_camel_case(text));
   }
   if (stem_key.empty()) stem_key = key;
-  if (words.empty() && !unit_alone) words = words_of(parted(text));
+  if (words.empty() && !unit_alone) words = words_of(split_camel_case(text));
   std::string row(without_quotes(from_units_row));
   if (row.size() > 2 && (row.front() == '[' || row.front() == '(')) {
     row = row.substr(1, row.size() - 2);
@@ -122,7 +122,7 @@ void ColumnName::take_bracket() {
   unit = find_unit(inside);
   (unit ? unit_text : unknown_unit) = inside;
   stem_key = key_of_name(stem);
-  words = words_of(parted(stem));
+  words = words_of(split_camel_case(stem));
 }
 
 // Takes the longest suffix that is a unit: "deg_s" of "gyro_deg_s".
@@ -158,10 +158,10 @@ bool ColumnName::is_time() const {
 
 bool ColumnName::is_temperature() const {
   if (unit && unit->quantity != Quantity::temperature) return false;
-  if (unit_alone) return is_telling(unit_text);
+  if (unit_alone) return is_unambiguous(unit_text);
   if (has_word({"rate", "gyro", "grad", "deriv", "set", "dt"})) return false;
   if (words == std::vector<std::string>{"t"}) return unit || text[0] == 'T';
-  return has_word({"temp"}) || (unit && is_telling(unit_text));
+  return has_word({"temp"}) || (unit && is_unambiguous(unit_text));
 }
 
 bool ColumnName::is_rate() const {

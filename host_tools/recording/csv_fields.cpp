@@ -46,7 +46,7 @@ std::string_view bare(std::string_view field) {
   return field;
 }
 
-bool stands_for_nothing(std::string_view field) {
+bool is_missing_mark(std::string_view field) {
   constexpr std::array<std::string_view, 8> kWords{"",     "nan",  "na", "n/a",
                                                    "null", "none", "-",  "--"};
   std::string word;
@@ -157,7 +157,7 @@ FieldKind read_number(std::string_view field, bool decimal_comma, double& value)
     std::replace(text.data(), end, ',', '.');
   }
   if (!field.empty() && scan_decimal(text.data(), end, value) == end) return FieldKind::number;
-  return stands_for_nothing(field) ? FieldKind::missing : FieldKind::text;
+  return is_missing_mark(field) ? FieldKind::missing : FieldKind::text;
 }
 
 std::optional<TimeReading> read_long_number(std::string_view field, bool decimal_comma) {

@@ -74,7 +74,7 @@ class HeaderReader {
     for (const std::size_t slot : kRequiredSlots) require(slot);
     name_ignored_columns();
     if (header_.has(kInputRateSlot) && options_.default_input_rate_dph != 0) {
-      say("its input_rate_dph is used; --latitude changes nothing");
+      say("its input_rate_dph is used; --latitude has no effect");
     }
     return std::move(header_);
   }
@@ -231,12 +231,12 @@ class HeaderReader {
     }
     if (!unit && !column.unknown_unit.empty()) {
       fail(place(field) + ": unit '" + printable(column.unknown_unit) +
-           "' is not known; say it: --columns '" + map_key(slot) + "=" + std::to_string(field + 1) +
-           unit_proposal(slot) + "'");
+           "' is not known; give it: --columns '" + map_key(slot) + "=" +
+           std::to_string(field + 1) + unit_proposal(slot) + "'");
     }
     const bool own = column.key == kColumns[slot].name;
     if (!unit && slot == kRateSlot && !own) {
-      fail(place(field) + " has no unit; say it: --columns 'rate=" + proposal(field, slot) +
+      fail(place(field) + " has no unit; give it: --columns 'rate=" + proposal(field, slot) +
            "' (or deg/h, rad/s, ...)");
     }
     if (slot == kTimeSlot) header_.time_has_unit = unit.has_value() || own;
@@ -283,7 +283,7 @@ class HeaderReader {
 
   void name_ignored_columns() const {
     if (options_.scale_factor && !uses_scale_factor_) {
-      say("no column 'counts': --scale-factor changes nothing");
+      say("no column 'counts': --scale-factor has no effect");
     }
     std::vector<std::string> ignored;
     for (std::size_t i = 0; i < header_.names.size(); ++i) {

@@ -122,7 +122,7 @@ class LayoutFinder {
       fail(1, "a model, where a recording should be; name a recording");
     }
     if (lines_[0].find('\r') != std::string_view::npos) {
-      fail(1, "lines end in CR alone; save the file with LF or CRLF");
+      fail(1, "lines end with CR only; save the file with LF or CRLF");
     }
   }
 
@@ -135,15 +135,16 @@ class LayoutFinder {
       if (text.find(separator) == std::string_view::npos) continue;
       std::vector<std::string> names = names_in(text, separator);
       const std::size_t found = is_all_numbers(names) ? 0 : required_columns_among(names, options_);
-      note_guess(i, names, found);
+      remember_candidate(i, names, found);
       if (found < kRequired) continue;
-      i = consider(i, separator, std::move(names));
+      i = try_header(i, separator, std::move(names));
       if (!readings_.empty() && readings_.back().has_values()) return;
     }
   }
 
   // Remembers the best line that lacks a column, for the message.
-  void note_guess(std::size_t line, const std::vector<std::string>& names, std::size_t found) {
+  void remember_candidate(std::size_t line, const std::vector<std::string>& names,
+                          std::size_t found) {
     if (found > guess_found_ || (found == guess_found_ && guess_.names.empty()) ||
         (found == guess_found_ && found == 0 && guess_is_numbers_)) {
       guess_found_ = found;
@@ -153,7 +154,7 @@ class LayoutFinder {
   }
 
   // Returns the last line of the header: a row of units belongs to it.
-  std::size_t consider(std::size_t line, char separator, std::vector<std::string> names) {
+  std::size_t try_header(std::size_t line, char separator, std::vector<std::string> names) {
     HeaderLines header{
         std::move(names), {}, head_.path, head_.path + ":" + std::to_string(line + 1)};
     std::size_t last = line;
@@ -165,11 +166,11 @@ class LayoutFinder {
         last = below;
       }
     }
-    consider(header, separator, last + 1);
+    try_header(header, separator, last + 1);
     return last;
   }
 
-  void consider(const HeaderLines& header, char separator, std::size_t lines_before_rows) {
+  void try_header(const HeaderLines& header, char separator, std::size_t lines_before_rows) {
     CsvLayout layout;
     layout.lines_before_rows = lines_before_rows;
     layout.dialect.separator = separator;
@@ -268,7 +269,7 @@ class LayoutFinder {
       if (fields.size() < 2) continue;
       const std::vector<std::string> nameless(fields.size());
       if (required_columns_among(nameless, options_) < kRequired) continue;
-      consider({nameless, {}, head_.path, head_.path}, separator, first);
+      try_header({nameless, {}, head_.path, head_.path}, separator, first);
     }
     readings_.erase(std::remove_if(readings_.begin(), readings_.end(),
                                    [](const Reading& each) { return !each.has_values(); }),

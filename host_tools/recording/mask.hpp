@@ -12,7 +12,7 @@ struct Mask {
   double from_s = 0;  ///< since power-on, both ends included
   double to_s = 0;
 
-  bool hides(double time_s) const { return time_s >= from_s && time_s <= to_s; }
+  bool covers(double time_s) const { return time_s >= from_s && time_s <= to_s; }
 };
 
 /// Reads `FROM..TO` or `RUN:FROM..TO`, seconds. Throws InputError for anything else.

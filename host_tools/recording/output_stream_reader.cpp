@@ -160,14 +160,14 @@ Recording read_output_stream(InputFile& file, OutputFrames frames, const ReadOpt
   Recording recording = collector.finish(finder.finish(), "what a board sends");
   options.watch.say(
       file.path(),
-      compact ? "what a board sent (compact frames): the rate is the measured one, its drift put "
+      compact ? "output of a board (compact frames): the rate is the measured one, its drift put "
                 "back"
-              : "what a board sent (KVH frames): the rate is compensated already, denoised and "
+              : "output of a board (KVH frames): the rate is compensated already, denoised and "
                 "late, the temperature in whole degC: a model of all the drift, fast noise and "
                 "effects of the temperature rate cannot be seen in it; compact frames can show "
                 "them");
   if (options.scale_factor) {
-    options.watch.say(file.path(), "its rates are no counts; --scale-factor changes nothing");
+    options.watch.say(file.path(), "has rates, not counts; --scale-factor has no effect");
   }
   return recording;
 }

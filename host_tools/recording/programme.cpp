@@ -22,7 +22,7 @@ struct Point {
   std::size_t first_row;
 };
 
-std::vector<Point> thin_out(const Recording& recording, RowRange rows) {
+std::vector<Point> decimate(const Recording& recording, RowRange rows) {
   const std::size_t step = (rows.size() + kMaxPoints - 1) / kMaxPoints;
   std::vector<Point> points;
   for (std::size_t first = rows.first; first < rows.end; first += step) {
@@ -122,7 +122,7 @@ void join_equal_neighbours(std::vector<Piece>& pieces) {
 }
 
 // A small move is control action or overshoot of the chamber, not a ramp.
-void calm_small_ramps(std::vector<Piece>& pieces, double min_ramp_degc) {
+void flatten_small_ramps(std::vector<Piece>& pieces, double min_ramp_degc) {
   for (Piece& piece : pieces) {
     if (std::fabs(piece.change_degc()) < min_ramp_degc) piece.kind = SegmentKind::soak;
   }
@@ -142,7 +142,7 @@ void drop_short_soaks(std::vector<Piece>& pieces) {
 }  // namespace
 
 std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows) {
-  const std::vector<Point> points = thin_out(recording, rows);
+  const std::vector<Point> points = decimate(recording, rows);
   if (points.size() < 2) return {{SegmentKind::soak, rows}};
   const double tolerance = tolerance_degc(recording, rows, points);
 
@@ -154,7 +154,7 @@ std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowR
     pieces.push_back({from, to, kind_by_slope(from, to)});
   }
   join_equal_neighbours(pieces);
-  calm_small_ramps(pieces, std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance));
+  flatten_small_ramps(pieces, std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance));
   drop_short_soaks(pieces);
 
   std::vector<ProgrammePart> parts;

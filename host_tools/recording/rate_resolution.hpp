@@ -12,7 +12,7 @@ struct RateResolution {
 
   /// Whether the rate changes by more than the rounding of numbers of its size (at least 1 deg/h).
   /// A gyro's rate does: its noise is 10^9 times larger.
-  bool moves() const;
+  bool varies() const;
   /// Standard deviation of a row's rounding: uniform within a step, or the rounding of a sum of
   /// products if such numbers have more digits.
   double rounding_dph() const;
@@ -21,6 +21,6 @@ RateResolution rate_resolution(const Recording& recording);
 
 /// Throws InputError if a recording of two or more rows has a constant rate: the gyro is off or not
 /// connected.
-void require_moving_rate(const Recording& recording);
+void require_varying_rate(const Recording& recording);
 
 }  // namespace fogcomp::recording

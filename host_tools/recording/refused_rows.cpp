@@ -38,7 +38,7 @@ class Words {
                   place(ranges.front().first).c_str()) +
            (ranges.size() > 1 ? format(" (the first of %zu times)", ranges.size()) : "") +
            format(
-               ", %.4g s in all, as no live sensor does; the board would not believe it; "
+               ", %.4g s in all, as no working sensor does; the board would reject it; "
                "the rows are kept",
                stood_s);
   }
@@ -94,7 +94,7 @@ class Words {
       case Refusal::rate_beyond_range:
         return format("is beyond the full scale of %g deg/s", limits_.range_dps);
       case Refusal::rate_jump:
-        return "leaps faster than anything turns";
+        return "jumps faster than the gyro can turn";
     }
     return "";
   }

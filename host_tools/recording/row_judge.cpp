@@ -43,7 +43,7 @@ bool is_power_on_reading(double degc) {
 }
 
 /// The core's monitor, applied to rows of any length, forwards or backwards in time.
-class TemperatureWalk {
+class TemperatureTracker {
  public:
   /// Faults of a reading: none, temperature_invalid, or with it temperature_jump.
   /// (frozen_temperatures() finds frozen ones.)
@@ -51,7 +51,7 @@ class TemperatureWalk {
     const fog::Temperature reading = board_temperature(degc);
     if (!fog::is_possible(reading)) return Status::temperature_invalid;
     const double passed_s = any_ ? std::fabs(time_s - judged_s_) : 0;
-    believed_ = believes(reading, time_s, degc, passed_s);
+    believed_ = accepts(reading, time_s, degc, passed_s);
     any_ = true;
     judged_s_ = time_s;
     if (!believed_) return Status::temperature_invalid | Status::temperature_jump;
@@ -63,20 +63,20 @@ class TemperatureWalk {
 
  private:
   // Passes the reading to the monitor: directly or, if that is a jump, along a straight line.
-  bool believes(fog::Temperature reading, double time_s, double degc, double passed_s) {
+  bool accepts(fog::Temperature reading, double time_s, double degc, double passed_s) {
     const fog::TemperatureMonitor before = monitor_;
     const Status at_once = monitor_.judge(reading, true, elapsed_us(passed_s));
     if (!has_any(at_once, Status::temperature_jump)) return true;
-    if (!may_have_come_straight(degc)) return false;
+    if (!can_be_on_line(degc)) return false;
     fog::TemperatureMonitor straight = before;
-    const Status seen = lead_straight(straight, time_s, degc, passed_s);
+    const Status seen = follow_line(straight, time_s, degc, passed_s);
     if (has_any(seen, Status::temperature_jump)) return false;
     monitor_ = straight;
     return true;
   }
 
   // A sensor that repeats 85 degC is in its power-on state, however long.
-  bool may_have_come_straight(double degc) const {
+  bool can_be_on_line(double degc) const {
     return has_good_ && (believed_ || !is_power_on_reading(degc));
   }
 
@@ -85,8 +85,8 @@ class TemperatureWalk {
   // of 2 s make the former 1 degC/s, the monitor's limit over time; steps of 5 s make the latter 12
   // degC/min, the fastest approach of a chamber to a soak. 200 steps reach any temperature: after a
   // long gap nothing is a jump.
-  Status lead_straight(fog::TemperatureMonitor& monitor, double time_s, double degc,
-                       double passed_s) const {
+  Status follow_line(fog::TemperatureMonitor& monitor, double time_s, double degc,
+                     double passed_s) const {
     const double step_s = is_power_on_reading(degc) ? 5 : 2;
     const int steps = static_cast<int>(std::clamp(std::ceil(passed_s / step_s), 1.0, 200.0));
     const double step_degc = (degc - good_degc_) / std::fabs(time_s - good_s_) * passed_s / steps;
@@ -128,7 +128,7 @@ class RowJudge {
   }
 
  private:
-  Status judge_in(TemperatureWalk& walk, std::size_t row) const {
+  Status judge_in(TemperatureTracker& walk, std::size_t row) const {
     return walk.judge(time_s_[row], temperature_degc_[row]);
   }
   bool is_possible(std::size_t row) const {
@@ -136,8 +136,8 @@ class RowJudge {
   }
 
   // Whether one coil can have had these two temperatures.
-  bool agree(std::size_t row, std::size_t later) const {
-    TemperatureWalk walk;
+  bool are_compatible(std::size_t row, std::size_t later) const {
+    TemperatureTracker walk;
     return judge_in(walk, row) == Status::none && judge_in(walk, later) == Status::none;
   }
 
@@ -152,14 +152,14 @@ class RowJudge {
       std::size_t next = row + 1;
       while (next < rows && !is_possible(next)) ++next;
       if (next == rows) break;
-      if (agree(row, next)) return row;
+      if (are_compatible(row, next)) return row;
     }
     return first;
   }
 
   std::vector<Status> judge_backwards_from(std::size_t first) const {
     std::vector<Status> status(first, Status::none);
-    TemperatureWalk walk;
+    TemperatureTracker walk;
     const bool known = first < time_s_.size();
     if (known) judge_in(walk, first);
     for (std::size_t row = first; row-- > 0;) {
@@ -175,7 +175,7 @@ class RowJudge {
     const Status status = judge_in(walk_, row);
     if (has_any(status, Status::temperature_jump)) {
       if (jumping_) return status;
-      if (came_back(row)) {
+      if (has_returned(row)) {
         refuse_excursion(row);
         return Status::none;
       }
@@ -183,7 +183,7 @@ class RowJudge {
       left_ = good_;
       jump_ = row;
     } else if (status == Status::none) {
-      if (jumping_) excursion_ = agree(row - 1, row);
+      if (jumping_) excursion_ = are_compatible(row - 1, row);
       jumping_ = false;
       good_ = row;
     }
@@ -191,12 +191,12 @@ class RowJudge {
   }
 
   // A longer one may be a soak in a recording joined from several.
-  bool came_back(std::size_t row) const {
+  bool has_returned(std::size_t row) const {
     if (!excursion_ || time_s_[row] - time_s_[jump_] > rules::kMaxExcursionS) return false;
     const double left_degc = temperature_degc_[left_];
     const double still_away_degc = std::fabs(temperature_degc_[row] - left_degc);
     return still_away_degc < std::fabs(temperature_degc_[jump_] - left_degc) / 2 &&
-           agree(left_, row);
+           are_compatible(left_, row);
   }
 
   void refuse_excursion(std::size_t end) {
@@ -204,7 +204,7 @@ class RowJudge {
     for (std::size_t row = jump_; row < end; ++row) {
       note(row, is_possible(row) ? Status::temperature_jump : Status::temperature_invalid);
     }
-    walk_ = TemperatureWalk();
+    walk_ = TemperatureTracker();
     judge_in(walk_, left_);
     judge_in(walk_, end);
     excursion_ = false;
@@ -234,7 +234,7 @@ class RowJudge {
   const std::vector<double>& time_s_;
   const std::vector<double>& temperature_degc_;
   const std::vector<double>& rate_dph_;
-  TemperatureWalk walk_;
+  TemperatureTracker walk_;
   std::size_t good_ = 0;    // row whose temperature was accepted last
   bool jumping_ = false;    // the rows since jump_ are refused
   bool excursion_ = false;  // ... although the board would have accepted them in the end

@@ -25,7 +25,7 @@ double median_spacing_s(const std::vector<double>& time_s) {
 }
 
 // Removes rounding errors of differences of printed times: 0.00499999999738 becomes 0.005.
-double without_rounding_dust(double period_s) {
+double without_rounding_error(double period_s) {
   constexpr double kDigits = 9;
   const double units_per_s = std::pow(10, kDigits - std::floor(std::log10(period_s)));
   return std::round(period_s * units_per_s) / units_per_s;
@@ -57,7 +57,7 @@ void find_stretches(Recording& recording) {
         format("rows are %g s apart; is the time in s? if not, give --columns time=NAME[us]",
                period_s));
   }
-  recording.period_s = without_rounding_dust(period_s);
+  recording.period_s = without_rounding_error(period_s);
 }
 
 }  // namespace fogcomp::recording

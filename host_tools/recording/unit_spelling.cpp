@@ -144,7 +144,7 @@ std::optional<Unit> find_unit(std::string_view spelling) {
   return found == units_by_key().end() ? std::nullopt : std::optional(found->second);
 }
 
-bool is_telling(std::string_view spelling) {
+bool is_unambiguous(std::string_view spelling) {
   constexpr std::size_t kFewestLetters = 3;
   return key_of(spelling).size() >= kFewestLetters;
 }

@@ -40,7 +40,7 @@ std::optional<Unit> find_unit(std::string_view spelling);
 
 /// Whether it denotes that unit even at the end of a name without brackets ("coil_degc",
 /// "gyro_dps"); a single letter does not.
-bool is_telling(std::string_view spelling);
+bool is_unambiguous(std::string_view spelling);
 
 /// `text` normalised for comparison: lower case, ° as "deg", µ as "u", without quotes.
 std::string folded(std::string_view text);

@@ -127,7 +127,7 @@ BlockSeries make_blocks(const recording::Recording& recording) {
     block.rate_dph /= samples;
     divide(block.means, samples);
     block.masked = std::any_of(recording.masks.begin(), recording.masks.end(),
-                               [&](const auto& mask) { return mask.hides(block.time_s); });
+                               [&](const auto& mask) { return mask.covers(block.time_s); });
     block.means.elapsed = earlier + static_cast<double>(block.number) + 1;
   }
   require_unmasked(series);

@@ -21,8 +21,8 @@ inline std::uint32_t hold_blocks(double block_s) {
 /// rate has been passed already, because the board has it at every sample. `first` and
 /// `means_of(i)`: values for the first sample and the means of block i.
 template <class DriftModel, class MeansOf, class Visit>
-void walk_blocks(const BlockSeries& series, const fog::BlockMeans<model::RealNumbers>& first,
-                 const MeansOf& means_of, DriftModel& model, Visit visit) {
+void run_blocks(const BlockSeries& series, const fog::BlockMeans<model::RealNumbers>& first,
+                const MeansOf& means_of, DriftModel& model, Visit visit) {
   const std::int64_t too_many = std::int64_t{hold_blocks(series.block_s)} + 1;
   fog::BlockBridge<model::RealNumbers> bridge(hold_blocks(series.block_s));
   model.start(first);
@@ -46,11 +46,11 @@ void walk_blocks(const BlockSeries& series, const fog::BlockMeans<model::RealNum
 
 /// The same with the measured means.
 template <class DriftModel, class Visit>
-void walk_blocks(const BlockSeries& series, DriftModel& model, Visit visit) {
+void run_blocks(const BlockSeries& series, DriftModel& model, Visit visit) {
   const auto measured = [&](std::size_t i) -> const fog::BlockMeans<model::RealNumbers>& {
     return series.blocks[i].means;
   };
-  walk_blocks(series, series.first, measured, model, visit);
+  run_blocks(series, series.first, measured, model, visit);
 }
 
 }  // namespace fogcomp::series

@@ -16,7 +16,7 @@ namespace {
 
 // Smoothed temperatures. Only these are kept: the blocks need much more memory.
 template <class DriftModel>
-void walk_smoothed(const BlockSeries& series, double tau_s, DriftModel& model) {
+void run_smoothed(const BlockSeries& series, double tau_s, DriftModel& model) {
   const std::vector<double> temperatures = smooth_temperatures(series, tau_s);
   const auto means_with = [](fog::BlockMeans<model::RealNumbers> means, double temperature) {
     means.temperature = temperature;
@@ -25,8 +25,8 @@ void walk_smoothed(const BlockSeries& series, double tau_s, DriftModel& model) {
   const auto smooth = [&](std::size_t i) {
     return means_with(series.blocks[i].means, temperatures[i]);
   };
-  walk_blocks(series, means_with(series.first, temperatures.front()), smooth, model,
-              [](const BlockSeries::Block&) {});
+  run_blocks(series, means_with(series.first, temperatures.front()), smooth, model,
+             [](const BlockSeries::Block&) {});
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ SignalSeries::Signals SignalSeries::Run::signals(std::size_t block, Reading read
   return signals;
 }
 
-// Stands for the drift model in walk_blocks and passes its inputs to keep(signals, whether the
+// Stands for the drift model in run_blocks and passes its inputs to keep(signals, whether the
 // model restarts).
 template <class Keep>
 class SignalSeries::Recorder {
@@ -101,10 +101,10 @@ void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows
   Recorder smooth_recorder(model_, series.block_s, [&](const Signals& signals, bool) {
     run.smoothed.push_back({signals.temperature, signals.temperature_rate});
   });
-  walk_smoothed(series, rules::kSmoothing * model_.derivative_tau_s, smooth_recorder);
+  run_smoothed(series, rules::kSmoothing * model_.derivative_tau_s, smooth_recorder);
   Recorder recorder(model_, series.block_s,
                     [&](const Signals& signals, bool restart) { run.keep(signals, restart); });
-  walk_blocks(series, recorder, [&](const BlockSeries::Block& block) {
+  run_blocks(series, recorder, [&](const BlockSeries::Block& block) {
     Block& current = run.blocks.back();
     if (!run.input_rate.empty()) run.input_rate.back().dph = block.means.input_rate;
     current.row = rows.take(block, run.signals(run.blocks.size() - 1, Reading::of_sensor));

@@ -88,7 +88,7 @@ class RealSeries {
     samples_per_block_ = blocks.samples_per_block;
     begin();
     model::RealDriftModel drift(model_, blocks.block_s);
-    series::walk_blocks(blocks, drift, [&](const series::BlockSeries::Block& block) {
+    series::run_blocks(blocks, drift, [&](const series::BlockSeries::Block& block) {
       rows_before(block.number);
       rows_of(block, drift);
     });

@@ -36,7 +36,7 @@ denoise::DenoiseReport denoise_bias(const recording::Recording& recording,
 }  // namespace
 
 DenoiseOutcome denoise(const DenoiseRequest& request, const Observer& observer) {
-  recording::ReadOptions reading = observer.heard(request.reading);
+  recording::ReadOptions reading = observer.with_observer(request.reading);
   reading.every_row = true;
   DenoiseOutcome outcome{recording::read_recording(request.run, reading), {}, {}};
   recording::Recording& recording = outcome.recording;

@@ -72,7 +72,9 @@ Plan plan_of(const FitRequest& request) {
 void listen(fit::FitSettings& settings, const Observer& observer) {
   settings.identify.progress = observer.of_stage(kFittingEffects);
   if (!observer.progress) return;
-  settings.network.training.go_on = [&](double done) { return observer.goes_on(kTraining, done); };
+  settings.network.training.go_on = [&](double done) {
+    return observer.should_continue(kTraining, done);
+  };
 }
 
 // Appends the actions and their results: the effects, then the network.
@@ -121,7 +123,7 @@ void check(const FitRequest& request) {
 }
 
 fit::TrainingRuns training_runs(const FitRequest& request, const Observer& observer) {
-  return fit::read_training_runs(request.runs, observer.heard(plan_of(request).reading),
+  return fit::read_training_runs(request.runs, observer.with_observer(plan_of(request).reading),
                                  request.average_s);
 }
 
@@ -149,7 +151,8 @@ FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Obse
     listen(settings, observer);
     outcome.result = fit::fit_model(model, series, settings);
   }
-  observer.goes_on("judging", 0);  // the result is kept even if the user has ended the training
+  observer.should_continue("judging",
+                           0);  // the result is kept even if the user has ended the training
   outcome.delay_rms_dph = compare::delay_error_dph(model, training.runs);
   outcome.physical_lags = fit::physical_lags(model, training.runs, settings.identify.run_offsets);
   outcome.turn_on = fit::turn_on_biases(model, training.runs);

@@ -34,7 +34,7 @@ constexpr Preset kPresets[] = {
 
 void refuse(const char* option, bool given, const std::string& preset) {
   if (!given) return;
-  throw InputError(option, "is settled by --model " + preset + "; leave one of the two out");
+  throw InputError(option, "is determined by --model " + preset + "; leave one of the two out");
 }
 
 const Preset& find_preset(const std::string& name) {

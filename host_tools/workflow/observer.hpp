@@ -32,11 +32,11 @@ struct Observer {
     }
   }
   /// false if the observer requests the end.
-  bool goes_on(const std::string& stage, double done) const {
+  bool should_continue(const std::string& stage, double done) const {
     return !progress || progress(stage, done);
   }
   /// The same options with this observer, which must outlive the reading.
-  recording::ReadOptions heard(recording::ReadOptions reading) const {
+  recording::ReadOptions with_observer(recording::ReadOptions reading) const {
     reading.watch.remark = remark;
     if (progress) {
       reading.watch.progress = [this](const std::string& stage, double done) { tell(stage, done); };
@@ -45,7 +45,7 @@ struct Observer {
   }
   /// Reports progress; throws Cancelled.
   void tell(const std::string& stage, double done) const {
-    if (!goes_on(stage, done)) throw Cancelled();
+    if (!should_continue(stage, done)) throw Cancelled();
   }
   /// The same as a callback for a library; empty without an observer.
   std::function<void(double)> of_stage(const std::string& stage) const {

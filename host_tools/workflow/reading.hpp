@@ -16,7 +16,7 @@ namespace fogcomp::workflow {
 inline recording::ReadOptions reading_for(const model::Model& model,
                                           const recording::ReadOptions& options,
                                           const Observer& observer) {
-  recording::ReadOptions reading = observer.heard(options);
+  recording::ReadOptions reading = observer.with_observer(options);
   reading.model_scale_factor = model.scale_factor;
   reading.model_limits = model.limits;
   reading.model_columns = model.columns;

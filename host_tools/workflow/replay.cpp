@@ -24,7 +24,7 @@ void check_rate(const fog::ModelParameters& parameters, double period_s, const s
 
 board::StreamSource source_of(const StreamRequest& request, const board::BoardSource& board,
                               const Observer& observer) {
-  recording::ReadOptions reading = observer.heard(request.reading);
+  recording::ReadOptions reading = observer.with_observer(request.reading);
   reading.model_scale_factor = board.scale_factor();
   if (board.model() != nullptr) reading.model_columns = board.model()->columns;
   return board::StreamSource(request.run, reading, board.scale_factor(), board.needs());

@@ -369,9 +369,9 @@ refuses "--threshold 'minimaxi' is not one of" fit good.csv -o kept --effects bi
 refuses "--activation 'relu' is not one of" fit good.csv -o kept --effects bias --activation relu
 refuses '--model ls-svm: no model file or board can carry it; fogcomp paper' fit good.csv -o kept --model ls-svm
 refuses "'polynomail' is unknown .did you mean 'polynomial'" fit good.csv -o kept --model polynomail
-refuses '--effects: is settled by --model bp' fit good.csv -o kept --model bp --effects bias
-refuses '--trainer: is settled by --model pso-bp' fit good.csv -o kept --model pso-bp --trainer lm
-refuses '--network: is settled by --model polynomial' fit good.csv -o kept --model polynomial --network 3
+refuses '--effects: is determined by --model bp' fit good.csv -o kept --model bp --effects bias
+refuses '--trainer: is determined by --model pso-bp' fit good.csv -o kept --model pso-bp --trainer lm
+refuses '--network: is determined by --model polynomial' fit good.csv -o kept --model polynomial --network 3
 refuses '--effects is missing' fit good.csv -o kept --model effects
 refuses "'forest' is unknown" paper --models forest
 refuses '^kept: .*name a folder' paper --figures kept

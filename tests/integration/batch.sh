@@ -117,7 +117,7 @@ mkdir blocked
 echo "in the way" >blocked/A2
 batch 1 gyros -o blocked
 says '^3 gyros: 2 pass, 0 fail, 1 without a result'
-says '^  A2 +error +its process ended with code 1; blocked/A2/result.txt: cannot be written'
+says '^  A2 +error +its process exited with code 1; blocked/A2/result.txt: cannot be written'
 
 # Parts of the work on several computers, then the table: the same bytes.
 batch 0 gyros -o whole
@@ -184,7 +184,7 @@ status=0
 wait "$pool" || status=$?
 ((status == 130)) || fail "exit code $status after SIGINT"
 ! kill -0 "$child" 2>/dev/null || fail "a process is left"
-grep -q '^interrupted: 3 of 4 gyros done; the same command goes on there' errors.txt || fail "$(cat errors.txt)"
+grep -q '^interrupted: 3 of 4 gyros done; the same command continues there' errors.txt || fail "$(cat errors.txt)"
 [[ -z $(find stopped -name '*.part-*') && ! -e stopped/gyros.csv ]] || fail "half files: $(find stopped)"
 rm -r gyros/C1
 batch 0 gyros -o stopped

@@ -87,7 +87,7 @@ double worst_difference(const fogcomp::model::Model& model) {
   fogcomp::model::RealDriftModel real(model, series.block_s);
   double worst = 0;
   std::size_t compared = 0;
-  fogcomp::series::walk_blocks(series, real, [&](const fogcomp::series::BlockSeries::Block& block) {
+  fogcomp::series::run_blocks(series, real, [&](const fogcomp::series::BlockSeries::Block& block) {
     const auto found = board.find(block.number);
     ASSERT_NE(found, board.end()) << "the board has no drift in block " << block.number;
     worst = std::max(worst, std::abs(found->second - real.drift_dph()));

@@ -40,7 +40,7 @@ EffectDescription dead_band_effect() {
   return {"dead_band",
           "the loop locks near zero rate (simulator only)",
           {{"half_width_dph", "deg/h", 0.05, 1e-6, 100, "rates below this are locked"},
-           {"dither_dph", "deg/h", 0.02, 1e-6, 1e4, "rms of what shakes the loop free"}},
+           {"dither_dph", "deg/h", 0.02, 1e-6, 1e4, "rms of the dither that unlocks the loop"}},
           make_effect<DeadBand>};
 }
 

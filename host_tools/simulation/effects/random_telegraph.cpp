@@ -37,11 +37,11 @@ class RandomTelegraph : public Effect {
 
 EffectDescription random_telegraph_effect() {
   return {"random_telegraph",
-          "jumps to and fro between two levels at random times (simulator only)",
+          "switches between two levels at random times (simulator only)",
           {peak_parameter(),
            scale_parameter(),
            {"height_dph", "deg/h", 0.03, -1e4, 1e4, "of the upper level above the lower"},
-           {"dwell_s", "s", 1800, 1, 1e6, "how long a level lasts, on average"}},
+           {"dwell_s", "s", 1800, 1, 1e6, "mean duration of a level"}},
           make_effect<RandomTelegraph>};
 }
 

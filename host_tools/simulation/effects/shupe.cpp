@@ -30,7 +30,7 @@ EffectDescription shupe_effect() {
           "transient gradient through the winding (Shupe 1980; IEEE 952: D_gradTdot)",
           {peak_parameter(),
            scale_parameter(),
-           {"asymmetry_m", "m", 0.2, -100, 100, "by how much the fibre is not centred"}},
+           {"asymmetry_m", "m", 0.2, -100, 100, "offset of the fibre's midpoint"}},
           make_effect<Shupe>};
 }
 

@@ -51,9 +51,9 @@ class WalkingRows {
       modes.col(k) *= 30 / kWalk / static_cast<double>(k + 1);
     evidence.walk = fit::add_walk(evidence.space, modes);
     evidence.space.finish();
-    return weigh_walk(evidence,
-                      find_hypotheses(evidence.space, evidence.candidates, evidence.regressors),
-                      noise, 1);
+    return assess_walk(evidence,
+                       find_hypotheses(evidence.space, evidence.candidates, evidence.regressors),
+                       noise, 1);
   }
 
  private:

@@ -353,7 +353,7 @@ TEST(ForeignFiles, AreRefusedWithTheLineThatHelpsWhereTheyMeanTwoThings) {
        ":1: rate could be column 3 'gx [deg/s]' or column 4 'gy [deg/s]'; say which: --columns "
        "'rate=gx [deg/s]', or --rate-column 'gx [deg/s]'"},
       {"rate without a unit", "time_s,temperature_degc,Gyro_X\n0,20,1\n",
-       ":1: column 3 'Gyro_X' has no unit; say it: --columns 'rate=Gyro_X[deg/s]' (or deg/h, "
+       ":1: column 3 'Gyro_X' has no unit; give it: --columns 'rate=Gyro_X[deg/s]' (or deg/h, "
        "rad/s, ...)"},
       {"turns or radians", "time_s,temperature_degc,gyro_rps\n0,20,1\n", "has no unit; say it"},
       {"two temperatures", "time_s,coil_degC,board_degC,rate_dph\n0,20,21,1\n",
@@ -363,7 +363,7 @@ TEST(ForeignFiles, AreRefusedWithTheLineThatHelpsWhereTheyMeanTwoThings) {
       {"unit against unit", "time_s,temperature_degc,rate_dph\ns,degC,deg/s\n0,20,1\n1,20,2\n",
        "'rate_dph' is in deg/h by its name and in deg/s by the row of units"},
       {"unknown unit", "time_s,T [Ra],rate_dph\n0,20,1\n",
-       "column 2 'T [Ra]': unit 'Ra' is not known; say it: --columns 'temperature=2[degC]'"},
+       "column 2 'T [Ra]': unit 'Ra' is not known; give it: --columns 'temperature=2[degC]'"},
       {"time of day", "time,temperature_degc,rate_dph\n12:30:15,20,1\n12:30:16,20,1\n",
        ":2: time '12:30:15' is no ISO 8601 date and time; write 2024-03-05T12:30:15.25 or seconds"},
       {"day first", "time,temperature_degc,rate_dph\n05.03.2024 12:30,20,1\n",

@@ -52,10 +52,10 @@ TEST(Mask, IsForTheFilesThatItNames) {
 
 TEST(Mask, HidesBothEnds) {
   const Mask mask = parse_mask("1..2");
-  EXPECT_TRUE(mask.hides(1));
-  EXPECT_TRUE(mask.hides(2));
-  EXPECT_FALSE(mask.hides(0.999));
-  EXPECT_FALSE(mask.hides(2.001));
+  EXPECT_TRUE(mask.covers(1));
+  EXPECT_TRUE(mask.covers(2));
+  EXPECT_FALSE(mask.covers(0.999));
+  EXPECT_FALSE(mask.covers(2.001));
 }
 
 }  // namespace
