@@ -1,4 +1,4 @@
-// How the blocks that are missing between two good ones are made up.
+// Interpolation of missing blocks between two good ones.
 #include "core/thermal/block_bridge.hpp"
 
 #include <gtest/gtest.h>

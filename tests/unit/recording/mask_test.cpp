@@ -1,5 +1,5 @@
-// Masks: what they are typed as, for which files they are, and that what they hide counts nowhere
-// but in the temperature's history.
+// Masks: their syntax, their files, and that masked rates are used nowhere while the temperatures
+// are.
 
 #include "recording/mask.hpp"
 

@@ -20,8 +20,7 @@ Rows rows_at(std::vector<double> time_s, std::vector<std::size_t> run_starts = {
   return rows;
 }
 
-// The answer to a step after a time is 1 - exp(-time / tau), however many rows there are on the
-// way.
+// The step response after a time is 1 - exp(-time / tau), however many rows are in between.
 TEST(RowFilters, ALagFollowsAStepByTheTimeThatPassed) {
   const Rows rows = rows_at({0, 10, 20, 50, 250});
   VectorXd values(5);
@@ -50,8 +49,8 @@ TEST(RowFilters, EveryRecordingBeginsSettled) {
   EXPECT_EQ(smoothed(rows, values, 100), values);
 }
 
-// Forward and backward delay nothing: what is the same both ways stays so, an impulse keeps its
-// place, and far from the ends nothing of it is lost.
+// Forward and backward filtering has no delay: a symmetric signal stays symmetric, an impulse keeps
+// its position, and away from the ends its sum is kept.
 TEST(RowFilters, SmoothingHasNoDelayAndKeepsTheSum) {
   std::vector<double> time_s;
   for (int i = 0; i < 401; ++i) time_s.push_back(10.0 * i);
