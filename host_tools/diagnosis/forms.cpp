@@ -56,7 +56,7 @@ std::vector<VaryingSignal> varying_signals(const series::SignalSeries& series,
   return signals;
 }
 
-std::string lag_of(const std::string& text) {
+std::string lag_text(const std::string& text) {
   return "lag(" + text + "," + kLagBounds + ")";
 }
 
@@ -69,15 +69,15 @@ void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
   if (x != "T") {
     formulas.add(x + "_squared", x + "^2");
     formulas.add(x + "_cubed", x + "^3");
-    formulas.add(x + "_squared_late", lag_of(x + "^2"));
-    formulas.add(x + "_late_squared", lag_of(x) + "^2");
+    formulas.add(x + "_squared_late", lag_text(x + "^2"));
+    formulas.add(x + "_late_squared", lag_text(x) + "^2");
     if (range.min < 0 && range.max > 0) {
       formulas.add(x + "_size", "abs(" + x + ")");
-      formulas.add(x + "_size_late", lag_of("abs(" + x + ")"));
-      formulas.add(x + "_late_size", "abs(" + lag_of(x) + ")");
+      formulas.add(x + "_size_late", lag_text("abs(" + x + ")"));
+      formulas.add(x + "_late_size", "abs(" + lag_text(x) + ")");
       formulas.add(x + "_signed_square", x + "*abs(" + x + ")");
     }
-    if (x != "dTdt") formulas.add(x + "_late", lag_of(x));
+    if (x != "dTdt") formulas.add(x + "_late", lag_text(x));
     formulas.add(x + "_sine", format("sin(6.2832*%s/?p[%.4g,%.4g])", x.c_str(), kMinPeriod * span,
                                      kMaxPeriod * span));
   }
@@ -99,7 +99,7 @@ void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSigna
   if (b.range.min < 0 && b.range.max > 0) {
     formulas.add(x + "_" + y + "_size", x + "*abs(" + y + ")");
   }
-  formulas.add(x + "_" + y + "_late", lag_of(x + "*" + y));
+  formulas.add(x + "_" + y + "_late", lag_text(x + "*" + y));
 }
 
 }  // namespace

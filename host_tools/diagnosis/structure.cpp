@@ -89,7 +89,7 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
                                  rows.size())});
   std::vector<Eigen::MatrixXd> history;
   for (const double tau_s : kHistoryLags_s) {
-    history.push_back(temperature - series::lag_of(rows, temperature, tau_s));
+    history.push_back(temperature - series::first_order_lag(rows, temperature, tau_s));
   }
   for (const double radius : kRadii_degc) history.push_back(play(rows, temperature, radius));
   groups.push_back({"temperature history", side_by_side(history, rows.size())});

@@ -116,7 +116,7 @@ Eigen::MatrixXd inexact_terms(const series::Rows& rows, const fit::NoiseWeighted
     const Lagging& part = kLagging[i];
     const Eigen::VectorXd& whole = part.rate_terms_only ? of_rate : drift;
     timings.col(static_cast<Eigen::Index>(i) + 2) =
-        part.share * (whole - series::lag_of(rows, whole, part.lag_s));
+        part.share * (whole - series::first_order_lag(rows, whole, part.lag_s));
   }
   return side_by_side({timings, bent_terms(rows, fit)}, rows.size());
 }

@@ -72,7 +72,7 @@ struct Evidence {
 
 struct Start {
   TrainerResult result;
-  double worth = 0;  // by the held-out rows, else by the evidence
+  double score = 0;  // by the held-out rows, else by the evidence
 };
 
 // State of the training.
@@ -137,10 +137,10 @@ Start train_from(const TrainingProblem& problem, const TrainerSettings& settings
   if (problem.held_out == nullptr) offer();
   best.put_into(result);
   result.effective_parameters = evidence.gamma;
-  const double worth = problem.held_out == nullptr
+  const double score = problem.held_out == nullptr
                            ? evidence.logarithm(state.normal, state.errors, state.w)
                            : -problem.held_out->mean_square(shape, result.weights);
-  return {result, worth};
+  return {result, score};
 }
 
 }  // namespace
@@ -150,7 +150,7 @@ TrainerResult train_levenberg_marquardt(const TrainingProblem& problem,
   Start best;
   for (int start = 0; start < kStarts; ++start) {
     const Start tried = train_from(problem, settings, start);
-    if (start == 0 || tried.worth > best.worth) best = tried;
+    if (start == 0 || tried.score > best.score) best = tried;
     if (!tried.result.interrupted) continue;
     best.result.interrupted = true;
     break;

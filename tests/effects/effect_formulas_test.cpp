@@ -90,7 +90,7 @@ std::vector<History> histories() {
 }
 
 // tau dy/dt = x - y by the trapezoidal rule; in equilibrium where the history starts.
-Values lag_of(const History& history, const Values& x, double tau_s) {
+Values first_order_lag(const History& history, const Values& x, double tau_s) {
   Values y(x.size());
   const double half = kBlock_s / tau_s / 2;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -102,8 +102,8 @@ Values lag_of(const History& history, const Values& x, double tau_s) {
 
 // dx/dt after two lags, per minute: from the equation of the second lag.
 Values rate_per_min(const History& history, const Values& x, double tau_s) {
-  const Values once = lag_of(history, x, tau_s);
-  const Values twice = lag_of(history, once, tau_s);
+  const Values once = first_order_lag(history, x, tau_s);
+  const Values twice = first_order_lag(history, once, tau_s);
   Values rate(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) rate[i] = 60 * (once[i] - twice[i]) / tau_s;
   return rate;
@@ -114,9 +114,9 @@ Values rate_of(const History& history) {
 
 // dTc/dt of a coil that follows the sensor with `tau_s`, per minute, after the same two lags.
 Values coil_rate(const History& history, double tau_s) {
-  const Values shown =
-      lag_of(history, lag_of(history, history.at_end_degc, kDerivativeTau_s), kDerivativeTau_s);
-  const Values coil = lag_of(history, shown, tau_s);
+  const Values shown = first_order_lag(
+      history, first_order_lag(history, history.at_end_degc, kDerivativeTau_s), kDerivativeTau_s);
+  const Values coil = first_order_lag(history, shown, tau_s);
   Values rate(shown.size());
   for (std::size_t i = 0; i < shown.size(); ++i) rate[i] = 60 * (shown[i] - coil[i]) / tau_s;
   return rate;

@@ -84,7 +84,7 @@ class ExpressionBank {
         static_cast<std::uint32_t>(round_shift(radians * kTurnsPerRadian, fraction)));
   }
 
-  static std::int32_t lag_of(State& state, std::int32_t x, std::int32_t decay, bool restart) {
+  static std::int32_t step_lag(State& state, std::int32_t x, std::int32_t decay, bool restart) {
     const auto input = round_to<Lag::State>(Play::Value::from_raw(x));
     if (restart) {
       state.lag = Lag(Lag::Decay::from_raw(decay));
@@ -182,7 +182,7 @@ class ExpressionBank {
           if constexpr (has(Op::tanh)) x = hyperbolic_tangent(ActivationInput::from_raw(x)).raw();
           break;
         case Op::lag:
-          if constexpr (has(Op::lag)) x = lag_of(*state++, x, *word++, restart);
+          if constexpr (has(Op::lag)) x = step_lag(*state++, x, *word++, restart);
           break;
         case Op::play:
           if constexpr (has(Op::play)) x = play(*state++, x, *word++, restart);

@@ -33,7 +33,7 @@ struct InputScaling {
   FirstOrderLag<BoardNumbers>::Decay decay{};  ///< of lagged_temperature; 0 for the others
   std::int32_t centre = 0;                     ///< in the format of the signal
   std::int32_t half_range = 0;                 ///< the same; 0: no input
-  int shift = 0;                               ///< reach * 2^shift is below 2^31
+  int shift = 0;                               ///< half_range * 2^shift is below 2^31
 };
 
 /// Words of a hidden neuron in the model table: bias, weights (0 for inputs that the network does
