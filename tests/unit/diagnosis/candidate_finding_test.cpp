@@ -104,7 +104,7 @@ TEST(BelieveLess, AsFarAsItsEvidenceGoesAndNoWalkExplainsIt) {
   const double odds = rules::kBelievedOdds;
   std::vector<CandidateFinding> findings{finding("half", 0.6, 0.8, std::log(odds / 2)),
                                          finding("sure", 0.4, 0.5, std::log(100 * odds))};
-  believe_less(findings, 0.25);
+  limit_to_own_evidence(findings, 0.25);
   EXPECT_NEAR(findings[0].probability, 0.8 * 0.5 * 0.75, 1e-12);
   EXPECT_NEAR(findings[0].lead, 0.6 * 0.5 * 0.75, 1e-12);
   EXPECT_NEAR(findings[1].probability, 0.5 * 0.75, 1e-12);
