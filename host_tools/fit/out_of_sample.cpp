@@ -75,14 +75,21 @@ double stretches_of(const series::Rows& rows, const std::vector<double>& residua
 }
 
 // Assigns stretches of time to the parts in turn. Every part contains some of each phase of the
-// run, so that it is interpolated, not extrapolated.
+// run, so that it is interpolated, not extrapolated. Each run begins with another part, so that its
+// start is left out while the starts of the others are not.
 std::vector<Part> parts_of(const series::Rows& rows, double count) {
   constexpr std::size_t kParts = 5;
-  const auto size = static_cast<std::size_t>(rows.size());
-  const std::size_t stretches = std::min(static_cast<std::size_t>(count), size);
   std::vector<Part> parts(kParts);
-  for (std::size_t i = 0; i < stretches; ++i) {
-    parts[i % kParts].push_back({i * size / stretches, (i + 1) * size / stretches});
+  std::size_t first_part = 0;
+  for (const recording::RowRange& run : rows.runs()) {
+    const double share = static_cast<double>(run.size()) / static_cast<double>(rows.size());
+    const auto wanted = static_cast<std::size_t>(std::max(1.0, std::round(count * share)));
+    const std::size_t stretches = std::min(wanted, run.size());
+    for (std::size_t i = 0; i < stretches; ++i) {
+      parts[(first_part + i) % kParts].push_back(
+          {run.first + i * run.size() / stretches, run.first + (i + 1) * run.size() / stretches});
+    }
+    ++first_part;
   }
   return parts;
 }
@@ -133,7 +140,7 @@ bool determines(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::In
           much_worse * all.sigma_dph.segment(first, count).array())
       .all();
 }
-bool tells_all(const Fold& fold, const Fold& all) {
+bool determines_all(const Fold& fold, const Fold& all) {
   return determines(fold, all, 0, all.sigma_dph.size(), rules::kFarWorse);
 }
 
@@ -181,22 +188,22 @@ bool determine_terms(const std::vector<Fold>& folds, const series::SignalSeries&
   Eigen::Index first = 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const Eigen::Index count = series.regressors(terms[i]).cols();
-    const bool told = std::all_of(folds.begin(), folds.end(), [&](const Fold& fold) {
+    const bool determined = std::all_of(folds.begin(), folds.end(), [&](const Fold& fold) {
       return determines(fold, all, first, count, rules::kMuchWorse);
     });
-    if (!told && std::find(asked.begin(), asked.end(), i) != asked.end()) return false;
+    if (!determined && std::find(asked.begin(), asked.end(), i) != asked.end()) return false;
     first += count;
   }
   return true;
 }
 
-// Rows of a part without which even `before` is undetermined (a warm-up without the start of its
+// Rows of a part without which the effects are undetermined (a warm-up without the start of its
 // run) get weight 0, unless no rows remain.
-Eigen::VectorXd weights_of_judged(const std::vector<Fold>& given, const std::vector<Part>& parts,
+Eigen::VectorXd weights_of_judged(const std::vector<Fold>& folds, const std::vector<Part>& parts,
                                   const Fold& all, const Eigen::VectorXd& row_weights) {
   Eigen::VectorXd weights = row_weights;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (tells_all(given[i], all)) continue;
+    if (determines_all(folds[i], all)) continue;
     for (const recording::RowRange& range : parts[i]) segment(weights, range).setZero();
   }
   return weights.any() ? weights : row_weights;
@@ -262,9 +269,11 @@ OutOfSample cross_validate(const series::SignalSeries& series,
   const std::vector<Part> parts =
       parts_of(rows, stretches_of(rows, fitted_residual(series, after), with.noise));
   const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
-  const Fold all = leave_out(series, fixed_before, {}, with);
-  OutOfSample result = judge(rows, left.before, left.after, with.noise,
-                             weights_of_judged(left.given, parts, all, with.row_weights));
+  const Eigen::VectorXd weights_before = weights_of_judged(
+      left.given, parts, leave_out(series, fixed_before, {}, with), with.row_weights);
+  const Eigen::VectorXd weights = weights_of_judged(
+      left.added, parts, leave_out(series, fixed_after, {}, with), weights_before);
+  OutOfSample result = judge(rows, left.before, left.after, with.noise, weights);
   result.how = how_of(parts, rows);
   result.within_runs = true;
   return result;
@@ -307,7 +316,7 @@ std::vector<HalfTest> judge_halves(const series::SignalSeries& series,
     const Fold added = leave_out(series, with_fixed_shapes(after, changed), judged, with);
     HalfTest test;
     test.identified_on = on_first ? "first" : "second";
-    test.determined = without.determined && tells_all(added, all);
+    test.determined = without.determined && determines_all(added, all);
     Eigen::VectorXd weights = noise::counted_weights(rows, with.row_weights);
     for (const recording::RowRange& range : on_first ? first : second)
       segment(weights, range).setZero();

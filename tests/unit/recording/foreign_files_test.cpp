@@ -355,7 +355,7 @@ TEST(ForeignFiles, AreRefusedWithTheLineThatHelpsWhereTheyMeanTwoThings) {
       {"rate without a unit", "time_s,temperature_degc,Gyro_X\n0,20,1\n",
        ":1: column 3 'Gyro_X' has no unit; give it: --columns 'rate=Gyro_X[deg/s]' (or deg/h, "
        "rad/s, ...)"},
-      {"turns or radians", "time_s,temperature_degc,gyro_rps\n0,20,1\n", "has no unit; say it"},
+      {"turns or radians", "time_s,temperature_degc,gyro_rps\n0,20,1\n", "has no unit; give it"},
       {"two temperatures", "time_s,coil_degC,board_degC,rate_dph\n0,20,21,1\n",
        ":1: temperature could be column 2 'coil_degC' or column 3 'board_degC'; say which: "
        "--columns 'temperature=coil_degC'"},
