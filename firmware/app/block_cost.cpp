@@ -68,7 +68,7 @@ ScaledInputs inputs_at(std::uint32_t index) {
 
 // Out of line, so that it begins and ends where its caller would be.
 [[gnu::noinline]] void see(Drift& drift, Rate rate) {
-  drift.see(rate);
+  drift.see(rate, true);
 }
 
 }  // namespace

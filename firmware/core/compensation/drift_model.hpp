@@ -114,20 +114,13 @@ class DriftModel {
 
   /// The rate that is measured now. Effects that follow the input rate see it less the drift of the
   /// sample before, as they see the compensated rate of a block: at 1000 deg/s^2 and 1000 ppm the
-  /// 5 ms between two samples make 0.02 deg/h.
-  void see(Rate measured) {
+  /// 5 ms between two samples make 0.02 deg/h. Where it is not valid, the drift of a new block is
+  /// taken over at the block's mean rate, so that an image without these effects sends the same.
+  void see(Rate measured, bool valid) {
     if constexpr (Effects::follows_rate) {
-      see_effects(BoardNumbers::saturating_difference(measured, course_.now.of_sample));
-      course_.now.of_sample = course_.now.drift;
-    }
-  }
-
-  /// In place of see() where the measured rate is not valid: the drift of a new block is taken over
-  /// at the block's mean rate, so that an image without these effects sends the same.
-  void see_none() {
-    if constexpr (Effects::follows_rate) {
-      if (!course_.now.is_new) return;
-      see_effects(course_.now.signals.block.input_rate);
+      if (!valid && !course_.now.is_new) return;
+      see_effects(valid ? BoardNumbers::saturating_difference(measured, course_.now.of_sample)
+                        : course_.now.signals.block.input_rate);
       course_.now.of_sample = course_.now.drift;
     }
   }
