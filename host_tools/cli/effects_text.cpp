@@ -57,7 +57,7 @@ std::string entry_text(const model::CatalogueEntry& entry) {
 
 // A line of code on the page, in two where it is wider than the page's columns.
 std::string code_line(std::string line) {
-  constexpr std::size_t kColumns = 116;
+  constexpr std::size_t kColumns = 110;
   if (line.size() > kColumns) line.replace(line.rfind(", ", kColumns), 2, ",\n      ");
   return "    " + line + "\n";
 }
