@@ -18,7 +18,8 @@ Written by `tests/bench/renew_figures.sh`; nothing here is typed. What they mean
 ## What each effect costs
 
 `tests/bench/effect_sizes.sh`: bytes of flash in the STM32F405 image, and instructions of a block of 1 s (mean, max),
-that an effect adds beside `bias`. "Itself": a network from scaled inputs to its drift, without signals, lags and scaling.
+that an effect adds beside `bias`. "Itself": a network from scaled inputs to its drift, without signals, lags and
+scaling.
 
 EOF
   tests/bench/effect_sizes.sh
