@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # documents.sh ROOT: every relative link of every Markdown page leads to a file, every #anchor to a heading; lines have at
-# most 120 columns, but for tables; every deciding number of a diagnosis stands in DIAGNOSIS.md by its name, and no other.
+# most 120 columns, but for tables; every deciding number of a diagnosis stands in DIAGNOSIS.md by its name, and no other;
+# CITATION.cff has the version of the build.
 set -euo pipefail
 exec python3 - "${1:?usage: documents.sh ROOT}" <<'EOF'
 import os, re, sys, unicodedata
@@ -80,11 +81,24 @@ def check_rules():
             problems.append(f"{page}: {name} is no rule, and no file is named that has it")
 
 
+def check_version():
+    citation = os.path.join(root, "CITATION.cff")
+    if not os.path.exists(citation):
+        return
+    with open(citation, encoding="utf-8") as file:
+        cited = re.search(r"^version: (\S+)", file.read(), re.M)[1]
+    with open(os.path.join(root, "CMakeLists.txt"), encoding="utf-8") as file:
+        built = re.search(r"^\s*VERSION (\d\S+)", file.read(), re.M)[1]
+    if cited != built:
+        problems.append(f"{citation}: version {cited}, the build has {built}")
+
+
 count = 0
 for page in sorted(pages()):
     check_page(page)
     count += 1
 check_rules()
+check_version()
 print("\n".join(problem.replace(root + "/", "") for problem in problems), file=sys.stderr, end="\n" if problems else "")
 if not problems:
     print(f"{count} pages: links, headings, columns, names of rules")
