@@ -68,7 +68,7 @@ struct Expression {
   std::vector<double> constants(const std::vector<double>& parameter_values) const;
 };
 
-/// Reads `NAME = EXPRESSION` (host_tools/README.md, "Expressions"). Throws InputError that names
+/// Reads `NAME = EXPRESSION` (host_tools/REFERENCE.md, "Expressions"). Throws InputError that names
 /// the column, counted from 1 at the beginning of `definition`.
 Expression parse_expression(const std::string& definition);
 

@@ -12,7 +12,7 @@ namespace fogcomp::model {
 constexpr double kMaxModelDph = 1e15;
 
 /// A model as text, a fact per line, doubles in the shortest form that reads back to the same bits,
-/// a CRC-32 of everything before it at the end (host_tools/README.md, "Model file").
+/// a CRC-32 of everything before it at the end (host_tools/REFERENCE.md, "Model file").
 std::string model_text(const Model& model);
 
 /// Reads model_text(). `file` names it in errors: InputError for a file that is not a model, of

@@ -2,10 +2,10 @@
 
 #include "hal/clock.hpp"
 #include "hal/processor.hpp"
-#include "platform/cortex_m/restart.hpp"
 #include "platform/cortex_m/tick.hpp"
 #include "platform/mps2_an386/peripherals.hpp"
 #include "platform/ports.hpp"
+#include "platform/shared/restart.hpp"
 
 // It runs in QEMU, whose serial lines are as fast as whoever writes to them.
 bool fog::hal::clock_is_accurate() {

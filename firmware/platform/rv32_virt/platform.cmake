@@ -1,1 +1,2 @@
-# A processor to replay on: no lines, no watchdog, nothing to choose.
+# A second instruction set for the product: one line, no watchdog, nothing to choose.
+set(FOG_HAS_LINES ON)

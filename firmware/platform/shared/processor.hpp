@@ -7,4 +7,7 @@ namespace fog::platform {
 /// processor's own; memory is initialised.
 void prepare_processor();
 
+/// Begins at the reset vector again; memory stays as it is, all that was written included.
+[[noreturn]] void reset_processor();
+
 }  // namespace fog::platform
