@@ -67,7 +67,7 @@ ScaledInputs inputs_at(std::uint32_t index) {
 
 // Not inline, so that the measured code begins and ends at a call.
 [[gnu::noinline]] void update_rate(Drift& drift, Rate rate) {
-  drift.update_rate(rate);
+  drift.update_rate(rate, true);
 }
 
 }  // namespace

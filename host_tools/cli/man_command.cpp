@@ -53,7 +53,7 @@ int print_manual() {
   for (const CommandPointer& command : all_commands()) text += command_section(*command);
   text +=
       ".SH EXIT STATUS\n0 done; 1 the answer is no; 2 bad arguments or input.\n"
-      ".SH FILES\nFormats of recordings, models, limits and headers: host_tools/README.md and "
+      ".SH FILES\nFormats of recordings, models, limits and headers: host_tools/REFERENCE.md and "
       "firmware/SPEC.md of the source tree.\n"
       ".SH ENVIRONMENT\nNothing of it changes what fogcomp prints. Progress bars appear on "
       "terminals only.\n";

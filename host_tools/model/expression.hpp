@@ -68,8 +68,8 @@ struct Expression {
   std::vector<double> constants(const std::vector<double>& parameter_values) const;
 };
 
-/// Parses `NAME = EXPRESSION`. Throws InputError with the column, counted from 1 at the start of
-/// `definition`.
+/// Reads `NAME = EXPRESSION` (host_tools/REFERENCE.md, "Expressions"). Throws InputError that names
+/// the column, counted from 1 at the beginning of `definition`.
 Expression parse_expression(const std::string& definition);
 
 }  // namespace fogcomp::model

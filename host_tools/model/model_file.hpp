@@ -11,8 +11,8 @@ namespace fogcomp::model {
 /// larger.
 constexpr double kMaxModelDph = 1e15;
 
-/// A model as text: one fact per line, doubles in the shortest form that reads back exactly, and at
-/// the end a CRC-32 of everything before it.
+/// A model as text, a fact per line, doubles in the shortest form that reads back to the same bits,
+/// a CRC-32 of everything before it at the end (host_tools/REFERENCE.md, "Model file").
 std::string model_text(const Model& model);
 
 /// Parses model_text(). `file` is its name for errors: InputError for a file that is not a model,

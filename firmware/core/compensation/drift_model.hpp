@@ -114,20 +114,14 @@ class DriftModel {
 
   /// Takes the measured rate. Effects of the input rate use it less the drift of the previous
   /// sample; for a block they use the compensated rate. At 1000 deg/s^2 and 1000 ppm the delay of 5
-  /// ms makes 0.02 deg/h.
-  void update_rate(Rate measured) {
+  /// ms makes 0.02 deg/h. If the rate is not valid, a new block's drift is taken over at the
+  /// block's mean rate, so that an image without these effects sends the same bytes.
+  void update_rate(Rate measured, bool valid) {
     if constexpr (Effects::follows_rate) {
-      update_rate_effects(BoardNumbers::saturating_difference(measured, course_.now.of_sample));
-      course_.now.of_sample = course_.now.drift;
-    }
-  }
-
-  /// Replaces update_rate() for a sample without a valid rate: a new block's drift is taken over at
-  /// the block's mean rate, so that an image without these effects sends the same bytes.
-  void update_without_rate() {
-    if constexpr (Effects::follows_rate) {
-      if (!course_.now.is_new) return;
-      update_rate_effects(course_.now.signals.block.input_rate);
+      if (!valid && !course_.now.is_new) return;
+      update_rate_effects(valid
+                              ? BoardNumbers::saturating_difference(measured, course_.now.of_sample)
+                              : course_.now.signals.block.input_rate);
       course_.now.of_sample = course_.now.drift;
     }
   }

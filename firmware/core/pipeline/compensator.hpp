@@ -190,7 +190,7 @@ class Compensator {
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = prepare_drift_model(verdict, temperature, measured);
-    update_drift(verdict.status, measured);
+    drift_model_.update_rate(measured, !has_any(verdict.status, kRateInvalid));
 
     OutputSample& result = last_;
     result.sequence = sample.sequence;
@@ -269,14 +269,6 @@ class Compensator {
       samples_after_refused_ = denoiser_.delay() + 1;
     } else if (samples_after_refused_ > 0) {
       --samples_after_refused_;
-    }
-  }
-
-  void update_drift(Status status, Rate measured) {
-    if (has_any(status, kRateInvalid)) {
-      drift_model_.update_without_rate();
-    } else {
-      drift_model_.update_rate(measured);
     }
   }
 

@@ -19,4 +19,13 @@ void prepare_processor() {
   hal::release_interrupts();
 }
 
+void reset_processor() {
+  asm volatile("dsb" ::: "memory");
+  system_control_block().application_interrupt_and_reset.write(
+      SystemControlBlock::kResetKeyAndRequest);
+  asm volatile("dsb" ::: "memory");
+  for (;;) {  // the reset takes a few cycles to arrive
+  }
+}
+
 }  // namespace fog::platform

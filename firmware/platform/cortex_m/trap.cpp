@@ -2,9 +2,9 @@
 
 #include "hal/clock.hpp"
 #include "platform/cortex_m/nmi.hpp"
-#include "platform/cortex_m/restart.hpp"
 #include "platform/cortex_m/system_control.hpp"
 #include "platform/cortex_m/vector_table.hpp"
+#include "platform/shared/restart.hpp"
 
 namespace fog::platform {
 namespace {

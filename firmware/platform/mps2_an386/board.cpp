@@ -2,10 +2,10 @@
 
 #include "hal/clock.hpp"
 #include "hal/processor.hpp"
-#include "platform/cortex_m/restart.hpp"
 #include "platform/cortex_m/tick.hpp"
 #include "platform/mps2_an386/peripherals.hpp"
 #include "platform/ports.hpp"
+#include "platform/shared/restart.hpp"
 
 // In QEMU the serial lines have no timing.
 bool fog::hal::clock_is_accurate() {

@@ -1,1 +1,2 @@
-# A processor for replays: no serial lines, no watchdog, no variants.
+# The product on a second instruction set: one serial line, no watchdog, no variants.
+set(FOG_HAS_LINES ON)

@@ -6,4 +6,7 @@ namespace fog::platform {
 /// Called with interrupts disabled and memory initialised; leaves no interrupt enabled.
 void prepare_processor();
 
+/// Begins at the reset vector again; memory stays as it is, all that was written included.
+[[noreturn]] void reset_processor();
+
 }  // namespace fog::platform

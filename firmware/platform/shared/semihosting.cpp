@@ -10,6 +10,7 @@ namespace {
 enum class Operation : std::uint32_t {
   kOpen = 0x01,
   kClose = 0x02,
+  kWriteText = 0x04,
   kWrite = 0x05,
   kRead = 0x06,
   kExitExtended = 0x20,
@@ -47,6 +48,11 @@ bool write(File file, const std::uint8_t* source, std::size_t size) {
 
 bool close(File file) {
   return call(Operation::kClose, {static_cast<std::uint32_t>(file)}) == 0;
+}
+
+void write_text(const char* text) {
+  semihosting_call(static_cast<std::uint32_t>(Operation::kWriteText),
+                   static_cast<const std::uint32_t*>(static_cast<const void*>(text)));
 }
 
 void exit(std::uint32_t status) {

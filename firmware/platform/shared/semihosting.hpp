@@ -30,6 +30,9 @@ bool write(File file, const std::uint8_t* source, std::size_t size);
 /// Returns whether all data are in the file.
 bool close(File file);
 
+/// Writes a zero-terminated text to the emulator's or debugger's console.
+void write_text(const char* text);
+
 /// Ends the emulator with `status` as its exit code.
 [[noreturn]] void exit(std::uint32_t status);
 

@@ -1,9 +1,9 @@
 #include "platform/board.hpp"
 
 #include "hal/clock.hpp"
-#include "platform/cortex_m/restart.hpp"
 #include "platform/cortex_m/tick.hpp"
 #include "platform/ports.hpp"
+#include "platform/shared/restart.hpp"
 #include "platform/stm32f405/clock_tree.hpp"
 #include "platform/stm32f405/peripherals.hpp"
 #include "platform/stm32f405/reset_cause.hpp"

@@ -114,7 +114,7 @@ TEST_F(DriftStatus, IsHeldUntilTheModelHasCaughtUpStepByStep) {
   model.take(at(raw));
   const auto next_sample = [&] {
     model.catch_up();
-    model.update_rate({});
+    model.update_rate({}, true);
   };
   for (int i = 0; i < 4; ++i) {
     next_sample();
