@@ -7,7 +7,7 @@
 namespace fogcomp::cli {
 namespace {
 
-// Text as roff takes it: nothing in it is a request or an escape, and a dash is a dash to be typed.
+// Escapes text for roff: no requests or escapes; dashes are ASCII.
 std::string roff(const std::string& text) {
   std::string escaped;
   for (const char character : text) {

@@ -1,4 +1,4 @@
-// fogcomp workbench: the loop as one page that calculates.
+// fogcomp workbench: the loop as an interactive page.
 
 #include <algorithm>
 #include <cstdio>
@@ -50,7 +50,7 @@ bool is_too_large(const std::string& path) {
   return !error && size > kMaxPageFile;
 }
 
-// In the page there are no folders.
+// The page has no folders.
 std::string name_in_page(const WorkbenchSetup& setup, const std::string& path) {
   std::string name = path.substr(path.rfind('/') + 1);
   for (const WorkbenchSetup::File& other : setup.files) {
@@ -61,7 +61,7 @@ std::string name_in_page(const WorkbenchSetup& setup, const std::string& path) {
   return name;
 }
 
-// Means, and a sentence on that.
+// Means of the recording, and a sentence about them.
 std::string shortened(WorkbenchSetup& setup, const std::string& path,
                       const recording::ReadOptions& reading) {
   const PageRows rows = page_rows(path, reading);
@@ -75,7 +75,7 @@ std::string shortened(WorkbenchSetup& setup, const std::string& path,
 WorkbenchSetup WorkbenchCommand::setup() const {
   WorkbenchSetup setup;
   const workflow::Observer observer = on_stderr();
-  const recording::ReadOptions reading = observer.heard(recording.value());
+  const recording::ReadOptions reading = observer.with_observer(recording.value());
   std::vector<std::string> runs = arguments;
   if (!runs.empty() && is_model(runs[0])) {
     setup.model = name_in_page(setup, runs[0]);
@@ -95,7 +95,7 @@ WorkbenchSetup WorkbenchCommand::setup() const {
   };
   for (const std::string& run : runs) setup.runs.push_back(add(run));
   for (const std::string& run : judges) setup.holdouts.push_back(add(run));
-  // What is written anew is in the plain format.
+  // Means are written in the plain format.
   if (!shorten) setup.reading = recording.given_words();
   return setup;
 }

@@ -32,7 +32,7 @@ Eigen::VectorXd column_of(
   return column;
 }
 
-// Cubic B-splines over the range of x, evenly spaced: smooth, local, and they sum to 1.
+// Cubic B-splines over the range of x with equidistant knots: smooth, local, with sum 1.
 Eigen::MatrixXd smooths(const Eigen::VectorXd& x, int knots) {
   const double min = x.minCoeff();
   const double step = (x.maxCoeff() - min) / (knots - 1);
@@ -89,7 +89,7 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
                                  rows.size())});
   std::vector<Eigen::MatrixXd> history;
   for (const double tau_s : kHistoryLags_s) {
-    history.push_back(temperature - series::lag_of(rows, temperature, tau_s));
+    history.push_back(temperature - series::first_order_lag(rows, temperature, tau_s));
   }
   for (const double radius : kRadii_degc) history.push_back(play(rows, temperature, radius));
   groups.push_back({"temperature history", side_by_side(history, rows.size())});
@@ -109,9 +109,9 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
 
 namespace {
 
-// Orthonormal directions of columns, without those that are all but invisible.
+// Orthonormal directions of the columns that are not practically invisible.
 Eigen::MatrixXd principal(const Eigen::MatrixXd& columns) {
-  constexpr double kMin = 1e-3;  // of a unit column: what is less is all but invisible
+  constexpr double kMin = 1e-3;  // norm relative to a unit column
   const SymmetricEigen eigen = symmetric_eigen(gram(columns));
   Eigen::Index kept = 0;
   while (kept < columns.cols() && eigen.values[columns.cols() - 1 - kept] > kMin) ++kept;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# All figures of the denoisers, of training and of two inner loops: speed on this computer (Google Benchmark), instructions on the board
-# (QEMU), and what streaming does to noise and to rotation.
+# All benchmarks of the denoisers, of training and of two inner loops: speed on this computer (Google Benchmark),
+# instructions on the board (QEMU), and the effect of streaming on noise and rotation.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source cmake/bootstrap/packages.sh

@@ -1,2 +1,2 @@
-# A second instruction set for the product: one line, no watchdog, nothing to choose.
+# The product on a second instruction set: one serial line, no watchdog, no variants.
 set(FOG_HAS_LINES ON)

@@ -34,7 +34,7 @@ File open(const char* name, std::size_t length, Mode mode) {
   return call(Operation::kOpen, {address(name), static_cast<std::uint32_t>(mode), length});
 }
 
-// Read and write return how many bytes were NOT transferred.
+// Read and write return the number of bytes NOT transferred.
 std::size_t read(File file, std::uint8_t* destination, std::size_t size) {
   const std::int32_t missing =
       call(Operation::kRead, {static_cast<std::uint32_t>(file), address(destination), size});
