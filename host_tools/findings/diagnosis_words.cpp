@@ -105,6 +105,26 @@ void add_next(DiagnosisWords& words, const diagnosis::NextStep& next, const Diag
   }
 }
 
+// Where something is missing: where it is, what was tried, and what to do.
+void add_what_is_left(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
+                      const diagnosis::NextStep& next, const DiagnosedFiles& files) {
+  const std::string where = where_words(diagnosis);
+  if (!where.empty()) words.findings.push_back(where);
+  const std::string fast = fast_words(diagnosis);
+  if (!fast.empty()) words.findings.push_back(fast);
+  if (diagnosis.experiment && !diagnosis.experiment->sentence.empty()) {
+    words.findings.push_back("to tell: " + diagnosis.experiment->sentence);
+  }
+  const bool is_named = diagnosis.verdict != diagnosis::Verdict::unknown;
+  if (is_named && next.addition && !next.refused.empty()) {
+    words.findings.push_back(refusal_words(next.refused[0]));
+  }
+  if (next.describes) {
+    for (const std::string& line : description_words(next)) words.findings.push_back(line);
+  }
+  add_next(words, next, files);
+}
+
 }  // namespace
 
 std::string shape_words(const model::EffectTerm& term) {
@@ -136,19 +156,8 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   if (!as_given.empty()) words.findings.push_back(as_given);
   const std::string together = together_words(diagnosis, next.together);
   if (!together.empty()) words.findings.push_back(together);
-  if (diagnosis.verdict != diagnosis::Verdict::none) {
-    const std::string where = where_words(diagnosis);
-    if (!where.empty()) words.findings.push_back(where);
-    const std::string fast = fast_words(diagnosis);
-    if (!fast.empty()) words.findings.push_back(fast);
-    if (diagnosis.experiment && !diagnosis.experiment->sentence.empty()) {
-      words.findings.push_back("to tell: " + diagnosis.experiment->sentence);
-    }
-    if (next.describes) {
-      for (const std::string& line : description_words(next)) words.findings.push_back(line);
-    }
-    add_next(words, next, files);
-  }
+  if (diagnosis.verdict != diagnosis::Verdict::none)
+    add_what_is_left(words, diagnosis, next, files);
   if (diagnosis.outliers > 0)
     words.limits.push_back(noise::outlier_words(diagnosis.outliers, diagnosis.row_s));
   words.limits.push_back(chance_words(diagnosis.chance));

@@ -60,16 +60,18 @@ std::vector<std::string> description_words(const diagnosis::NextStep& next) {
   return lines;
 }
 
+std::string refusal_words(const diagnosis::TriedAddition& refused) {
+  return what_is_tried(refused.request) + (refused.request.names().size() > 1 ? " were" : " was") +
+         " tried and refused, " + refused.reason;
+}
+
 std::string nothing_holds_words(const diagnosis::NextStep& next) {
   if (next.little_is_left) {
     return "nothing to add: what is left is so small compared with what was removed that it may be "
-           "the "
-           "inexactness of what is there: let a run that was not fitted decide, with --holdout";
+           "the inexactness of what is there: let a run that was not fitted decide, with --holdout";
   }
   if (next.refused.empty()) return "";
-  std::string text = "nothing to add: " + what_is_tried(next.refused[0].request) +
-                     (next.refused[0].request.names().size() > 1 ? " were" : " was") +
-                     " tried and refused, " + next.refused[0].reason;
+  const std::string text = "nothing to add: " + refusal_words(next.refused[0]);
   std::vector<std::string> others;
   for (std::size_t i = 1; i < next.refused.size(); ++i) {
     others.push_back(what_is_tried(next.refused[i].request));

@@ -24,6 +24,9 @@ std::string add_command_line(const diagnosis::AdditionRequest& request, const st
 /// Sentences about an addition that lowers the error without explaining the cause.
 std::vector<std::string> description_words(const diagnosis::NextStep& next);
 
+/// "aging was tried and refused, does not help out of sample: ...".
+std::string refusal_words(const diagnosis::TriedAddition& refused);
+
 /// Why nothing is proposed; "" if nothing was tried. The first trial was the named effect or the
 /// best description.
 std::string nothing_holds_words(const diagnosis::NextStep& next);

@@ -117,6 +117,15 @@ TEST(DiagnosisWords, SayWhyNothingCanBeAdded) {
             "warm_up; warm_up");
 }
 
+TEST(DiagnosisWords, SayWhyTheNamedEffectIsNotWhatIsAdded) {
+  diagnosis::NextStep next;
+  next.describes = true;
+  next.refused = {tried({"aging"})};
+  next.addition = tried({"shupe"});
+  const std::string all = join(words_of(only_together(), next, kFiles).findings, "\n");
+  EXPECT_NE(all.find("aging was tried and refused, gain 3.1, needed 10"), std::string::npos) << all;
+}
+
 TEST(DiagnosisWords, SayWhatWouldShowWhatTheseRecordingsCannot) {
   diagnosis::Diagnosis diagnosis;
   EXPECT_EQ(words_of(diagnosis, {}, kFiles).verdict.find("nothing is missing: "), 0U);
@@ -131,7 +140,7 @@ TEST(DiagnosisWords, SayThatWhatIsLeftIsNotWorthATrial) {
   next.little_is_left = true;
   const DiagnosisWords words = words_of(only_together(), next, kFiles);
   EXPECT_EQ(words.command, "");
-  EXPECT_EQ(words.next.find("nothing to add: what is left is so little"), 0U);
+  EXPECT_EQ(words.next.find("nothing to add: what is left is so small"), 0U);
 }
 
 // Each command uses the file written by the one before.
