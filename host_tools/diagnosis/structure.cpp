@@ -1,7 +1,6 @@
 #include "diagnosis/structure.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
@@ -19,8 +18,6 @@ constexpr int kRateKnots = 6;
 constexpr int kProductKnots = 4;
 constexpr int kTimeKnots = 8;  // per run
 constexpr int kMaxTimeKnots = 32;
-constexpr std::array<double, 4> kHistoryLags_s{240, 960, 3840, 15360};
-constexpr std::array<double, 4> kRadii_degc{2, 5, 10, 20};
 
 Eigen::VectorXd column_of(
     const series::Rows& rows,
@@ -75,6 +72,12 @@ Eigen::MatrixXd of_time(const series::Rows& rows) {
 
 }  // namespace
 
+Eigen::VectorXd temperature_behind(const series::Rows& rows, const Eigen::VectorXd& temperature,
+                                   const TemperatureHistory& history) {
+  return history.is_play ? play(rows, temperature, history.parameter)
+                         : series::lag_of(rows, temperature, history.parameter);
+}
+
 std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
   const Eigen::VectorXd temperature = column_of(rows, [](const auto& s) { return s.temperature; });
   const Eigen::VectorXd rate = column_of(rows, [](const auto& s) { return s.temperature_rate; });
@@ -88,10 +91,10 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
                                       product.leftCols(std::min<Eigen::Index>(2, product.cols()))},
                                  rows.size())});
   std::vector<Eigen::MatrixXd> history;
-  for (const double tau_s : kHistoryLags_s) {
-    history.push_back(temperature - series::lag_of(rows, temperature, tau_s));
+  for (const TemperatureHistory& each : kTemperatureHistories) {
+    const Eigen::VectorXd behind = temperature_behind(rows, temperature, each);
+    history.push_back(each.is_play ? behind : temperature - behind);
   }
-  for (const double radius : kRadii_degc) history.push_back(play(rows, temperature, radius));
   groups.push_back({"temperature history", side_by_side(history, rows.size())});
   groups.push_back({"time_s", of_time(rows)});
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,18 @@ struct StructureGroup {
   std::string variable;     ///< "temperature_degc", "temperature_rate", "time_s", ...
   Eigen::MatrixXd columns;  ///< rows x any, neither whitened nor scaled
 };
+
+/// What a part that follows the temperature late, or with play, has instead of it.
+struct TemperatureHistory {
+  double parameter = 0;  ///< time constant, s, of the lag; or radius, degC, of the play operator
+  bool is_play = false;
+};
+inline constexpr std::array<TemperatureHistory, 8> kTemperatureHistories{
+    {{240}, {960}, {3840}, {15360}, {2, true}, {5, true}, {10, true}, {20, true}}};
+
+/// degC, of each row.
+Eigen::VectorXd temperature_behind(const series::Rows& rows, const Eigen::VectorXd& temperature,
+                                   const TemperatureHistory& history);
 
 /// Smooths of temperature, of its rate, of their product, of history (lagged temperatures and play
 /// operators), of time within each run, and of every further input that varies.

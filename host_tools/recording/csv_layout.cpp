@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "recording/column_map.hpp"
 #include "recording/columns.hpp"
 #include "recording/decision_rules.hpp"
 #include "support/input_error.hpp"
@@ -108,6 +109,23 @@ class LayoutFinder {
     return finish(best());
   }
 
+  CsvColumns columns() {
+    CsvColumns found;
+    std::optional<CsvLayout> layout;
+    try {
+      layout = find();
+    } catch (const InputError& error) {
+      found.refusal = error.what();
+    }
+    if (layout) {
+      guess_.names = layout->header.names;
+      guess_separator_ = layout->dialect.separator;
+      guess_line_ = layout->lines_before_rows;
+    }
+    describe(found, layout ? &layout->header : nullptr);
+    return found;
+  }
+
  private:
   static bool fits(const Reading& reading) { return reading.has_values(); }
 
@@ -134,7 +152,7 @@ class LayoutFinder {
       if (text.find(separator) == std::string_view::npos) continue;
       std::vector<std::string> names = names_in(text, separator);
       const std::size_t found = is_all_numbers(names) ? 0 : required_columns_among(names, options_);
-      note_guess(i, names, found);
+      note_guess(i, separator, names, found);
       if (found < kRequired) continue;
       i = consider(i, separator, std::move(names));
       if (!readings_.empty() && readings_.back().has_values()) return;
@@ -142,12 +160,15 @@ class LayoutFinder {
   }
 
   // Of lines that lack a column the one that has most.
-  void note_guess(std::size_t line, const std::vector<std::string>& names, std::size_t found) {
+  void note_guess(std::size_t line, char separator, const std::vector<std::string>& names,
+                  std::size_t found) {
     if (found > guess_found_ || (found == guess_found_ && guess_.names.empty()) ||
         (found == guess_found_ && found == 0 && guess_is_numbers_)) {
       guess_found_ = found;
       guess_is_numbers_ = is_all_numbers(names);
       guess_ = {names, {}, head_.path, head_.path + ":" + std::to_string(line + 1)};
+      guess_separator_ = separator;
+      guess_line_ = guess_is_numbers_ ? line : line + 1;
     }
   }
 
@@ -250,12 +271,49 @@ class LayoutFinder {
                                      "; save it with ';' between columns and '.' in numbers");
   }
 
+  static std::string separator_words(char separator) {
+    if (separator == '\t') return "tabs";
+    return separator == ' ' ? "blanks" : std::string("'") + separator + "'";
+  }
+
   static std::string words(const CsvDialect& dialect) {
-    std::string text = "columns separated by ";
-    text += dialect.separator == '\t'  ? "tabs"
-            : dialect.separator == ' ' ? "blanks"
-                                       : std::string("'") + dialect.separator + "'";
-    return text + (dialect.decimal_comma ? ", decimal comma" : "");
+    return "columns separated by " + separator_words(dialect.separator) +
+           (dialect.decimal_comma ? ", decimal comma" : "");
+  }
+
+  // What the columns of the header, or of the line that is most like one, are or could be.
+  void describe(CsvColumns& found, const CsvHeader* header) const {
+    constexpr std::size_t kRowsShown = 3;
+    found.separator = separator_words(guess_separator_);
+    const bool has_names = header != nullptr || !guess_is_numbers_;
+    for (std::size_t i = 0; i < guess_.names.size(); ++i) {
+      const ColumnName name(has_names ? guess_.names[i] : "");
+      const auto meaning = name.meaning();
+      CsvColumns::Column column{displayable(name.text), choice_of(i), "",
+                                name.unit ? name.unit->words : ""};
+      const std::size_t slot = header != nullptr ? header->slots[i]
+                               : meaning         ? meaning->slot
+                                                 : CsvHeader::kIgnored;
+      if (slot < kColumns.size()) column.key = map_key(slot);
+      found.columns.push_back(std::move(column));
+    }
+    for (std::size_t i = next_line(guess_line_);
+         i < lines_.size() && found.rows.size() < kRowsShown; i = next_line(i + 1)) {
+      std::vector<std::string_view> fields;
+      split_fields(lines_[i], guess_separator_, fields);
+      std::vector<std::string>& row = found.rows.emplace_back();
+      for (const std::string_view field : fields) row.push_back(printable(field));
+    }
+  }
+
+  // By its name, or by its number where that says it better: --columns parts names at commas.
+  std::string choice_of(std::size_t field) const {
+    const std::string& name = guess_.names[field];
+    const bool alone = std::count(guess_.names.begin(), guess_.names.end(), name) == 1;
+    const bool plain =
+        name.find_first_of(",\"\n") == std::string::npos && displayable(name) == name;
+    const bool is_name = !guess_is_numbers_ && !name.empty() && alone && plain;
+    return is_name ? name : std::to_string(field + 1);
   }
 
   // A file that begins with its rows, whose columns --columns gives by their numbers.
@@ -370,6 +428,8 @@ class LayoutFinder {
   HeaderLines guess_;
   std::size_t guess_found_ = 0;
   bool guess_is_numbers_ = false;
+  char guess_separator_ = ',';
+  std::size_t guess_line_ = 0;  // first one after it
 };
 
 }  // namespace
@@ -377,6 +437,10 @@ class LayoutFinder {
 bool is_comment_or_blank(std::string_view line) {
   while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
   return line.empty() || line.front() == '#' || line.front() == '%';
+}
+
+CsvColumns look_at_columns(const FileHead& head, const ReadOptions& options) {
+  return LayoutFinder(head, options).columns();
 }
 
 CsvLayout find_csv_layout(const FileHead& head, const ReadOptions& options) {

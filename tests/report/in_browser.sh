@@ -47,8 +47,10 @@ awk -F, -v OFS=, 'NR == 1 { print $0, "input_rate_dph", "light_power_uw"; next }
 "$fogcomp" simulate -o fast.csv --rate 5 >/dev/null
 "$fogcomp" info fast.csv --report fast.html >/dev/null
 "$fogcomp" compare static.model fast.csv --report fast_compare.html >/dev/null
+# With the workbench's engine, and without the recordings that it carries.
 for page in *.html; do
-  (($(stat -c %s $page) < 1500000)) || { echo "$page is $(stat -c %s $page) bytes" >&2; exit 1; }
+  bytes=$(grep -v '^<script type="text/plain" data-file=' $page | wc -c)
+  ((bytes < 2500000)) || { echo "$page is $bytes bytes" >&2; exit 1; }
 done
 
 failed=0
