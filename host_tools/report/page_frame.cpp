@@ -32,10 +32,10 @@ Json setup_json(const WorkbenchSetup& setup) {
       .set("states", json_array(setup.states, state_json));
 }
 
-// Scripts of a page, in the order of their first letters.
-std::string scripts_of(const std::vector<EmbeddedFile>& files) {
+// Its parts in the order of their first letters.
+std::string workbench_script() {
   std::string script;
-  for (const EmbeddedFile& part : files) {
+  for (const EmbeddedFile& part : workbench_files()) {
     if (part.name[1] == '_') script += part.text;
   }
   return script;
@@ -82,7 +82,9 @@ Parts script_parts(const PageContent& content) {
                         (has_bench ? file_of(workbench_files(), "style") : "")},
           {"licence", file_of(basis, "licence")},
           {"library", file_of(basis, "script")},
-          {"script", scripts_of(page_files()) + (has_bench ? scripts_of(workbench_files()) : "")}};
+          {"script", file_of(page_files(), "drawing") +
+                         (content.draws ? file_of(page_files(), "plots") : "") +
+                         (has_bench ? workbench_script() : "")}};
 }
 
 }  // namespace

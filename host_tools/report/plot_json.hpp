@@ -10,7 +10,7 @@ namespace fogcomp::report {
 /// What the page's scripts shade and name along an axis.
 Json bands_json(const std::vector<findings::Band>& bands);
 
-/// What page/b_plots.js reads. Values are rounded to 1e-5 of their span (log_log: five digits), far
+/// What page/plots.js reads. Values are rounded to 1e-5 of their span (log_log: five digits), far
 /// below a pixel.
 Json plot_json(const findings::Plot& plot);
 

@@ -22,6 +22,9 @@ class Plot {
   constructor(holder, height) {
     this.holder = holder;
     this.height = height;
+    this.held = false; // the mouse button, down within the axes
+    holder.addEventListener("mousedown", ({ button }) => { this.held = button === 0; }, true);
+    document.addEventListener("mouseup", () => { this.held = false; });
     all_plots.add(this);
   }
 
@@ -63,11 +66,16 @@ class Plot {
   resize() {
     if (this.u && this.holder.clientWidth > 0 && this.holder.clientWidth !== this.u.width) this.u.setSize(this.size());
   }
-  // Whether there was one. The button is still down: for uPlot it is up.
+  // Whether there was one. What is drawn until the button is let go counts for nothing.
   cancel_drag() {
-    if (!this.u || this.u.select.width === 0) return false;
-    this.u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
-    document.dispatchEvent(new MouseEvent("mouseup", { bubbles: true }));
+    if (!this.held) return false;
+    const clear = () => this.u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+    clear();
+    this.holder.classList.add("cancelled");
+    document.addEventListener("mouseup", () => {
+      clear();
+      this.holder.classList.remove("cancelled");
+    }, { capture: true, once: true });
     return true;
   }
   redraw() { if (this.u) this.u.redraw(false, true); }

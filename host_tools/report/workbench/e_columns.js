@@ -18,7 +18,9 @@ const ask_for_columns = async (name, look, given) => {
   let asked = 0;
   const judge = async () => {
     const turn = ++asked;
-    const { refusal, remarks } = await look(map());
+    show_judgement(turn, await look(map()));
+  };
+  const show_judgement = (turn, { refusal, remarks }) => {
     if (turn !== asked) return;
     byId("columns_said").textContent = [refusal, ...remarks].filter(Boolean).join(" ");
     byId("columns_said").classList.toggle("refused", refusal !== "");
@@ -34,7 +36,9 @@ const ask_for_columns = async (name, look, given) => {
   };
 
   const row = ({ key, required, units }) => {
-    const meant = first.columns.findIndex((column) => column.key === key);
+    // Of several that it could be none is taken for granted.
+    const could_be = first.columns.flatMap((one, i) => (one.key === key ? [i] : []));
+    const meant = could_be.length === 1 ? could_be[0] : -1;
     const column = make("select", { ariaLabel: `column of ${key}` }, make("option", { value: "", textContent: required ? "choose" : "none" }),
       ...first.columns.map((one, i) => make("option", { value: String(i), textContent: one.name || `column ${i + 1}`, selected: i === meant })));
     const unit = make("select", { ariaLabel: `unit of ${key}` }, ...["", ...units].map((word) => make("option", { value: word, textContent: word })));
@@ -49,7 +53,8 @@ const ask_for_columns = async (name, look, given) => {
   byId("columns_rows").replaceChildren(
     make("thead", {}, make("tr", {}, ...first.columns.map((one, i) => make("th", { scope: "col", textContent: one.name || `column ${i + 1}` })))),
     make("tbody", {}, ...first.rows.map((fields) => make("tr", {}, ...fields.map((field) => make("td", { textContent: field }))))));
-  await judge();
+  if (first.refusal) show_judgement(asked, first);
+  else await judge();
   dialog.returnValue = "";
   dialog.showModal();
   return new Promise((done) => { dialog.onclose = () => done(dialog.returnValue === "take" ? map() : null); });
