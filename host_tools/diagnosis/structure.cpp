@@ -44,14 +44,14 @@ Eigen::MatrixXd smooths(const Eigen::VectorXd& x, int knots) {
   return columns;
 }
 
-Eigen::VectorXd play(const series::Rows& rows, const Eigen::VectorXd& x, double radius) {
+Eigen::VectorXd beyond_play(const series::Rows& rows, const Eigen::VectorXd& x, double radius) {
   fog::Play<model::RealNumbers> play(radius);
-  Eigen::VectorXd behind(x.size());
+  Eigen::VectorXd beyond(x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     if (rows.starts_run(static_cast<std::size_t>(i))) play.centre(x[i]);
-    behind[i] = play.step(x[i]);
+    beyond[i] = play.step(x[i]);
   }
-  return behind;
+  return beyond;
 }
 
 Eigen::MatrixXd of_time(const series::Rows& rows) {
@@ -72,10 +72,10 @@ Eigen::MatrixXd of_time(const series::Rows& rows) {
 
 }  // namespace
 
-Eigen::VectorXd temperature_behind(const series::Rows& rows, const Eigen::VectorXd& temperature,
+Eigen::VectorXd temperature_beyond(const series::Rows& rows, const Eigen::VectorXd& temperature,
                                    const TemperatureHistory& history) {
-  return history.is_play ? play(rows, temperature, history.parameter)
-                         : series::lag_of(rows, temperature, history.parameter);
+  if (history.is_play) return beyond_play(rows, temperature, history.parameter);
+  return temperature - series::lag_of(rows, temperature, history.parameter);
 }
 
 std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
@@ -92,8 +92,7 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
                                  rows.size())});
   std::vector<Eigen::MatrixXd> history;
   for (const TemperatureHistory& each : kTemperatureHistories) {
-    const Eigen::VectorXd behind = temperature_behind(rows, temperature, each);
-    history.push_back(each.is_play ? behind : temperature - behind);
+    history.push_back(temperature_beyond(rows, temperature, each));
   }
   groups.push_back({"temperature history", side_by_side(history, rows.size())});
   groups.push_back({"time_s", of_time(rows)});

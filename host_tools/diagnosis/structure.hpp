@@ -17,7 +17,7 @@ struct StructureGroup {
   Eigen::MatrixXd columns;  ///< rows x any, neither whitened nor scaled
 };
 
-/// What a part that follows the temperature late, or with play, has instead of it.
+/// What follows the temperature late, or with play.
 struct TemperatureHistory {
   double parameter = 0;  ///< time constant, s, of the lag; or radius, degC, of the play operator
   bool is_play = false;
@@ -25,8 +25,8 @@ struct TemperatureHistory {
 inline constexpr std::array<TemperatureHistory, 8> kTemperatureHistories{
     {{240}, {960}, {3840}, {15360}, {2, true}, {5, true}, {10, true}, {20, true}}};
 
-/// degC, of each row.
-Eigen::VectorXd temperature_behind(const series::Rows& rows, const Eigen::VectorXd& temperature,
+/// How far the temperature of each row is from that, degC.
+Eigen::VectorXd temperature_beyond(const series::Rows& rows, const Eigen::VectorXd& temperature,
                                    const TemperatureHistory& history);
 
 /// Smooths of temperature, of its rate, of their product, of history (lagged temperatures and play

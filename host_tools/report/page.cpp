@@ -9,6 +9,7 @@
 #include "report/html.hpp"
 #include "report/page_frame.hpp"
 #include "report/plot_json.hpp"
+#include "report/plot_svg.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::report {
@@ -191,7 +192,7 @@ class PageWriter {
         element("figcaption", "<strong>" + escaped(plot.title) + "</strong> " + caption) +
         format("<div class=\"canvas\" data-plot=\"%zu\" role=\"img\" aria-label=\"%s\"></div>\n",
                number, (escaped(plot.title) + " " + caption).c_str()) +
-        "</figure>\n";
+        "<noscript>" + plot_svg(plot) + "</noscript></figure>\n";
     plots_.push(plot_json(plot));
   }
   void write(const Document& document) {

@@ -67,7 +67,7 @@ const char* without_scripts(const PageContent& content) {
   return content.report.empty()
              ? "The workbench calculates in this page: it needs a browser with scripts allowed. "
                "What a report says can be read without."
-             : "The plots need a browser with scripts allowed; words and tables do not.";
+             : "With scripts allowed the plots can be zoomed, and their curves hidden.";
 }
 
 // What draws, for a page that has something to draw.

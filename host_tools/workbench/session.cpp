@@ -285,9 +285,9 @@ void Session::keep_columns(const compare::ModelOnRuns& model) {
     const Eigen::VectorXd temperature = Eigen::Map<const Eigen::VectorXd>(
         columns["temperature_degc"].data(), comparison.rows.size());
     for (const diagnosis::TemperatureHistory& history : diagnosis::kTemperatureHistories) {
-      const Eigen::VectorXd left =
-          temperature - diagnosis::temperature_behind(comparison.rows, temperature, history);
-      columns[name_of(history)] = {left.begin(), left.end()};
+      const Eigen::VectorXd beyond =
+          diagnosis::temperature_beyond(comparison.rows, temperature, history);
+      columns[name_of(history)] = {beyond.begin(), beyond.end()};
     }
   }
 }
