@@ -75,14 +75,21 @@ double stretches_of(const series::Rows& rows, const std::vector<double>& residua
 }
 
 // Stretches of time in turns: every part has some of each phase of the run, so that what is left
-// out lies between what is known and not beyond it.
+// out lies between what is known and not beyond it. Each run begins with another part: its start
+// is left out while the starts of the others are known.
 std::vector<Part> parts_of(const series::Rows& rows, double count) {
   constexpr std::size_t kParts = 5;
-  const auto size = static_cast<std::size_t>(rows.size());
-  const std::size_t stretches = std::min(static_cast<std::size_t>(count), size);
   std::vector<Part> parts(kParts);
-  for (std::size_t i = 0; i < stretches; ++i) {
-    parts[i % kParts].push_back({i * size / stretches, (i + 1) * size / stretches});
+  std::size_t first_part = 0;
+  for (const recording::RowRange& run : rows.runs()) {
+    const double share = static_cast<double>(run.size()) / static_cast<double>(rows.size());
+    const auto wanted = static_cast<std::size_t>(std::max(1.0, std::round(count * share)));
+    const std::size_t stretches = std::min(wanted, run.size());
+    for (std::size_t i = 0; i < stretches; ++i) {
+      parts[(first_part + i) % kParts].push_back(
+          {run.first + i * run.size() / stretches, run.first + (i + 1) * run.size() / stretches});
+    }
+    ++first_part;
   }
   return parts;
 }
@@ -190,14 +197,13 @@ bool tell_terms(const std::vector<Fold>& folds, const series::SignalSeries& seri
   return true;
 }
 
-// A part without which even the effects that are given cannot be told, as a warm-up without the
-// start of its run, says nothing of those that are added: its rows do not count, unless that leaves
-// none.
-Eigen::VectorXd weights_of_judged(const std::vector<Fold>& given, const std::vector<Part>& parts,
+// A part without which the effects cannot be told, as a warm-up without the start of its run, says
+// nothing of what they leave in it: its rows do not count, unless that leaves none.
+Eigen::VectorXd weights_of_judged(const std::vector<Fold>& folds, const std::vector<Part>& parts,
                                   const Fold& all, const Eigen::VectorXd& row_weights) {
   Eigen::VectorXd weights = row_weights;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (tells_all(given[i], all)) continue;
+    if (tells_all(folds[i], all)) continue;
     for (const recording::RowRange& range : parts[i]) segment(weights, range).setZero();
   }
   return weights.any() ? weights : row_weights;
@@ -263,9 +269,11 @@ OutOfSample cross_validate(const series::SignalSeries& series,
   const std::vector<Part> parts =
       parts_of(rows, stretches_of(rows, fitted_residual(series, after), with.noise));
   const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
-  const Fold all = leave_out(series, fixed_before, {}, with);
-  OutOfSample result = judge(rows, left.before, left.after, with.noise,
-                             weights_of_judged(left.given, parts, all, with.row_weights));
+  const Eigen::VectorXd told_before = weights_of_judged(
+      left.given, parts, leave_out(series, fixed_before, {}, with), with.row_weights);
+  const Eigen::VectorXd told =
+      weights_of_judged(left.added, parts, leave_out(series, fixed_after, {}, with), told_before);
+  OutOfSample result = judge(rows, left.before, left.after, with.noise, told);
   result.how = how_of(parts, rows);
   result.within_runs = true;
   return result;

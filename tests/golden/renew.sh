@@ -11,7 +11,7 @@ cmake --build "$build" --target fogcomp
 "$build/fogcomp" fit "$work/run.bin" -o "$work/gyro.model" --effects bias,bias_temperature:order=2,temperature_rate --network 6
 "$build/fogcomp" export "$work/gyro.model" -o firmware/model/fog_model.h --sample-rate 200
 tests/golden/renew_effects.sh "$build"
-for name in board_output core_checks; do
+for name in board_output core_checks spec_functions spec_stream; do
   cmake --build "$build" --target "golden_$name"
   "$build/tests/golden_$name" >"tests/golden/$name.txt"
 done

@@ -78,7 +78,7 @@ TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
 
 // Neither the catalogue nor a formula over its inputs has such a course.
 TEST(NextStep, IsANetworkWhereNothingElseHoldsAndAnotherRunShowsThatItDoes) {
-  model::EffectTerm hidden = written_term("x = sin(T/9)*tanh(4*dTdt)");
+  model::EffectTerm hidden = written_term("x = sin(T/6)*tanh(4*dTdt)");
   hidden.coefficients_dph = {std::ldexp(0.1, hidden.expression->scale_log2)};
   const recording::Recording first = recording_with({hidden}, 1);
   const Asked of_one(kBasic, {first});
@@ -88,7 +88,8 @@ TEST(NextStep, IsANetworkWhereNothingElseHoldsAndAnotherRunShowsThatItDoes) {
   const Asked of_two(kBasic, {first, recording_with({hidden}, 2)});
   ASSERT_TRUE(of_two.next.addition) << of_two.next.refused.back().reason;
   EXPECT_TRUE(of_two.next.describes);
-  EXPECT_TRUE(of_two.next.addition->request.is_network());
+  EXPECT_TRUE(of_two.next.addition->request.is_network())
+      << of_two.next.addition->request.names()[0] << ": " << of_two.next.addition->reason;
   EXPECT_TRUE(of_two.add_accepts());
 }
 

@@ -122,6 +122,16 @@ class DriftModel {
     }
   }
 
+  /// In place of see() where the measured rate is not valid: the drift of a new block is taken over
+  /// at the block's mean rate, so that an image without these effects sends the same.
+  void see_none() {
+    if constexpr (Effects::follows_rate) {
+      if (!course_.now.is_new) return;
+      see_effects(course_.now.signals.block.input_rate);
+      course_.now.of_sample = course_.now.drift;
+    }
+  }
+
   /// What is to be subtracted now.
   Rate drift() const { return course_.now.drift; }
 

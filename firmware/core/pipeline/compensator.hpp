@@ -191,7 +191,11 @@ class Compensator {
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = prepare_drift_model(verdict, temperature, measured);
-    if (!has_any(verdict.status, kRateInvalid)) drift_model_.see(measured);
+    if (has_any(verdict.status, kRateInvalid)) {
+      drift_model_.see_none();
+    } else {
+      drift_model_.see(measured);
+    }
 
     OutputSample& result = last_;
     result.sequence = sample.sequence;

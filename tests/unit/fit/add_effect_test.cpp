@@ -177,6 +177,16 @@ TEST(AddEffect, IsNotJudgedWhereTheModelItselfCannotBeTold) {
   EXPECT_LT(result.out_of_sample->rms_before_dph, 0.2) << result.reason;
 }
 
+// Of two runs the start of one is left out while that of the other is known.
+TEST(AddEffect, JudgesAWarmUpOfTwoRuns) {
+  Model warming = truth();
+  warming.terms.push_back(fog::test::natural_term("warm_up", {900}, {0.2}));
+  const Addition result = add(kComplete, "warm_up", warming, {1, 2});
+  EXPECT_TRUE(result.accepted) << result.reason;
+  EXPECT_LT(result.out_of_sample->rms_after_dph, result.out_of_sample->rms_before_dph)
+      << result.reason;
+}
+
 TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
   Model model = incomplete("bias,bias_temperature:order=3");
   model.network = paper_like_model().network;
