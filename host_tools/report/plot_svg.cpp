@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "findings/figures.hpp"
 #include "report/html.hpp"
 #include "support/text.hpp"
 
@@ -59,13 +58,16 @@ class Scale {
   double max_ = -HUGE_VAL;
 };
 
-// Steps of 1, 2 or 5; of a logarithmic axis the powers of ten.
+// Steps of 1, 2 or 5; of a logarithmic axis whole powers of ten.
 std::vector<double> Scale::ticks() const {
   constexpr double kIntervals = 6;
-  const double power = std::pow(10, std::floor(std::log10((max_ - min_) / kIntervals)));
-  double step = logarithmic_ ? 1 : power;
-  while ((max_ - min_) / step > kIntervals)
-    step += logarithmic_ ? 1 : step < 2 * power ? power : 3 * power;
+  const double min_step = (max_ - min_) / kIntervals;
+  const double power = std::pow(10, std::floor(std::log10(min_step)));
+  double step = std::max(1.0, std::ceil(min_step));
+  if (!logarithmic_) {
+    step = min_step <= power ? power : min_step <= 2 * power ? 2 * power : 5 * power;
+    if (min_step > step) step = 10 * power;
+  }
   std::vector<double> ticks;
   for (double at = std::ceil(min_ / step); at * step <= max_; ++at) {
     ticks.push_back(logarithmic_ ? std::pow(10, at * step) : at * step);
@@ -101,10 +103,14 @@ std::string line(double x1, double y1, double x2, double y2, const char* colour,
                 more);
 }
 
-std::string words(double x, double y, const char* anchor, const findings::Text& text,
+std::string label(double x, double y, const char* anchor, const findings::Text& text,
                   const char* more = "") {
   return format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\"%s>%s</text>", x, y, anchor, more,
                 escaped(text).c_str());
+}
+
+findings::Text tick_text(double at) {
+  return findings::words(format("%.4g", at + 0.0));  // no -0
 }
 
 std::string bands_of(const Plot& plot, const Axes& axes) {
@@ -125,17 +131,15 @@ std::string grid_of(const Plot& plot, const Axes& axes) {
   std::string svg;
   for (const double at : axes.x.ticks()) {
     const double x = axes.x.pixel(at);
-    svg += line(x, kTop, x, kBottom, "rule") +
-           words(x, kBottom + 15, "middle", findings::significant(at));
+    svg += line(x, kTop, x, kBottom, "rule") + label(x, kBottom + 15, "middle", tick_text(at));
   }
   for (const double at : axes.y.ticks()) {
     const double y = axes.y.pixel(at);
-    svg += line(kLeft, y, kRight, y, "rule") +
-           words(kLeft - 6, y + 4, "end", findings::significant(at));
+    svg += line(kLeft, y, kRight, y, "rule") + label(kLeft - 6, y + 4, "end", tick_text(at));
   }
-  svg += words((kLeft + kRight) / 2, kBottom + 33, "middle", plot.x_label);
+  svg += label((kLeft + kRight) / 2, kBottom + 33, "middle", plot.x_label);
   return svg +
-         words(
+         label(
              0, 0, "middle", plot.y_label,
              format(" transform=\"translate(12 %.0f) rotate(-90)\"", (kTop + kBottom) / 2).c_str());
 }
@@ -223,7 +227,7 @@ std::string plot_svg(const Plot& plot) {
   for (const findings::Level& level : plot.levels) {
     const double y = axes.y.pixel(level.y);
     svg += line(kLeft, y, kRight, y, "mark", " stroke-dasharray=\"2 3\"") +
-           words(kRight - 4, y - 4, "end", level.label);
+           label(kRight - 4, y - 4, "end", level.label);
   }
   for (const Curve& curve : plot.curves) svg += curve_of(plot, curve, axes);
   return svg + "</svg>\n" + legend_of(plot) + "\n";

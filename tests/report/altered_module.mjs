@@ -66,7 +66,10 @@ class Module {
   }
 }
 
-const module_of = (page) => new Module(gunzipSync(Buffer.from(readFileSync(page, "utf8").match(/id="engine">([^<]*)</)[1], "base64")));
+const module_of = (page) => {
+  const packed = readFileSync(page, "utf8").match(/id="engine">([^<]*)</)[1];
+  return new Module(gunzipSync(Buffer.from(packed, "base64")));
+};
 
 // The engine of that page as base64, the exported function `name` being a trap.
 export const trapping = (page, name) => {

@@ -18,13 +18,15 @@ include("$root/cmake/modules/FogWorkbenchEngine.cmake")
 fog_workbench_engine(none)
 SCRIPT
 cmake -DFOG_EMSCRIPTEN=FALSE -P configure.cmake >said.txt 2>&1 || fail "does not configure: $(cat said.txt)"
-grep -q "emscripten is missing: there will be no \`fogcomp workbench\`" said.txt || fail "configures without a word: $(cat said.txt)"
+grep -q "emscripten is missing: there will be no \`fogcomp workbench\`" said.txt ||
+  fail "configures without a word: $(cat said.txt)"
 
 cp "$root/docs/examples/mems_chamber.csv" run.csv
 code=0
 "$fogcomp" workbench run.csv -o bench.html 2>said.txt || code=$?
 ((code == 2)) || fail "exit code $code"
-grep -q '^workbench: this fogcomp was built without its engine for pages: install emscripten' said.txt || fail "$(cat said.txt)"
+grep -q '^workbench: this fogcomp was built without its engine for pages: install emscripten' said.txt ||
+  fail "$(cat said.txt)"
 (($(wc -l <said.txt) == 1)) || fail "more than a line: $(cat said.txt)"
 [[ ! -e bench.html ]] || fail "writes a page all the same"
 "$fogcomp" fit run.csv -o run.model --effects bias --report report.html >/dev/null 2>&1

@@ -352,6 +352,8 @@ const rate_table = async (browser) => {
     await bench.tab.settle();
     const axis = await bench.tab.evaluate(`[document.getElementById("variable").value, document.querySelectorAll("#variable_plot canvas").length]`);
     check("table", axis[0] === variable && axis[1] === 1, `the axis is ${axis}`);
+    const range = await bench.tab.evaluate(`plots.variable.u.data[0]`);
+    check("table", variable === "input_rate" || range.every((value) => Math.abs(value) < 5.001), `${variable} goes from ${range[0]} to ${range[1]}`);
     if (shots) writeFileSync(join(shots, `over_${variable.replace(/\W+/g, "_")}.png`), await bench.tab.screenshot());
   }
   const before = await bench.error();
@@ -394,6 +396,11 @@ const report = async (browser) => {
   const words = nodes.filter((node) => !node.ignored).map((node) => node.name?.value || "").join(" ");
   check("report", /Accepted: helps out of sample/.test(words) && /Before and after/.test(words), "cannot be read without scripts");
   check("report", !/Which recordings|What is missing\?/.test(words), "shows a dead workbench without scripts");
+  const { root } = await plain.send("DOM.getDocument");
+  const count = async (selector) => (await plain.send("DOM.querySelectorAll", { nodeId: root.nodeId, selector })).nodeIds.length;
+  const [plots, stills] = [await count("figure.plot"), await count("figure.plot svg.still path")];
+  check("report", plots > 0 && stills > 3 * plots, `draws ${stills} lines in ${plots} plots without scripts`);
+  if (shots) writeFileSync(join(shots, "without_scripts.png"), await plain.screenshot());
 };
 
 // 60,000 rows.

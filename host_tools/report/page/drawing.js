@@ -7,7 +7,8 @@ const colour = (name, opacity = 1) => {
   const hex = getComputedStyle(root).getPropertyValue("--" + name).trim();
   return opacity < 1 ? hex + Math.round(255 * opacity).toString(16).padStart(2, "0") : hex;
 };
-const significant = (value, digits = 4) => (value == null || !isFinite(value) ? "" : String(Number(value.toPrecision(digits))));
+const significant = (value, digits = 4) =>
+  (value == null || !isFinite(value) ? "" : String(Number(value.toPrecision(digits))));
 const decimals = (step) => {
   let places = 0;
   while (places < 9 && Math.abs(step * 10 ** places - Math.round(step * 10 ** places)) > 1e-6) ++places;
@@ -69,7 +70,8 @@ const name_bands = (u, bands) => {
   pen.fillStyle = colour("faint");
   bands_in_view(u, bands).forEach(({ left, right, label }) => {
     const room = right - left - 4 * devicePixelRatio;
-    const name = [label, label.split(" ").slice(1).join(" ")].find((text) => text && pen.measureText(text).width <= room);
+    const name = [label, label.split(" ").slice(1).join(" ")]
+      .find((text) => text && pen.measureText(text).width <= room);
     if (!name) return;
     const place = [name, (left + right) / 2, u.bbox.top + 3 * devicePixelRatio];
     pen.strokeText(...place);
