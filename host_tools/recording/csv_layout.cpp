@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -118,9 +119,7 @@ class LayoutFinder {
       found.refusal = error.what();
     }
     if (layout) {
-      guess_.names = layout->header.names;
-      guess_separator_ = layout->dialect.separator;
-      guess_line_ = layout->lines_before_rows;
+      likeliest_ = {layout->header.names, layout->dialect.separator, layout->lines_before_rows - 1};
     }
     describe(found, layout ? &layout->header : nullptr);
     return found;
@@ -152,7 +151,8 @@ class LayoutFinder {
       if (text.find(separator) == std::string_view::npos) continue;
       std::vector<std::string> names = names_in(text, separator);
       const std::size_t found = is_all_numbers(names) ? 0 : required_columns_among(names, options_);
-      note_guess(i, separator, names, found);
+      note_guess(i, names, found);
+      note_likeliest(i, separator, names, found);
       if (found < kRequired) continue;
       i = consider(i, separator, std::move(names));
       if (!readings_.empty() && readings_.back().has_values()) return;
@@ -160,16 +160,21 @@ class LayoutFinder {
   }
 
   // Of lines that lack a column the one that has most.
-  void note_guess(std::size_t line, char separator, const std::vector<std::string>& names,
-                  std::size_t found) {
+  void note_guess(std::size_t line, const std::vector<std::string>& names, std::size_t found) {
     if (found > guess_found_ || (found == guess_found_ && guess_.names.empty()) ||
         (found == guess_found_ && found == 0 && guess_is_numbers_)) {
       guess_found_ = found;
       guess_is_numbers_ = is_all_numbers(names);
       guess_ = {names, {}, head_.path, head_.path + ":" + std::to_string(line + 1)};
-      guess_separator_ = separator;
-      guess_line_ = guess_is_numbers_ ? line : line + 1;
     }
+  }
+
+  // For somebody who looks at it: of lines that have as many of the three the first one that has
+  // enough fields, parted so that it has most.
+  void note_likeliest(std::size_t line, char separator, const std::vector<std::string>& names,
+                      std::size_t found) {
+    const Likeliest one{names, separator, line, found, is_all_numbers(names)};
+    if (one.rank() > likeliest_.rank()) likeliest_ = one;
   }
 
   // Returns the last line that the header takes: a row of units is no header.
@@ -284,10 +289,9 @@ class LayoutFinder {
   // What the columns of the header, or of the line that is most like one, are or could be.
   void describe(CsvColumns& found, const CsvHeader* header) const {
     constexpr std::size_t kRowsShown = 3;
-    found.separator = separator_words(guess_separator_);
-    const bool has_names = header != nullptr || !guess_is_numbers_;
-    for (std::size_t i = 0; i < guess_.names.size(); ++i) {
-      const ColumnName name(has_names ? guess_.names[i] : "");
+    found.separator = separator_words(likeliest_.separator);
+    for (std::size_t i = 0; i < likeliest_.names.size(); ++i) {
+      const ColumnName name(likeliest_.is_numbers ? "" : likeliest_.names[i]);
       const auto meaning = name.meaning();
       CsvColumns::Column column{displayable(name.text), choice_of(i), "",
                                 name.unit ? name.unit->words : ""};
@@ -297,10 +301,10 @@ class LayoutFinder {
       if (slot < kColumns.size()) column.key = map_key(slot);
       found.columns.push_back(std::move(column));
     }
-    for (std::size_t i = next_line(guess_line_);
+    for (std::size_t i = next_line(likeliest_.first_row());
          i < lines_.size() && found.rows.size() < kRowsShown; i = next_line(i + 1)) {
       std::vector<std::string_view> fields;
-      split_fields(lines_[i], guess_separator_, fields);
+      split_fields(lines_[i], likeliest_.separator, fields);
       std::vector<std::string>& row = found.rows.emplace_back();
       for (const std::string_view field : fields) row.push_back(printable(field));
     }
@@ -308,11 +312,12 @@ class LayoutFinder {
 
   // By its name, or by its number where that says it better: --columns parts names at commas.
   std::string choice_of(std::size_t field) const {
-    const std::string& name = guess_.names[field];
-    const bool alone = std::count(guess_.names.begin(), guess_.names.end(), name) == 1;
+    const std::vector<std::string>& names = likeliest_.names;
+    const std::string& name = names[field];
+    const bool alone = std::count(names.begin(), names.end(), name) == 1;
     const bool plain =
         name.find_first_of(",\"\n") == std::string::npos && displayable(name) == name;
-    const bool is_name = !guess_is_numbers_ && !name.empty() && alone && plain;
+    const bool is_name = !likeliest_.is_numbers && !name.empty() && alone && plain;
     return is_name ? name : std::to_string(field + 1);
   }
 
@@ -428,8 +433,19 @@ class LayoutFinder {
   HeaderLines guess_;
   std::size_t guess_found_ = 0;
   bool guess_is_numbers_ = false;
-  char guess_separator_ = ',';
-  std::size_t guess_line_ = 0;  // first one after it
+  struct Likeliest {
+    std::vector<std::string> names{};
+    char separator = ',';
+    std::size_t line = 0;
+    std::size_t found = 0;
+    bool is_numbers = false;
+
+    std::size_t first_row() const { return is_numbers ? line : line + 1; }
+    std::tuple<std::size_t, bool, std::ptrdiff_t, std::size_t> rank() const {
+      return {found, names.size() >= kRequired, -static_cast<std::ptrdiff_t>(line), names.size()};
+    }
+  };
+  Likeliest likeliest_;
 };
 
 }  // namespace

@@ -59,6 +59,13 @@ TEST(ColumnLook, NamesAColumnByItsNumberWhereItsNameWouldNotDo) {
   EXPECT_EQ(found.columns[2].choice, "3");
 }
 
+TEST(ColumnLook, OfUnknownNamesTheHeaderIsShownAndNoRowWithDecimalCommas) {
+  const CsvColumns found = look("Stamp;Chamber;Gyro_X\n0,5;20,1;1,25\n1,5;20,2;1,5\n");
+  EXPECT_EQ(found.separator, "';'");
+  ASSERT_EQ(found.columns.size(), 3U);
+  EXPECT_EQ(found.columns[0].name, "Stamp");
+}
+
 TEST(ColumnLook, CountsTheColumnsOfAFileThatBeginsWithItsRows) {
   const CsvColumns found = look("0,20,1\n10,21,2\n");
   EXPECT_NE(found.refusal, "");
